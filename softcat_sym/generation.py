@@ -7,6 +7,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import (
     START,
     check_name,
@@ -22,13 +23,15 @@ from softcat_sym.codegen.model import model_for
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.spatial import PLACES, TURN
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together
 from softcat_sym.scene.bundled import bundled_names
-from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
+from softcat_sym.solvers.equilibrium import Newton
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings
@@ -75,12 +78,10 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
 
 def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     """All files of a scene's solver, by name."""
-    if is_spatial(scene):
-        found = f"3 ({reason_for_dimensions(scene)}), in which a generated program does not begin yet"
-        raise SceneError([Fault("run.dimensions", found, "a scene in one plane")])
     described, filament = export(scene)
     graph = filament.graph
-    command, straight = COMMAND if name == "filament" else f"{COMMAND} --name {name}", is_straight(scene)
+    command = COMMAND if name == "filament" else f"{COMMAND} --name {name}"
+    straight = is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic)
     files = {
         **model_files(described, name, command),
         **runtime_files(),
@@ -89,7 +90,7 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
         "scene.toml": scene.to_toml(),
     }
     if not straight:
-        files[START] = start_text(described, graph.grid.nodes, _start(scene, described, filament))
+        files[START] = start_text(described, graph.grid.nodes, _start(described, filament))
     return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
@@ -106,19 +107,30 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     return describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament
 
 
-def _start(scene: Scene, described: Description, filament: Assembled) -> Floats:
+def _newton(filament: Assembled) -> Newton | None:
+    """Newton's method in C for a start in three dimensions, where there is a compiler: it is ten times as fast."""
+    if not filament.theory.is_spatial or find_compiler() is None:
+        return None
+    code, settings = (
+        compile_filament(filament.graph, filament.structure()),
+        compiled_settings(filament.scene, filament.effects),
+    )
+    return CompiledNewton(filament.graph, code, filament.code_at_rest, settings)
+
+
+def _start(described: Description, filament: Assembled) -> Floats:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in."""
-    graph = filament.graph
+    graph, scene = filament.graph, filament.scene
     p = graph.vector(parameter_values(scene))
-    start = starting_state(scene, graph, p, filament.at_rest)
+    start = starting_state(scene, graph, p, filament.at_rest, _newton(filament))
     if start is None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
     observed = graph.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
     names, ends, length = [slot.name for slot in described.model.slots], scene.ends, rest_length(scene)
-    for kind in {"x", "y"} & set(names):
-        places = observed[kind]
-        state[[0, -1], names.index(kind)] = float(places[0]) / length, float(places[-1]) / length
+    for kind in {*PLACES, *TURN} & set(names):
+        held, unit = observed[kind], length if kind in PLACES else 1.0
+        state[[0, -1], names.index(kind)] = float(held[0]) / unit, float(held[-1]) / unit
     if "psi" in names:
         slot, (first, last) = names.index("psi"), described.structure.ends
         if first.holds_angle:

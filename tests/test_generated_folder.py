@@ -37,7 +37,7 @@ COMMON = Path(__file__).with_name("common")
 PROGRAMS, DIGESTS = COMMON / "programs", COMMON / "products.sha256"
 FOLDERS = ("arrested-overdamped", "drying-ink")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")
-SANITIZED = ("-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+SANITIZED = ("-O1", "-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 OWN = {"filament.c", "filament.h", "manifest.json", "main.c", "Makefile", "CMakeLists.txt", "README.md"}
 OWN |= {"parameters.txt", "scene.toml"}
 PLAIN = sc.load_scene("maxwell-slow")
@@ -224,6 +224,39 @@ def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop,
     np.testing.assert_allclose(table[:, 1], y[:, int(np.argmin(np.abs(x[0])))], atol=2e-5 * sag)
 
 
+PULLED = {"load.tip_force": ["0 N", "-10 mN", "30 mN"], "load.tip_mass": "1 g"}
+IN_SPACE = {
+    # A filament in three dimensions with other numbers each: straight, turned, curled, and with a shape.
+    "windy-ink": ({}, {"load.direction": [0.0, -0.6, 0.8], "filament.density": "3000 kg/m^3"}),
+    "wrung-thread": ({}, {"ends.right_twist": [["0 s", "0 deg"], ["0.4 s", "500 deg"]], "run.duration": "0.5 s"}),
+    "hanging-curl": (PULLED, {"material.youngs_modulus": "40 kPa"}),
+    "coil-spring": ({}, {"material.viscosity": "60 kPa*s", "run.duration": "0.5 s"}),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", IN_SPACE)
+def test_a_filament_in_three_dimensions_is_generated_too(name: str, workshop: Workshop, tmp_path: Path) -> None:
+    common, other = IN_SPACE[name]
+    first = sc.load_scene(name).replace({**common, "numerics.rtol": 1e-6, "run.frames": 11})
+    program, parameters = workshop.program(first), tmp_path / "parameters.txt"
+    for scene in (first, first.replace({**other, "run.effects": list(choose_effects(first).names)})):
+        sc.generate(scene, tmp_path)
+        table, fields = program.table(parameters, "--shape"), sc.simulate(scene).fields
+        places = np.stack([np.asarray(fields[axis]) for axis in "xyz"], axis=-1)
+        moved = np.max(np.abs(places - places[0]))
+        assert np.max(np.abs(table[:, 2:].reshape(places.shape) - places)) < 2e-5 * moved, name
+    if (tmp_path / "start.csv").exists():
+        own = program.table(parameters)[:, 1]
+        text = parameters.read_text()
+        parameters.write_text(text.replace(f"cells = {first.numerics.cells}", "cells = 30"))
+        carried = program.table(parameters)[:, 1]
+        assert np.max(np.abs(carried - own)) < 1e-2 * np.max(np.abs(own - own[0])), name
+        parameters.write_text(text.replace("start = start.csv", ""))
+        refused = program(parameters)
+        assert refused.returncode == 2 and "does not begin straight" in refused.stderr
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["curled-rod", "slack-taffy"])
 def test_a_bent_start_is_read_and_carried_over_to_other_cells(name: str, workshop: Workshop, tmp_path: Path) -> None:
@@ -241,7 +274,7 @@ def test_a_bent_start_is_read_and_carried_over_to_other_cells(name: str, worksho
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["stretched-rubber-band", "no-yield", "drawn-blob", "glass-rod"])
+@pytest.mark.parametrize("name", ["stretched-rubber-band", "no-yield", "drawn-blob", "glass-rod", "overtwisted-rod"])
 def test_derivatives_are_those_of_whole_runs(name: str, workshop: Workshop) -> None:
     scene = sc.load_scene(name, [] if name == "glass-rod" else ["run.duration=0.1 s"])
     table = workshop.program(scene, PROGRAMS / "derivatives.c").table()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import textwrap
 from collections.abc import Sequence
@@ -11,12 +12,15 @@ from importlib import resources
 from typing import Any
 
 import jinja2
+import numpy as np
 
 from softcat_sym.codegen.c_printer import VERSIONS, CSource, number
 from softcat_sym.codegen.model import Model, Structure, c_array
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
+from softcat_sym.discretization.spatial import TURN
+from softcat_sym.discretization.supports import DIRECTION, END_TURNS, NATURAL_PLACES, TIP_FORCE, TIP_MASS, Body
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
@@ -37,11 +41,14 @@ _UNITS = {
     "left_angle": "rad",
     "right_angle": "rad",
     "point_mass_per_area": "kg/m^2",
+    TIP_MASS: "kg/m^2",
+    **dict.fromkeys(TIP_FORCE, "N/m^2"),
     "time_scale": "s",
     "second_modulus": "Pa",
     "index": "1",
 }
-_ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
+_ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_dz": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
+_ENDINGS |= {"_angle": "rad"}
 
 _MEANINGS = {
     "area": "undeformed, of the section",
@@ -65,6 +72,10 @@ _MEANINGS = {
     "left_angle": "of the clamp, counterclockwise",
     "right_angle": "of the clamp, counterclockwise",
     "point_mass_per_area": "mass at midspan over the undeformed section",
+    TIP_MASS: "mass at the free end over the undeformed section",
+    **dict.fromkeys(TIP_FORCE, "force at the free end over the undeformed section"),
+    **dict.fromkeys(DIRECTION, "of gravity; the three make a vector of length one"),
+    **{name: "of the quaternion of a clamp, of length one" for turn in END_TURNS for name in turn},
     "time_scale": "unit of time in which the computation works; 0: sqrt(rest_length / gravity)",
 }
 
@@ -97,6 +108,7 @@ class Description:
     relative: float
     absolute: float
     towards_middle: bool  # Whether cells are short at midspan, too
+    natural: tuple[float, ...]  # Of cells from left to right: X, twist and curvatures of a shape [1/m]
 
     @property
     def title(self) -> str:
@@ -135,7 +147,15 @@ def describe(
         relative=float(tolerances[0]),
         absolute=float(tolerances[1]),
         towards_middle=towards_middle(scene, effects),
+        natural=_natural(graph, structure.body),
     )
+
+
+def _natural(graph: Graph, body: Body) -> tuple[float, ...]:
+    if body.natural is None:
+        return ()
+    rows = np.column_stack([graph.grid.centres, body.natural])
+    return tuple(rows.ravel().tolist())
 
 
 def _named_by_user(scene: Scene) -> dict[str, Parameter]:
@@ -167,17 +187,26 @@ def _bound(scene: Scene, name: str) -> str:
     if name == "poisson":
         return "poisson"
     own = _named_by_user(scene)
-    free = ("curvature", "drop", "left_angle", "right_angle")
+    free = (
+        "curvature",
+        "twist",
+        "drop",
+        "left_angle",
+        "right_angle",
+        *TIP_FORCE,
+        *DIRECTION,
+        *itertools.chain(*END_TURNS),
+    )
     if (
         name in own
         or name in free
         or name.startswith(PREFIX)
-        or (name.startswith("motion_") and not name.endswith("_time"))
+        or (name.startswith(("motion_", "turn_")) and not name.endswith("_time"))
     ):
         return "any"
     zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
-    zero |= {"surface_tension", "bath_density", "bath_viscosity"}
-    return "not-negative" if name in zero or name.startswith("motion_") else "positive"
+    zero |= {"surface_tension", "bath_density", "bath_viscosity", TIP_MASS}
+    return "not-negative" if name in zero or name.startswith(("motion_", "turn_")) else "positive"
 
 
 DEFAULT_NAME = "filament"
@@ -189,8 +218,20 @@ _RANGES = {
     "poisson": "SOFTCAT_POISSON",
 }
 _PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
+_PLACES |= set(NATURAL_PLACES)
 _KNOWN = (
-    *("rest_length", "time_scale", "gravity", "density", "span", "drop", "left_angle", "right_angle", "curvature"),
+    *(
+        "rest_length",
+        "time_scale",
+        "gravity",
+        "density",
+        "span",
+        "drop",
+        "left_angle",
+        "right_angle",
+        "curvature",
+        "twist",
+    ),
 )
 
 
@@ -269,6 +310,7 @@ def _lists(described: Description) -> dict[str, tuple[float, ...]]:
         "initial_mean": initial_strain(described.scene),
         "initial_bending": initial.C,
         "thickness": filament.profile,
+        "natural": described.natural,
     }
 
 
@@ -308,6 +350,7 @@ def source_text(described: Description, name: str, command: str) -> str:
 def _fields(described: Description, name: str) -> dict[str, str]:
     """Of the structure."""
     scene, structure = described.scene, described.structure
+    supports = structure.body.supports
     parameters = [one.name for one in described.parameters]
     slots = [slot.name for slot in described.model.slots]
 
@@ -331,14 +374,19 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "area_power": str(structure.area_power),
         "profiled": str(int(structure.body.profile.nodes is not None)),
         "places": "described_places",
-        **{slot: place(slots, slot) for slot in ("x", "y", "psi")},
+        **{slot: place(slots, slot) for slot in ("x", "y", "z", "psi")},
+        "q": place(slots, TURN[0]),
         **{one: place(parameters, one) for one in _KNOWN},
         "motion": place(parameters, "motion_0_time"),
-        "motion_rows": str(structure.body.supports.rows),
+        "motion_rows": str(supports.rows),
+        "motion_width": str(4 if supports.sideways else 3),
+        "turn": place(parameters, "turn_0_time"),
+        "turn_rows": str(supports.turns),
         "stretch": number(force_free_stretch(scene)),
     }
     for key, values in _lists(described).items():
-        fields |= {key: f"described_{key}" if values else "0", f"{key}_count": str(len(values))}
+        rows = len(values) // (4 if key == "natural" else 1)
+        fields |= {key: f"described_{key}" if values else "0", f"{key}_count": str(rows)}
     fields |= {key: number(getattr(described, key)) for key in ("grading", "relative", "absolute")}
     fields |= {"towards_middle": str(int(described.towards_middle)), "duration": number(scene.run.duration)}
     return fields | {"cells": str(described.cells), "frames": str(scene.run.frames)}
@@ -362,6 +410,7 @@ def header_text(described: Description, name: str, command: str) -> str:
         structure=symbol_of(name, "structure"),
         half=described.structure.ends[0] is End.SYMMETRY,
         min_cells=MIN_CELLS,
+        axes=3 if "z" in [slot.name for slot in slots] else 2,
         parameters=list(zip(parameters, words, strict=True)),
         parameter_width=max(map(len, parameters)) + len(f"{big}_P_") + 1,
         slots=list(zip(unknowns, kinds, strict=True)),

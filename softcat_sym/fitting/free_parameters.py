@@ -18,7 +18,6 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.material import (
     CONSTANTS,
@@ -377,9 +376,6 @@ class FreeParameter:
 def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = None) -> tuple[FreeParameter, ...]:
     """Find what is free in a scene."""
     refuse_settled(scene, "the filament is compared at the times of its measurements")
-    if is_spatial(scene):
-        said = f"3 ({reason_for_dimensions(scene)}), in which nothing is fitted yet"
-        raise SceneError([Fault("run.dimensions", said, "a scene in one plane")])
     found, faults = _found(scene, names)
     chosen, wrong = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
     if faults or wrong:

@@ -6,7 +6,7 @@ import ctypes as ct
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import Any, TypeVar
 
 import casadi as ca
@@ -24,8 +24,15 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.scene.scene import Scene, is_slack, rest_length
 from softcat_sym.solvers import compiled
-from softcat_sym.solvers.compiled import CompiledFilament, Directions, RunInput, Status, compile_filament
-from softcat_sym.solvers.equilibrium import Equilibrium, Start
+from softcat_sym.solvers.compiled import (
+    CompiledFilament,
+    CompiledNewton,
+    Directions,
+    RunInput,
+    Status,
+    compile_filament,
+)
+from softcat_sym.solvers.equilibrium import Equilibrium, Newton, Start
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
@@ -37,16 +44,19 @@ _Unknown = tuple[str, int]
 class Starts:
     """Starting states of a filament whose numbers change."""
 
-    def __init__(self, assembled: Assembled, *, follow: bool = True) -> None:
-        self._follow = follow
-        self._graph = assembled.graph
+    def __init__(self, assembled: Assembled, newton: Newton | None = None, *, follow: bool = True) -> None:
+        self._graph, self._newton = assembled.graph, newton
+        # In three dimensions the way from the natural shape is short, and takes milliseconds in C.
+        spatial = assembled.theory.is_spatial
+        self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns nothing is sought: the straight filament as it is.
         self._bare = replace(self._graph, still=Layout("z", []))
-        self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae else None
+        self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae and not spatial else None
         # Its shape at rest may be that of another graph, without inertia and viscous stress.
         is_followed = not self._straight and not self._graph.positions_are_algebraic
-        self._followed = _Followed(self._graph, assembled.at_rest()) if is_followed else None
+        self._at_rest = cache(assembled.at_rest)
+        self._followed = _Followed(self._graph, self._at_rest()) if is_followed and not spatial else None
         self.last: Start | None = None
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
@@ -56,9 +66,7 @@ class Starts:
         near = near or self.last
         found = self._near(scene, p, near, settle) if near is not None and self._follow else None
         if found is None:
-            followed = self._followed
-            statics = None if followed is None else lambda: followed.rest
-            found = starting_state(scene, self._graph, p, statics)
+            found = starting_state(scene, self._graph, p, self._at_rest, self._newton)
         if found is not None and settle:
             self.last = found
         return found
@@ -439,8 +447,11 @@ class FrozenFilament:
         parts = _assembled(scene, effects, self.all_free)
         self.graph = parts.graph
         stays = scene.initial.surface == "fresh" and all(one.path != "initial.stretch" for one in self.all_free)
-        self._starts = Starts(parts, follow=stays)
         self.integrator = self._made(parts, effects)
+        newton = None
+        if isinstance(self.integrator, CompiledForward):
+            newton = CompiledNewton(parts.graph, self.integrator.filament, parts.code_at_rest, self.integrator.settings)
+        self._starts = Starts(parts, newton, follow=stays)
         idle = self._idle()
         if idle and not without_idle:
             named, remedy = ", ".join(self.graph.effects), "run.effects with more"

@@ -14,6 +14,7 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
 from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
@@ -166,7 +167,7 @@ def is_straight(scene: Scene) -> bool:
     pulled = held and scene.material.law != "newtonian"
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
-    bent = scene.filament.curvature != 0 or any(initial.C)
+    bent = is_curved(scene) or any(initial.C) or bool(initial.centreline)
     return not ((turned and held) or is_slack(scene) or uneven or bent)
 
 

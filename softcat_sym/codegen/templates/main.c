@@ -33,11 +33,12 @@ static int understand(int count, char **words, arguments *asked)
     return asked->help || asked->parameters;
 }
 
+/* Nodes in rows of x and y, and z if there are three `axes`. */
 static void write_table(FILE *file, const double *times, int frames, const double *midpoint,
-                        const double *shape, int row)
+                        const double *shape, int row, int axes)
 {
     fprintf(file, "time_s,midpoint_m");
-    for (int k = 0; k < row && shape; k++) fprintf(file, ",%c_%d_m", k % 2 ? 'y' : 'x', k / 2);
+    for (int k = 0; k < row && shape; k++) fprintf(file, ",%c_%d_m", "xyz"[k % axes], k / axes);
     fprintf(file, "\n");
     for (int j = 0; j < frames; j++) {
         fprintf(file, "%.15g,%.12g", times[j], midpoint[j]);
@@ -48,12 +49,12 @@ static void write_table(FILE *file, const double *times, int frames, const doubl
 }
 
 static int write_file(const arguments *asked, const double *times, int frames,
-                      const double *midpoint, const double *shape, int row)
+                      const double *midpoint, const double *shape, int row, int axes)
 {
     FILE *file = asked->output ? fopen(asked->output, "w") : stdout;
     int failed = !file;
     if (file) {
-        write_table(file, times, frames, midpoint, shape, row);
+        write_table(file, times, frames, midpoint, shape, row, axes);
         failed = ferror(file) != 0;
         failed |= file == stdout ? fflush(file) != 0 : fclose(file) != 0;
     }
@@ -109,7 +110,7 @@ static int solve(const softcat_structure *s, const softcat_request *request, con
     int code = softcat_structure_solve(s, request->params, request->cells, times, frames, &settings,
                                        &results, &status);
     code = code ? blame(s, request, &status)
-                : write_file(asked, times, frames, midpoint, shape, row);
+                : write_file(asked, times, frames, midpoint, shape, row, s->z >= 0 ? 3 : 2);
     free(memory);
     return code;
 }

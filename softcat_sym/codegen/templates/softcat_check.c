@@ -9,7 +9,7 @@ enum { MOST_CELLS = 1000000 };
 int softcat_structure_row(const softcat_structure *s, int cells)
 {
     if (cells < s->least_cells || cells > MOST_CELLS) return 0;
-    return 2 * softcat_sites(s, cells);
+    return softcat_axes(s) * softcat_sites(s, cells);
 }
 
 static int within(double value, softcat_range range)
@@ -18,6 +18,13 @@ static int within(double value, softcat_range range)
     if (range == SOFTCAT_POSITIVE) return value > 0.0;
     if (range == SOFTCAT_NOT_NEGATIVE) return value >= 0.0;
     return range != SOFTCAT_POISSON || (value > -1.0 && value < 0.5);
+}
+
+/* Whether a parameter is the time of a row that begins with one. */
+static int is_time(int parameter, int first, int rows, int width)
+{
+    int at = first >= 0 ? parameter - first : -1;
+    return at >= 0 && at < width * rows && at % width == 0;
 }
 
 static int check_settings(const softcat_structure *s, const softcat_settings *c)
@@ -35,9 +42,10 @@ static int check_settings(const softcat_structure *s, const softcat_settings *c)
     for (int i = 0; i < c->kink_count; i++)
         if (!isfinite(c->kinks[i])) return SOFTCAT_BAD_SETTINGS;
     for (int d = 0; d < c->by_count; d++) {
-        int k = c->by[d], row = s->motion >= 0 ? k - s->motion : -1;
+        int k = c->by[d];
         if (k < 0 || k >= s->model->parameters || k == s->time_scale) return SOFTCAT_BAD_SETTINGS;
-        if (row >= 0 && row < 3 * s->motion_rows && row % 3 == 0) return SOFTCAT_BAD_SETTINGS;
+        if (is_time(k, s->motion, s->motion_rows, s->motion_width)) return SOFTCAT_BAD_SETTINGS;
+        if (is_time(k, s->turn, s->turn_rows, 2)) return SOFTCAT_BAD_SETTINGS;
         if (c->by_step && !within(c->by_step[d], SOFTCAT_POSITIVE)) return SOFTCAT_BAD_SETTINGS;
     }
     return SOFTCAT_SOLVED;

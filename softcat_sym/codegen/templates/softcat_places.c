@@ -3,6 +3,11 @@
 #include <math.h>
 #include <stddef.h>
 
+int softcat_axes(const softcat_structure *s)
+{
+    return s->z >= 0 ? 3 : 2;
+}
+
 int softcat_sites(const softcat_structure *s, int cells)
 {
     return s->first == SOFTCAT_SYMMETRY ? cells + 1 : 2 * cells + 1;
@@ -48,6 +53,19 @@ double softcat_along(const double *values, int count, double X)
     return values[left] + (at - left) * (values[left + 1] - values[left]);
 }
 
+/* Natural twist and curvatures [1/m] of a cell around X: linear between the cells of the scene. */
+static void natural(const softcat_structure *s, double X, double *to)
+{
+    const double *row = s->natural;
+    int left = 0;
+    while (left + 2 < s->natural_count && row[4 * (left + 1)] <= X) left++;
+    for (int k = 1; k < 4 && s->natural_count; k++) {
+        const double *a = row + 4 * left, *b = a + (s->natural_count > 1 ? 4 : 0);
+        double share = b > a ? (X - a[0]) / (b[0] - a[0]) : 0.0;
+        to[k - 1] = share == 1.0 ? b[k] : a[k] + share * (b[k] - a[k]);
+    }
+}
+
 static double of_cell(const double *X, int sites, int i)
 {
     return i >= 0 && i + 1 < sites ? X[i + 1] - X[i] : 0.0;
@@ -59,7 +77,7 @@ void softcat_places(const softcat_structure *s, int cells, const double *X, cons
     int sites = softcat_sites(s, cells), width = s->model->places;
     double hung = s->first == SOFTCAT_SYMMETRY ? 0.5 : 1.0, area_before = 0.0;
     for (int i = 0; i < sites; i++) {
-        double known[SOFTCAT_PLACE_COUNT], h_cell = 1.0, h_node = 1.0;
+        double known[SOFTCAT_PLACE_COUNT] = {0.0}, h_cell = 1.0, h_node = 1.0;
         double before = of_cell(X, sites, i - 1);
         int has_cell = i + 1 < sites;
         if (s->profiled) h_node = softcat_along(thickness, count, X[i]);
@@ -76,6 +94,7 @@ void softcat_places(const softcat_structure *s, int cells, const double *X, cons
         known[SOFTCAT_PLACE_H_NODE] = h_node;
         known[SOFTCAT_PLACE_H_CELL] = h_cell;
         known[SOFTCAT_PLACE_HUNG] = i == softcat_middle(s, cells) ? hung : 0.0;
+        natural(s, has_cell ? 0.5 * (X[i] + X[i + 1]) : X[i], known + SOFTCAT_PLACE_K0_1);
         for (int k = 0; k < width; k++)
             places[(size_t)i * (size_t)width + (size_t)k] = known[s->places[k]];
         area_before = area;

@@ -4,6 +4,9 @@
 
 #include "softcat_solve.h"
 
+/* Numbers of a node's position: 2, or 3 in three dimensions. */
+int softcat_axes(const softcat_structure *);
+
 /* Number of nodes, and of the node at X = 0. */
 int softcat_sites(const softcat_structure *, int cells);
 int softcat_middle(const softcat_structure *, int cells);

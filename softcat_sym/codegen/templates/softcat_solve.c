@@ -32,7 +32,7 @@ static size_t cut(run *r, int derivatives, int works)
     const softcat_model *m = r->s->model;
     size_t sites = (size_t)r->filament.sites, rows = (size_t)r->count, at = 0;
     size_t by = derivatives ? (size_t)r->settings->by_count : 0;
-    size_t kinks = (size_t)(r->settings->kink_count + r->s->motion_rows);
+    size_t kinks = (size_t)(r->settings->kink_count + r->s->motion_rows + r->s->turn_rows);
     struct { double **to; size_t size; } parts[] = {
         {&r->params, (size_t)m->parameters}, {&r->X, sites},
         {&r->places, sites * (size_t)m->places},
@@ -60,7 +60,9 @@ static void gather_kinks(run *r)
 {
     int count = 0, kept = 0;
     for (int row = 0; row < r->s->motion_rows; row++)
-        r->kinks[count++] = r->params[r->s->motion + 3 * row] / r->scale;
+        r->kinks[count++] = r->params[r->s->motion + r->s->motion_width * row] / r->scale;
+    for (int row = 0; row < r->s->turn_rows; row++)
+        r->kinks[count++] = r->params[r->s->turn + 2 * row] / r->scale;
     for (int i = 0; i < r->settings->kink_count; i++)
         r->kinks[count++] = r->settings->kinks[i] / r->scale;
     if (count) qsort(r->kinks, (size_t)count, sizeof(double), compare);
@@ -140,8 +142,7 @@ static int point(run *r)
 }
 
 /* Position [rest lengths] of a node; of one that is held, where its support is. */
-static void node(const run *r, const double *state, int i, softcat_supports at, double *x,
-                 double *y)
+static void node(const run *r, const double *state, int i, softcat_supports at, double *place)
 {
     const softcat_structure *s = r->s;
     int slots = s->model->slots, last = r->filament.sites - 1;
@@ -150,14 +151,15 @@ static void node(const run *r, const double *state, int i, softcat_supports at, 
     int held_y = (left && s->model->held_first[s->y]) || (right && s->model->held_last[s->y]);
     int held_x = s->x >= 0
                  && ((left && s->model->held_first[s->x]) || (right && s->model->held_last[s->x]));
-    *y = held_y ? (right ? at.right_y : 0.0) : site[s->y];
+    place[1] = held_y ? (right ? at.right_y : 0.0) : site[s->y];
+    if (s->z >= 0) place[2] = held_y ? (right ? at.right_z : 0.0) : site[s->z];
     if (s->x < 0) {
         int from_left = s->first == SOFTCAT_CLAMPED || s->first == SOFTCAT_PINNED;
-        *x = r->X[i] + (from_left ? at.left_x + 0.5 : at.right_x - 0.5);
+        place[0] = r->X[i] + (from_left ? at.left_x + 0.5 : at.right_x - 0.5);
     } else if (held_x) {
-        *x = right ? at.right_x : s->first == SOFTCAT_SYMMETRY ? 0.0 : at.left_x;
+        place[0] = right ? at.right_x : s->first == SOFTCAT_SYMMETRY ? 0.0 : at.left_x;
     } else {
-        *x = site[s->x];
+        place[0] = site[s->x];
     }
 }
 
@@ -176,16 +178,18 @@ static void differentiate(run *r, int d, double seconds, const double *state, co
     r->params[k] = value;
     softcat_supports slope = {(up.left_x - down.left_x) / (2.0 * step),
                               (up.right_x - down.right_x) / (2.0 * step),
-                              (up.right_y - down.right_y) / (2.0 * step)};
+                              (up.right_y - down.right_y) / (2.0 * step),
+                              (up.right_z - down.right_z) / (2.0 * step)};
+    int axes = softcat_axes(r->s);
     for (int i = 0; i < r->filament.sites; i++) {
-        double x, y, dx, dy;
-        node(r, state, i, at, &x, &y);
-        node(r, change, i, slope, &dx, &dy);
+        double place[3], moved[3];
+        node(r, state, i, at, place);
+        node(r, change, i, slope, moved);
         if (r->s->x < 0) /* the place of such a node moves with its support only */
-            dx = r->s->first == SOFTCAT_SYMMETRY || r->s->first == SOFTCAT_FREE ? slope.right_x
+            moved[0] = r->s->first == SOFTCAT_SYMMETRY || r->s->first == SOFTCAT_FREE ? slope.right_x
                                                                                : slope.left_x;
-        to[2 * i] = r->length * dx + grows * x;
-        to[2 * i + 1] = r->length * dy + grows * y;
+        for (int k = 0; k < axes; k++)
+            to[axes * i + k] = r->length * moved[k] + grows * place[k];
     }
 }
 
@@ -198,18 +202,18 @@ static void blank(double *row, size_t count)
 static void write_row(run *r, const softcat_results *to, int j, int n, double seconds, int middle)
 {
     const softcat_model *m = r->s->model;
-    size_t row = (size_t)(j + r->skip), width = 2 * (size_t)r->filament.sites;
+    int axes = softcat_axes(r->s);
+    size_t row = (size_t)(j + r->skip), width = (size_t)(axes * r->filament.sites);
     const double *state = r->states + row * r->size;
     softcat_supports at = softcat_supports_at(r->s, r->params, seconds);
-    double unit = 0.0, x, y;
+    double unit = 0.0, place[3];
     for (int i = 0; i < r->filament.sites && to->positions; i++) {
-        double *position = to->positions + (size_t)j * width + 2 * (size_t)i;
-        node(r, state, i, at, &x, &y);
-        position[0] = r->length * x;
-        position[1] = r->length * y;
+        double *position = to->positions + (size_t)j * width + (size_t)(axes * i);
+        node(r, state, i, at, place);
+        for (int k = 0; k < axes; k++) position[k] = r->length * place[k];
     }
-    node(r, state, middle, at, &x, &y);
-    if (to->midpoint) to->midpoint[j] = r->length * y;
+    node(r, state, middle, at, place);
+    if (to->midpoint) to->midpoint[j] = r->length * place[1];
     if (to->states) memcpy(to->states + (size_t)j * r->size, state, r->size * sizeof(double));
     if (to->work && m->powers) {
         if (r->s->density >= 0) unit = r->params[r->s->density];
@@ -227,7 +231,8 @@ static void write_row(run *r, const softcat_results *to, int j, int n, double se
 static void write_all(run *r, const softcat_results *to, const double *times, int n, int reached,
                       int middle)
 {
-    size_t width = 2 * (size_t)r->filament.sites, powers = (size_t)r->s->model->powers;
+    size_t width = (size_t)(softcat_axes(r->s) * r->filament.sites);
+    size_t powers = (size_t)r->s->model->powers;
     for (int j = 0; j < n; j++) {
         if (j + r->skip < reached) {
             write_row(r, to, j, n, times[j], middle);

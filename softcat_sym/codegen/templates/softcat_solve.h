@@ -3,8 +3,8 @@
  * A generated filament.c describes one structure (law, section, ends, effects) by a
  * softcat_structure; filament.h calls what is declared here with it. Lengths are in metres, times
  * in seconds, positions x to the right and y upwards from the left support, with x = 0 halfway
- * between the supports. Everything is re-entrant: there is no global state, and any number of
- * threads may solve at once. */
+ * between the supports, and in three dimensions z towards the viewer. Everything is re-entrant:
+ * there is no global state, and any number of threads may solve at once. */
 #ifndef SOFTCAT_SOLVE_H
 #define SOFTCAT_SOLVE_H
 
@@ -37,7 +37,9 @@ typedef enum softcat_range {
 typedef enum softcat_place {
     SOFTCAT_PLACE_X, SOFTCAT_PLACE_CELL, SOFTCAT_PLACE_NODE, SOFTCAT_PLACE_MASS,
     SOFTCAT_PLACE_PER_CELL, SOFTCAT_PLACE_PER_NODE, SOFTCAT_PLACE_PER_MASS,
-    SOFTCAT_PLACE_H_NODE, SOFTCAT_PLACE_H_CELL, SOFTCAT_PLACE_HUNG, SOFTCAT_PLACE_COUNT
+    SOFTCAT_PLACE_H_NODE, SOFTCAT_PLACE_H_CELL, SOFTCAT_PLACE_HUNG,
+    SOFTCAT_PLACE_K0_1, SOFTCAT_PLACE_K0_2, SOFTCAT_PLACE_K0_3, /* natural twist, curvatures */
+    SOFTCAT_PLACE_COUNT
 } softcat_place;
 
 /* What a filament.c describes; numbers of parameters and slots are -1 where there is none. */
@@ -56,13 +58,18 @@ typedef struct softcat_structure {
     int area_power;                       /* the area goes with this power of the thickness */
     int profiled;                         /* whether the thickness varies */
     const softcat_place *places;          /* [model->places] */
-    int x, y, psi;                        /* slots */
+    int x, y, z, psi, q;                  /* slots; q: the first of four of a quaternion */
     int rest_length, time_scale, gravity, density; /* parameters */
-    int span, drop, left_angle, right_angle, curvature;
-    int motion, motion_rows;              /* first of 3 numbers a row: time, dx, dy */
+    int span, drop, left_angle, right_angle, curvature, twist;
+    int motion, motion_rows;              /* first of the numbers of a row: time, dx, dy (, dz) */
+    int motion_width;
+    int turn, turn_rows;                  /* first of 2 numbers a row: time, angle */
     double stretch;                       /* stress-free initial stretch */
     const double *initial_mean, *initial_bending, *thickness; /* equally spaced from left to right*/
     int initial_mean_count, initial_bending_count, thickness_count;
+    const double *natural;                /* [4 * natural_count] of a shape: X, twist and curvatures
+                                             [1/m] of cells from left to right */
+    int natural_count;
     double grading, relative, absolute;   /* of the scene */
     int towards_middle;                   /* whether cells are short at midspan, too */
     double duration;                      /* of the scene [s] */
@@ -99,7 +106,8 @@ typedef struct softcat_settings {
 /* Where results go; NULL: not wanted. n is the number of times, row that of softcat_structure_row.
  * After a failure, rows at times that were not reached are NaN. */
 typedef struct softcat_results {
-    double *positions;   /* [n * row] x_0 y_0 x_1 y_1 ... of all nodes from left to right [m] */
+    double *positions;   /* [n * row] x_0 y_0 x_1 y_1 ... of all nodes from left to right [m];
+                            x_0 y_0 z_0 ... in three dimensions */
     double *midpoint;    /* [n] height of the node at X = 0 [m] */
     double *states;      /* [n * sites * model->slots] all unknowns, dimensionless */
     double *work;        /* [n * model->powers] J per m^2 of undeformed section: dissipated by
@@ -123,11 +131,13 @@ int softcat_structure_row(const softcat_structure *, int cells);
  *
  * Without settings->start the filament begins straight and without velocity, stretched or bent
  * plastically as the scene says, which must be an equilibrium without weight: neither slack nor
- * curved, clamps along the line of the supports; otherwise SOFTCAT_NOT_STRAIGHT. A starting shape
+ * curved nor twisted, clamps along the line of the supports; otherwise SOFTCAT_NOT_STRAIGHT. A
+ * starting shape
  * is carried over to the grid by cubic interpolation; it is at rest only with the parameters and
  * cells that it was computed for. Algebraic unknowns are made consistent either way.
  *
- * Derivatives: see softcat_directions; those by motion_*_time and time_scale are refused. */
+ * Derivatives: see softcat_directions; those by motion_*_time, turn_*_time and time_scale are
+ * refused. */
 int softcat_structure_solve(const softcat_structure *, const double *params, int cells,
                             const double *times, int n, const softcat_settings *settings,
                             const softcat_results *, softcat_status *status);

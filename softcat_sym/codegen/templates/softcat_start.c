@@ -10,32 +10,32 @@ static double parameter(const double *params, int number, double otherwise)
     return number >= 0 ? params[number] : otherwise;
 }
 
-/* Displacement of the right support [m]: straight pieces from nowhere at t = 0, held at the end. */
+/* Displacement of the right support [m], added to `moved`: straight pieces from nowhere at t = 0,
+ * held at the end. */
 static void displacement(const softcat_structure *s, const double *params, double seconds,
-                         double *dx, double *dy)
+                         double *moved)
 {
-    double begin = 0.0, x = 0.0, y = 0.0;
-    *dx = *dy = 0.0;
+    const double *before = NULL;
     for (int row = 0; row < s->motion_rows; row++) {
-        const double *point = params + s->motion + 3 * row;
+        const double *point = params + s->motion + s->motion_width * row;
+        double begin = before ? before[0] : 0.0;
         double share = (seconds - begin) / fmax(point[0] - begin, 1e-300);
         share = fmin(fmax(share, 0.0), 1.0);
-        *dx += (point[1] - x) * share;
-        *dy += (point[2] - y) * share;
-        begin = point[0];
-        x = point[1];
-        y = point[2];
+        for (int k = 1; k < s->motion_width; k++)
+            moved[k - 1] += (point[k] - (before ? before[k] : 0.0)) * share;
+        before = point;
     }
 }
 
 softcat_supports softcat_supports_at(const softcat_structure *s, const double *params,
                                      double seconds)
 {
-    double length = params[s->rest_length], dx, dy;
+    double length = params[s->rest_length], moved[3] = {0.0, 0.0, 0.0};
     double half = 0.5 * parameter(params, s->span, length) / length;
-    displacement(s, params, seconds, &dx, &dy);
-    softcat_supports at = {-half, half + dx / length,
-                           (dy - parameter(params, s->drop, 0.0)) / length};
+    displacement(s, params, seconds, moved);
+    softcat_supports at = {-half, half + moved[0] / length,
+                           (moved[1] - parameter(params, s->drop, 0.0)) / length,
+                           moved[2] / length};
     return at;
 }
 
@@ -83,6 +83,8 @@ int softcat_is_straight(const softcat_structure *s, const double *params, int pr
     double drop = parameter(params, s->drop, 0.0), distance = hypot(span, drop);
     int held = s->first != SOFTCAT_FREE && s->last != SOFTCAT_FREE;
     if (parameter(params, s->curvature, 0.0) != 0.0) return 0;
+    if (parameter(params, s->twist, 0.0) != 0.0 || s->natural_count) return 0;
+    if (s->z >= 0 && !s->model->differential[s->y]) return 0;
     for (int i = 0; i < s->initial_bending_count; i++)
         if (s->initial_bending[i] != 0.0) return 0;
     if (varies(s->initial_mean, s->initial_mean_count)) return 0;
@@ -115,6 +117,8 @@ void softcat_straight(const softcat_structure *s, const double *params, int site
             if (k == s->x) site[k] = l.x + l.run * at;
             else if (k == s->y) site[k] = l.y - l.fall * at;
             else if (k == s->psi) site[k] = l.angle;
+            else if (s->q >= 0 && k == s->q) site[k] = cos(0.5 * l.angle);
+            else if (s->q >= 0 && k == s->q + 3) site[k] = sin(0.5 * l.angle);
             else if (s->mean[k] != 0.0 || s->bending[k] != 0.0)
                 site[k] = s->mean[k]
                               * (softcat_along(s->initial_mean, s->initial_mean_count, at)
@@ -159,6 +163,8 @@ static int meets(const softcat_structure *s, const double *params, const softcat
     int right = s->last == SOFTCAT_CLAMPED || s->last == SOFTCAT_PINNED;
     if (left && s->x >= 0 && far_apart(first[s->x], at.left_x)) return 0;
     if (left && far_apart(first[s->y], 0.0)) return 0;
+    if (left && s->z >= 0 && far_apart(first[s->z], 0.0)) return 0;
+    if (right && s->z >= 0 && far_apart(last[s->z], at.right_z)) return 0;
     if (right && s->x >= 0 && far_apart(last[s->x], at.right_x)) return 0;
     return !(right && far_apart(last[s->y], at.right_y));
 }

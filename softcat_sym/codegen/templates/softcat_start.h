@@ -6,7 +6,7 @@
 
 /* Positions of the supports in rest lengths; the left one has the height 0. */
 typedef struct softcat_supports {
-    double left_x, right_x, right_y;
+    double left_x, right_x, right_y, right_z;
 } softcat_supports;
 
 softcat_supports softcat_supports_at(const softcat_structure *, const double *params,

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELLS = 6, MOST = 2 * (2 * CELLS + 1) };
+enum { CELLS = 6, MOST = 3 * (2 * CELLS + 1) };
 
 static const softcat_settings tight = {.relative = 1e-9, .absolute = 1e-13};
 
