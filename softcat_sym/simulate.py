@@ -89,12 +89,18 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
             clock.lap("estimate")
             until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
+        aside = _in_space(scene, run, progress)
+        if aside is not None:
+            return aside
         breaks = run.outcome is Outcome.broken
         if breaks:
             run = _up_to_its_break(run, effects, clock, progress)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
+            aside = _in_space(scene, run, progress)
+            if aside is not None:
+                return aside
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
             answer = run.repeated(repeats).settled(scene, ends)
@@ -103,6 +109,18 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
         repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
+
+
+def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
+    """The run in three dimensions, where the planar one would not stay in its plane and nobody asked that it does."""
+    from softcat_sym.results.sideways import Sideways, seeded
+
+    found = run.summary["sideways"]
+    moved = seeded(scene) if found else None
+    if moved is None:
+        return None
+    progress.stage("again, in three dimensions: it is unstable sideways")
+    return _with_all_that_matters(moved, progress).left_its_plane(Sideways(**found))
 
 
 def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:

@@ -587,7 +587,7 @@ def sideways_tangent(cells: Floats) -> Floats:
 
 @cache
 def _tangent() -> ca.Function:
-    """Second derivative of n.Gamma + m.kappa + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of one cell out of its plane."""
+    """Second derivative of n1 |(Lam, Gam_3)| + n2 Gam - M k_3 + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of a cell."""
     given = ca.SX.sym("given", 13)
     xa, ya, pa, xb, yb, pb, d, n1, n2, M, c_shear, c_twist, c_bend = ca.vertsplit(given)
     out = ca.SX.sym("out", 6)
@@ -595,7 +595,8 @@ def _tangent() -> ca.Function:
     slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
     Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, _turned(pa, a1, a2), _turned(pb, b1, b2), d)
     stiff = (c_shear * Gam_3**2 + c_twist * k_1**2 + c_bend * k_2**2) / 2
-    energy = d * (n1 * Lam + n2 * Gam - M * k_3 + stiff)
+    # A tension pulls along the fibre: of itself it does not tilt the section, however soft that is in shear.
+    energy = d * (n1 * ca.sqrt(Lam**2 + Gam_3**2) + n2 * Gam - M * k_3 + stiff)
     hessian = ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))
     return ca.Function("tangent", [given], [ca.densify(hessian)])
 

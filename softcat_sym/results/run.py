@@ -41,7 +41,7 @@ from softcat_sym.results.motion import (
     rings_on,
     too_few_frames,
 )
-from softcat_sym.results.sideways import sideways
+from softcat_sym.results.sideways import Sideways, seeded, sideways
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
@@ -174,6 +174,13 @@ class Run:
             return replace(self, summary=self.summary | changed)
         changed |= {"outcome": outcome.name, "advice": outcome.value, "message": message, "regime": None}
         return replace(self, summary=self.summary | changed, outcome=outcome)
+
+    def left_its_plane(self, planar: Sideways) -> Run:
+        """The same run as what took the place of a planar one that is unstable."""
+        changed = {"sideways": asdict(planar), "dimensions_reason": f"in its plane it is {planar.found}"}
+        return replace(
+            self, summary=self.summary | changed | {"warnings": [*self.summary["warnings"], planar.followed]}
+        )
 
     def settled(self, scene: Scene, time: float | None) -> Run:
         """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
@@ -370,7 +377,8 @@ def run_form(scene: Scene) -> Form[Run]:
     def read(content: bytes) -> Run:
         arrays = unpacked(content)
         summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
-        return Run(scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
+        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else seeded(scene)
+        return Run(moved or scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
 
     return Form(write, read)
 

@@ -2,7 +2,8 @@
 
 Planar equations never leave the plane and say nothing. What they do not see are the displacement z of a node and the
 two turns of its section out of the plane; their stiffness is that of the cells in torsion and sideways bending, with
-the geometric part of the forces and moments that the planar run has found.
+the geometric part of the forces and moments that the planar run has found. A disturbance that grows as exp(s t) meets
+the modulus of its rate, s E(s), so that what flows resists by its viscosity.
 """
 
 from __future__ import annotations
@@ -13,12 +14,14 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.linalg import LinAlgError, cholesky_banded, eigh
+from scipy.linalg import LinAlgError, cholesky_banded
+from scipy.optimize import brentq
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.spatial import sideways_tangent
-from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.effects.scaling_estimates import modulus_growing
+from softcat_sym.errors import SceneError
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.dimensions import is_spatial
@@ -26,13 +29,19 @@ from softcat_sym.scene.scene import Scene, undeformed_area
 
 Bools = npt.NDArray[np.bool_]
 
-GROWN = 5.0
+GROWN = math.log(100.0)
 """By how many e-folds a disturbance may grow sideways: what a hundredth of a thickness makes one."""
 
-_FRAMES = 41
+_FRAMES = 201
 """At most, evenly spaced: growth is an integral over the run."""
 
 _PLACES = ("X_node", "X_cell")
+
+SEED = 1e-4
+"""Share of the weight that pushes a filament out of the plane in which it cannot stay."""
+
+_MOST = 1e3
+"""Fastest growth that is told from a faster one, in e-folds of the whole run."""
 
 _FREE = 3
 """Unknowns of a node out of the plane: z and the turns about d1 and d2."""
@@ -47,33 +56,62 @@ class Sideways:
     rate: float  # Fastest growth [1/s]
 
     @property
-    def warning(self) -> str:
-        """What a user should know."""
+    def found(self) -> str:
+        """Since when and how much it grows."""
         return (
             f"unstable sideways from {self.time:.4g} s on: a disturbance out of its plane grows by a factor of "
-            f"e^{self.growth:.3g}, which this planar run does not follow; take run.dimensions = 3 and a load.direction "
-            "that is a little out of the plane, such as [0, -1, 1e-4]"
+            f"e^{self.growth:.3g}"
         )
+
+    @property
+    def warning(self) -> str:
+        """What a user of the planar run should know."""
+        return (
+            f"{self.found}, which this planar run does not follow; take run.dimensions = 3 and a load.direction "
+            f"that is a little out of the plane, such as [0, -1, {SEED:g}]"
+        )
+
+    @property
+    def followed(self) -> str:
+        """What a user of the run in three dimensions that took its place should know."""
+        return (
+            f"in its plane it is {self.found}; it was followed in three dimensions instead, with {SEED:g} of its "
+            "weight to the side: which side, and when, a disturbance of your own decides; run.dimensions = 2 keeps it "
+            "in its plane"
+        )
+
+
+def seeded(scene: Scene) -> Scene | None:
+    """The scene in three dimensions, with a little of its weight to the side.
+
+    None where nothing weighs, where three dimensions lack what it has, or where it says in how many it moves.
+    """
+    if scene.run.dimensions != "auto" or scene.load.gravity == 0:
+        return None
+    try:
+        return scene.replace({"run.dimensions": 3, "load.direction": [0.0, -1.0, SEED]})
+    except SceneError:
+        return None
 
 
 def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
-    modulus = instant_modulus(scene)
-    if is_spatial(scene) or modulus is None or SECTIONS[scene.filament.section].plane_strain:
+    if is_spatial(scene) or SECTIONS[scene.filament.section].plane_strain:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None
     frames = np.unique(np.linspace(0, len(fields["time"]) - 1, _FRAMES).round().astype(int))
     fields = {name: values if name in _PLACES else values[frames] for name, values in fields.items()}
-    held = _held(scene, fields["x"].shape[1])
-    bands = _bands(_stiffness(scene, fields, modulus), held)
-    time, rates = fields["time"], np.zeros(len(fields["time"]))
-    for frame, band in enumerate(bands):
-        if not _is_positive(band):
-            rates[frame] = _growth_rate(_dense(band)[np.ix_(~held, ~held)], _masses(scene, fields, held))
+    time, held = fields["time"], _held(scene, fields["x"].shape[1])
+    mass = _masses(scene, fields, held)
+    # Of forces and moments, and of each unit of a modulus.
+    carried = _stiffness(scene, fields, 0.0)
+    geometric, elastic = (_bands(blocks, held) for blocks in (carried, _stiffness(scene, fields, 1.0) - carried))
+    rates = np.array([_growth_rate(scene, *frame, mass, time[-1]) for frame in zip(geometric, elastic, strict=True)])
     if not np.any(rates):
         return None
-    growth = float(np.sum((rates[1:] + rates[:-1]) / 2 * np.diff(time))) if len(time) > 1 else 0.0
+    # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
+    growth = float(np.sum(np.minimum(rates[1:], rates[:-1]) * np.diff(time)))
     return None if growth < GROWN else Sideways(float(time[np.flatnonzero(rates)[0]]), growth, float(rates.max()))
 
 
@@ -134,13 +172,6 @@ def _bands(blocks: Floats, held: Bools) -> Floats:
     return bands
 
 
-def _dense(band: Floats) -> Floats:
-    size = band.shape[1]
-    lower = sum((np.diag(band[k, : size - k], -k) for k in range(1, len(band))), np.zeros((size, size)))
-    matrix: Floats = lower + lower.T + np.diag(band[0])
-    return matrix
-
-
 def _held(scene: Scene, nodes: int) -> Bools:
     """Which unknowns the ends hold: all at a clamp, all but the turn about d2 at a pin."""
     held = np.zeros(_FREE * nodes, dtype=bool)
@@ -150,10 +181,10 @@ def _held(scene: Scene, nodes: int) -> Bools:
 
 
 def _masses(scene: Scene, fields: Mapping[str, Floats], held: Bools) -> Floats:
-    """Mass of every free unknown: of z half of that of the cells beside it, none of a turn."""
+    """Mass of every unknown: of z half of that of the cells beside it, none of a turn or of what is held."""
     cells = np.diff(fields["X_node"]) * undeformed_area(scene) * scene.filament.density
     nodes = np.append(cells, 0.0) / 2 + np.append(0.0, cells) / 2
-    return np.column_stack([nodes, 0 * nodes, 0 * nodes]).ravel()[~held]
+    return np.where(held, 0.0, np.column_stack([nodes, 0 * nodes, 0 * nodes]).ravel())
 
 
 def _is_positive(band: Floats) -> bool:
@@ -170,12 +201,20 @@ def _is_positive(band: Floats) -> bool:
     return True
 
 
-def _growth_rate(matrix: Floats, mass: Floats) -> float:
-    """Fastest rate sqrt(-K/M) at which a disturbance grows [1/s]; turns have no inertia and follow at once."""
-    heavy = mass > 0
-    inner = matrix[np.ix_(~heavy, ~heavy)]
-    coupled = matrix[np.ix_(heavy, ~heavy)]
-    reduced = matrix[np.ix_(heavy, heavy)] - coupled @ np.linalg.solve(inner, coupled.T)
-    root = 1 / np.sqrt(mass[heavy])
-    least = float(eigh(reduced * np.outer(root, root), eigvals_only=True, subset_by_index=(0, 0))[0])
-    return math.sqrt(max(0.0, -least))
+def _growth_rate(scene: Scene, geometric: Floats, elastic: Floats, mass: Floats, duration: float) -> float:
+    """Fastest rate s at which a disturbance grows [1/s]: s^2 M + s E(s) K_E + K_G is positive definite beyond it.
+
+    0 where it is less than an e-fold in the whole run.
+    """
+    inertia = np.zeros_like(geometric)
+    inertia[0] = mass
+
+    def resists(log_rate: float) -> float:
+        rate = math.exp(log_rate)
+        band = geometric + modulus_growing(scene, rate) * elastic + rate**2 * inertia
+        return 1.0 if _is_positive(band) else -1.0
+
+    low, high = math.log(1 / duration), math.log(_MOST / duration)
+    if resists(low) > 0:
+        return 0.0
+    return math.exp(high if resists(high) < 0 else float(brentq(resists, low, high, xtol=1e-3)))
