@@ -18,6 +18,8 @@ from softcat_sym.discretization.grid import End, Floats, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
@@ -356,3 +358,35 @@ def test_a_run_in_space_is_read_again(tmp_path: Any) -> None:
     for name in ("z", "quaternion", "twist", "torque", "curvature_2", "moment_2"):
         assert np.array_equal(again.fields[name], run.fields[name]), name
     assert again.data.quaternion.dims == ("time", "node", "component")
+
+
+@pytest.mark.slow
+def test_what_is_free_is_found_in_space() -> None:
+    """Midpoints of runs are those of the model that is fitted; its slopes are their differences; a fit finds them."""
+    cases = {
+        "hanging-curl": ({"run.duration": "1 s"}, ["youngs_modulus", "viscosity", "curvature", "thickness"]),
+        "coil-spring": ({"run.duration": "1 s", "numerics.cells": 20}, ["youngs_modulus", "viscosity", "density"]),
+        "windy-ink": ({"run.duration": "0.05 s", "run.accuracy": 1e-3}, ["shear_yield_stress", "surface_tension"]),
+        "overtwisted-rod": ({"run.duration": "3 s"}, ["youngs_modulus", "gravity"]),
+    }
+    short = {"numerics.cells": 10, "numerics.rtol": 1e-7, "run.frames": 9, "numerics.estimate": False}
+    for name, (changes, free) in cases.items():
+        scene = load_scene(name, {**short, **changes})
+        model = ForwardModel(scene, free_parameters(scene, free), np.linspace(0, scene.run.duration, 9), rtol=1e-7)
+        q = np.array([one.scaled(one.typical) for one in model.free])
+        found, slopes = model.with_derivatives(q)
+        same = scene.replace({"run.effects": list(model.effects)})
+        moved = np.ptp(found)
+        assert np.abs(sc.simulate(same).data.midpoint.values - found).max() < 1e-5 * moved, name
+        # Either difference averages over the points that begin to yield in it.
+        bound = 5e-3 if scene.material.law == "bingham" else 1e-3
+        for k, e in enumerate(1e-3 * np.eye(len(q))):
+            differences = (model.midpoints(q + e) - model.midpoints(q - e)) / 2e-3
+            assert np.abs(differences - slopes[:, k]).max() < bound * np.abs(differences).max(), (name, free[k])
+    scene = load_scene("hanging-curl", {**short, "run.duration": "1 s", "run.frames": 41})
+    data = sc.simulate(scene).data
+    film = sc.Measurements.of(data.time.values, data.midpoint.values, std=1e-5)
+    guess = scene.replace({"material.youngs_modulus": "1.1 MPa", "material.viscosity": "50 kPa*s"})
+    fit = sc.fit(film, guess, ["youngs_modulus", "viscosity"], starts=0, profiles=False)
+    assert fit.parameters["youngs_modulus"].value == pytest.approx(1.3e6, rel=1e-4)
+    assert fit.parameters["viscosity"].value == pytest.approx(6e4, rel=1e-3)

@@ -18,6 +18,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.material import (
     CONSTANTS,
@@ -29,6 +30,7 @@ from softcat_sym.scene.material import (
     poisson_in_shear,
     tensile_name,
 )
+from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.structure import Structure
@@ -57,6 +59,7 @@ _ANGLE = 0.999 * math.pi
 _ANY_SIGN = 10.0
 _LENGTHS = ("span", "thickness", "width", "rest_length")
 _SIGNED = (("filament", "curvature"), ("ends", "drop"), ("ends", "left_angle"), ("ends", "right_angle"))
+_OF_SHAPE = ("span", "rest_length", "curvature", "twist", "drop", "left_angle", "right_angle", "stretch")
 
 
 @dataclass(frozen=True)
@@ -101,7 +104,15 @@ class Candidate:
 def candidates(scene: Scene) -> tuple[Candidate, ...]:
     """List every number of a scene, and of its measurement, that may be free."""
     of_scene = (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_temperature(scene))
-    return (*of_scene, *_of_measurement(scene))
+    return (*(_without_shape(scene, one) for one in of_scene), *_of_measurement(scene))
+
+
+def _without_shape(scene: Scene, one: Candidate) -> Candidate:
+    """A number that a curve in space follows from cannot be free: the curve is sampled once."""
+    curve = "filament.shape" if has_shape(scene) else "initial.centreline" if scene.initial.centreline else ""
+    if not curve or one.name not in _OF_SHAPE or one.trouble:
+        return one
+    return replace(one, trouble=f"{curve} says where the filament begins, once for all values", remedy="a known one")
 
 
 _ANY = (0.0, math.inf)
@@ -205,11 +216,12 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
     yield _positive("load.shake", "", load.shake)
     yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
     yield _positive("load.point_mass", "kg", load.point_mass)
+    yield _positive("load.tip_mass", "kg", load.tip_mass)
     yield _surface_tension(scene)
     yield _bath(scene, "density", "kg/m^3")
     yield _bath(scene, "viscosity", "Pa*s")
     yield _stretch(scene)
-    for table, name in _SIGNED:
+    for table, name in (*_SIGNED, *((("filament", "twist"),) if is_spatial(scene) else ())):
         value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
         turned = name.endswith("angle")
         unit = "rad" if turned else "m" if name == "drop" else "1/m"

@@ -84,9 +84,9 @@ class Sideways:
 def seeded(scene: Scene) -> Scene | None:
     """The scene in three dimensions, with a little of its weight to the side.
 
-    None where nothing weighs, where three dimensions lack what it has, or where it says in how many it moves.
+    None where nothing weighs, where three dimensions lack what it has, or where it names its effects or dimensions.
     """
-    if scene.run.dimensions != "auto" or scene.load.gravity == 0:
+    if scene.run.dimensions != "auto" or scene.run.effects != "auto" or scene.load.gravity == 0:
         return None
     try:
         return scene.replace({"run.dimensions": 3, "load.direction": [0.0, -1.0, SEED]})

@@ -17,6 +17,7 @@ from softcat_sym.files import folder_of
 from softcat_sym.reference.calculix import STEP, CalculixRun, require_calculix, run_calculix
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
 from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.simulate import identity_of, simulated
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.store import Form, key_of, packed, stored, unpacked
@@ -252,6 +253,9 @@ def compare(
     ``calculix``, or ``both``: CalculiX is the reference, and our elements stand beside the filament.
     """
     progress = progress or (lambda _: nullcontext(Silence()))
+    if not is_spatial(scene):
+        # The elements, and half of the filament, do not leave their plane.
+        scene = scene.replace({"run.dimensions": 2})
     theories = [("filament", scene)]
     # What a filament or the elements cannot have is refused before the long run.
     chosen = choose_effects(scene).names
