@@ -225,6 +225,7 @@ def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop,
 
 
 PULLED = {"load.tip_force": ["0 N", "-10 mN", "30 mN"], "load.tip_mass": "1 g"}
+PULLED |= {"load.tip_torque": ["10 uN*m", "0 N*m", "20 uN*m"]}
 IN_SPACE = {
     # A filament in three dimensions with other numbers each: straight, turned, curled, and with a shape.
     "windy-ink": ({}, {"load.direction": [0.0, -0.6, 0.8], "filament.density": "3000 kg/m^3"}),

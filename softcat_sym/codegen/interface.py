@@ -20,7 +20,15 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.discretization.spatial import TURN
-from softcat_sym.discretization.supports import DIRECTION, END_TURNS, NATURAL_PLACES, TIP_FORCE, TIP_MASS, Body
+from softcat_sym.discretization.supports import (
+    DIRECTION,
+    END_TURNS,
+    NATURAL_PLACES,
+    TIP_FORCE,
+    TIP_MASS,
+    TIP_TORQUE,
+    Body,
+)
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
@@ -43,6 +51,7 @@ _UNITS = {
     "point_mass_per_area": "kg/m^2",
     TIP_MASS: "kg/m^2",
     **dict.fromkeys(TIP_FORCE, "N/m^2"),
+    **dict.fromkeys(TIP_TORQUE, "N/m"),
     "time_scale": "s",
     "second_modulus": "Pa",
     "index": "1",
@@ -74,6 +83,7 @@ _MEANINGS = {
     "point_mass_per_area": "mass at midspan over the undeformed section",
     TIP_MASS: "mass at the free end over the undeformed section",
     **dict.fromkeys(TIP_FORCE, "force at the free end over the undeformed section"),
+    **dict.fromkeys(TIP_TORQUE, "torque at the free end over the undeformed section"),
     **dict.fromkeys(DIRECTION, "of gravity; the three make a vector of length one"),
     **{name: "of the quaternion of a clamp, of length one" for turn in END_TURNS for name in turn},
     "time_scale": "unit of time in which the computation works; 0: sqrt(rest_length / gravity)",
@@ -194,6 +204,7 @@ def _bound(scene: Scene, name: str) -> str:
         "left_angle",
         "right_angle",
         *TIP_FORCE,
+        *TIP_TORQUE,
         *DIRECTION,
         *itertools.chain(*END_TURNS),
     )
@@ -385,8 +396,9 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "stretch": number(force_free_stretch(scene)),
     }
     for key, values in _lists(described).items():
-        rows = len(values) // (4 if key == "natural" else 1)
-        fields |= {key: f"described_{key}" if values else "0", f"{key}_count": str(rows)}
+        if values:
+            rows = len(values) // (4 if key == "natural" else 1)
+            fields |= {key: f"described_{key}", f"{key}_count": str(rows)}
     fields |= {key: number(getattr(described, key)) for key in ("grading", "relative", "absolute")}
     fields |= {"towards_middle": str(int(described.towards_middle)), "duration": number(scene.run.duration)}
     return fields | {"cells": str(described.cells), "frames": str(scene.run.frames)}

@@ -338,6 +338,8 @@ def structure_of(
         body.tip_force,
         body.natural is not None,
     )
+    if body.tip_torque:
+        parts = (*parts, "torque")
     if equations.terms.shaking != 1:
         parts = (*parts, equations.terms.shaking)
     if equations.terms.hardens:

@@ -138,6 +138,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         weighted=scene.load.point_mass > 0,
         tip_mass=scene.load.tip_mass > 0,
         tip_force=any(scene.load.tip_force),
+        tip_torque=any(scene.load.tip_torque),
         natural=shaped(scene, grid.nodes)[2] if has_shape(scene) else None,
     )
 

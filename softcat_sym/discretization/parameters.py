@@ -17,6 +17,7 @@ from softcat_sym.discretization.supports import (
     SPAN,
     TIP_FORCE,
     TIP_MASS,
+    TIP_TORQUE,
     path_name,
     turn_name,
 )
@@ -113,6 +114,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),
         TIP_MASS: scene.load.tip_mass / undeformed_area(scene),
         **dict(zip(TIP_FORCE, (one / undeformed_area(scene) for one in scene.load.tip_force), strict=True)),
+        **dict(zip(TIP_TORQUE, (one / undeformed_area(scene) for one in scene.load.tip_torque), strict=True)),
         **dict(zip(DIRECTION, scene.load.direction, strict=True)),
         SPAN: filament.span,
         DROP: ends.drop,

@@ -34,7 +34,7 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.grid import End, Floats
 from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
 from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
-from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, Held
+from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, TIP_TORQUE, Held
 from softcat_sym.physics import spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.reissner import eps_e, eps_p
@@ -457,14 +457,21 @@ class _Body:
 
     def _twisting(self, axis: int) -> Sided:
         """Torque on a node in its own axes, over a mass as that of places (a row of a matrix is not scaled)."""
-        first, last = (part[axis] for part in self.torque)
-        factor = 1 / self.b.node[0] * (self.b.scale**2 / (self.b.density * self.b.span**3))
+        b, (first, last) = self.b, (part[axis] for part in self.torque)
+        factor = 1 / b.node[0] * (b.scale**2 / (b.density * b.span**3))
 
         def acting(before: int | None, behind: int | None) -> ca.SX:
             net = (0 if behind is None else first[behind]) + (0 if before is None else last[before])
+            if behind is None and b.body.tip_torque:
+                net += self._dead_torque()[axis]
             return ca.SX(net * factor)
 
         return acting
+
+    def _dead_torque(self, at: int = 0) -> Three:
+        """Torque on the free end in its own axes."""
+        dead = tuple(self.b.named[name] for name in TIP_TORQUE)
+        return spatial.unrotated(tuple(one[at] for one in self.turn), dead)  # type: ignore[arg-type]
 
     def _of_turn(self, slot: Slot) -> Sided:
         """The length of a quaternion and the balance of its torques, or its rate where it has a spin."""
@@ -496,6 +503,9 @@ class _Body:
         pushed -= self.torque[1][0][-1] * at.right_spin / b.span
         if not ca.SX(pushed).is_zero():
             load.append(Field("power_load_1", Where(-1, 0, alone=True), pushed * self.work))
+        if b.body.tip_torque and not isinstance(self.spin[0], Same):
+            turned = sum((t * o[0] for t, o in zip(self._dead_torque(), self.spin, strict=True)), ca.SX(0))
+            load.append(Field("power_load_2", Where(-1, 0, alone=True), turned * self.work / b.scale / b.span))
         gradient: list[Field] = []
         if self.double_force is not None:
             stretching = []

@@ -70,7 +70,8 @@ def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
 POINT_MASS = "point_mass_per_area"
 SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle"
 TIP_MASS, TIP_FORCE = "tip_mass_per_area", ("tip_force_x", "tip_force_y", "tip_force_z")
-"""What hangs at the right end, and what pulls there, over the undeformed area."""
+TIP_TORQUE = ("tip_torque_x", "tip_torque_y", "tip_torque_z")
+"""What hangs at the right end, what pulls there and what turns it, over the undeformed area."""
 NATURAL_PLACES = ("k0_1", "k0_2", "k0_3")
 """Natural twist and curvatures of a cell."""
 END_TURNS = tuple(tuple(f"{side}_turn_{n}" for n in range(4)) for side in ("left", "right"))
@@ -113,12 +114,14 @@ class Body:
     weighted: bool = False  # Whether a mass hangs at midspan
     tip_mass: bool = False  # Whether one hangs at a free right end, and whether a force acts there
     tip_force: bool = False
+    tip_torque: bool = False
     natural: Floats | None = None  # Twist and curvatures of each cell in its shape [1/m], if it has one
 
     @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the numbers that it needs."""
         tip = (*((TIP_MASS,) if self.tip_mass else ()), *(TIP_FORCE if self.tip_force else ()))
+        tip = (*tip, *(TIP_TORQUE if self.tip_torque else ()))
         return (*self.supports.parameters, *((POINT_MASS,) if self.weighted else ()), *tip)
 
 

@@ -237,6 +237,7 @@ def _forecast(scene: Scene) -> Motion:
     # How fast the hinges of a slack filament give way from its first moment on is not foreseen, nor what a moving
     # support, or a force at the end, sets in motion.
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
+    moved = moved or any(scene.load.tip_torque)
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
     return Motion(
         sag=sag,

@@ -42,7 +42,7 @@ _ONLY: dict[str, object] = {
     "temperature.initial": None,
     **dict.fromkeys(("filament.twist", "load.tip_mass"), 0.0),
     "load.direction": DOWN,
-    "load.tip_force": (0.0, 0.0, 0.0),
+    **dict.fromkeys(("load.tip_force", "load.tip_torque"), (0.0, 0.0, 0.0)),
     "ends.right_twist": (),
     "ends.right_slides": False,
     "initial.centreline": (),

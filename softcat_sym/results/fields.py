@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.filament import WORK_OF_AGEING
@@ -156,6 +157,9 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     plastic, load, gradient, *lost = solution.quad * unit
     if "q0" in observed:
         observed["quaternion"] = np.stack([observed.pop(name) for name in TURN], axis=-1)
+    if "o1" not in (*graph.x_kinds, *graph.z_kinds):
+        # Turns that are algebraic have no rate that a quadrature could use: the work is summed over frames.
+        load = load + _work_of_torque(scene, observed)
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
     for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
         observed[name if name in VARIABLES else f"{_LOST}{name}"] = loss[:, None]
@@ -184,6 +188,16 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
         else:
             fields[name] = mirrored(name, values) if graph.grid.is_half else values
     return fields
+
+
+def _work_of_torque(scene: Scene, observed: Mapping[str, Floats]) -> Floats | float:
+    """Work of the dead torque on the free end per undeformed area: a turn has no potential."""
+    if not any(scene.load.tip_torque):
+        return 0.0
+    turns = Rotation.from_quat(np.roll(observed["quaternion"][:, -1], -1, axis=1))
+    steps = (turns[1:] * turns[:-1].inv()).as_rotvec()
+    work = np.concatenate([[0.0], np.cumsum(steps @ np.array(scene.load.tip_torque))])
+    return np.asarray(work / undeformed_area(scene))
 
 
 def _heat_unit(scene: Scene) -> float:

@@ -36,6 +36,7 @@ def out_of_plane(scene: Scene) -> str:
         (filament.twist != 0, "filament.twist turns the section along the filament"),
         (load.direction != DOWN, "load.direction is not straight down"),
         (any(load.tip_force), "load.tip_force pulls at the end"),
+        (any(load.tip_torque), "load.tip_torque turns the end"),
         (ends.right_slides, "ends.right_slides lets a clamp slide"),
         (scene.initial.centreline, "initial.centreline says where it begins"),
         (load.tip_mass != 0, "load.tip_mass hangs at the end"),
@@ -72,6 +73,7 @@ def dimension_rules(scene: Scene) -> Iterator[Rule]:
     along = "a force along the span, right or left"
     yield slides and any(load.tip_force[1:]), "load.tip_force", "across the way that the clamp slides", along
     yield load.tip_mass > 0 and ends.right != "free", "load.tip_mass", found, loose
+    yield any(load.tip_torque) and ends.right != "free", "load.tip_torque", found, loose
     clamped = f'{out}, or ends.right = "clamped"'
     yield ends.right_twist and ends.right != "clamped", "ends.right_twist", found, clamped
     yield slides and ends.right != "clamped", "ends.right_slides", found, clamped

@@ -273,6 +273,7 @@ class Ends(Part):
 
 
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
+_TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
 
 
 class Load(Part):
@@ -292,6 +293,8 @@ class Load(Part):
     """Mass at a free right end; in three dimensions."""
     tip_force: Annotated[tuple[float, ...], Three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
     """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
+    tip_torque: Annotated[tuple[float, ...], Three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
+    """Dead torque on a free right end, about axes that point right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
     shake_frequency: Annotated[float, Quantity("frequency", "5 Hz", "non-negative")] = 0.0

@@ -82,7 +82,7 @@ def _value(text: str) -> object:
 _IDLE = {
     "filament": ("twist",),
     "ends": ("right_slides",),
-    "load": ("shake", "shake_frequency", "direction", "tip_mass", "tip_force"),
+    "load": ("shake", "shake_frequency", "direction", "tip_mass", "tip_force", "tip_torque"),
     "material": ("loss_tangent", "natural_strain", "natural_strain_difference"),
     "surroundings": ("density", "viscosity"),
     "run": ("until", "dimensions"),

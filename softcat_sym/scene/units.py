@@ -40,6 +40,7 @@ _FACTORS: Mapping[Dimension, Mapping[str, float]] = {
     (0.0, 1.0, -2.0): {"m/s^2": 1.0},
     (1.0, 1.0, -2.0): {"N": 1.0, "mN": 0.001},
     (1.0, 0.0, -2.0): {"N/m": 1.0, "mN/m": 0.001},
+    (1.0, 2.0, -2.0): {"N*m": 1.0, "mN*m": 0.001},
     (0.0, -1.0, 0.0): {"1/m": 1.0},
     (0.0, 0.0, -1.0): {"Hz": 1.0, "kHz": 1000.0},
 }
@@ -55,6 +56,7 @@ SI_UNITS = {
     "time": "s",
     "mass": "kg",
     "force": "N",
+    "torque": "N*m",
     "surface tension": "N/m",
     "curvature": "1/m",
     "angle": "rad",
