@@ -81,6 +81,29 @@ def test_stress_gives_the_rate_that_was_recorded_and_its_mean_is_in_the_file(run
     assert not written[:, 2].any() and not written[:, :, 2].any()
 
 
+@pytest.mark.parametrize("changes", [{}, {"load.direction": [0.0, -1.0, 1.0]}])
+def test_a_run_is_a_row_of_lines(changes: dict[str, object], tmp_path: Path) -> None:
+    """Nodes, cells and time as in the trajectory; the axes of a section are those of its turn."""
+    quick = {"numerics.cells": 6, "numerics.estimate": False, "run.frames": 4, "run.duration": "50 ms"}
+    filament = sc.simulate(sc.load_scene("continual-descent", {**quick, **changes}))
+    files = vtk.write_run_vtk(filament, tmp_path)
+    assert sorted(files) == sorted(tmp_path.iterdir()) and files[0].name == vtk.RUN_SERIES
+    rows = list(ET.parse(files[0]).getroot().iter("DataSet"))
+    data = filament.data
+    assert [float(row.attrib["timestep"]) for row in rows] == data.time.values.tolist()
+    mesh = meshio.read(tmp_path / rows[-1].attrib["file"])
+    aside = data.z.values[-1] if changes else 0 * data.y.values[-1]
+    assert mesh.points == pytest.approx(np.column_stack([data.x.values[-1], data.y.values[-1], aside]), abs=0)
+    assert mesh.cells[0].type == "line" and mesh.cells[0].data.tolist() == [[n, n + 1] for n in range(12)]
+    assert mesh.cell_data["tension"][0] == pytest.approx(data.tension.values[-1], abs=0)
+    assert mesh.point_data["displacement"] == pytest.approx(mesh.points - meshio.read(files[1]).points, abs=0)
+    assert ("d1" in mesh.point_data) == bool(changes)
+    if changes:
+        along, width = mesh.point_data["d1"][6], mesh.point_data["d3"][6]
+        assert along == pytest.approx([1, 0, 0], abs=1e-6)
+        assert width == pytest.approx([0, 0, 1], abs=1e-6)
+
+
 def test_without_meshio_it_says_how_to_install_it(
     run: ElementRun, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -49,6 +49,9 @@ StyleOption = Annotated[
 RadiusOption = Annotated[
     float, typer.Option("--radius", metavar="FACTOR", help="Draw shapes with their thickness swollen, to see beads.")
 ]
+VtkOption = Annotated[
+    bool, typer.Option("--vtk", help="The filament at every frame for ParaView, in DIR/vtk; needs the extra fem.")
+]
 TrajectoryArgument = Annotated[
     Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
 ]
@@ -110,14 +113,19 @@ def draw(
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
+    vtk: VtkOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Draw a finished run again: in another style, or as a film.
+    """Draw a finished run again: in another style, as a film, or for ParaView.
 
     Without solving; its pictures, its table and a film go to DIR (by default the folder of the run with -draw).
     summary.json and scene.toml of the run go along with them.
     """
     order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
+    if vtk:
+        from softcat_sym.plotting.vtk import require_meshio, write_run_vtk
+
+        require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
@@ -132,6 +140,7 @@ def draw(
             beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
             files = write_results(output, pictures(run.fields, run.summary, run.scene, drawn, radius) | beside)
             files += [] if order is None else [_film(order, output, run, quiet=quiet)]
+            files += write_run_vtk(run, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None

@@ -1,24 +1,34 @@
-"""Meshes and fields of the elements as VTK files, for ParaView and its like; needs meshio, an optional extra."""
+"""Filaments, and the meshes of our elements, as VTK files for ParaView; needs meshio, an optional extra."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
+from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, replace_atomically
 from softcat_sym.reference.elements import ElementField, element_fields, strip_of
+from softcat_sym.results.fields import VARIABLES, variable_of
 
 if TYPE_CHECKING:
     from softcat_sym.reference.elements import ElementRun
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
 
 SERIES = "elements.pvd"
 """The file to open: it names one mesh for each instant, with its time in s."""
+
+
+RUN_SERIES = "filament.pvd"
+"""The same of a run."""
 
 
 def vtk_available() -> bool:
@@ -33,21 +43,83 @@ def write_vtk(scene: Scene, run: ElementRun, directory: str | Path) -> list[Path
     At nodes: ``displacement`` [m]. For elements: ``plastic_shear_rate`` [1/s] and ``cauchy_stress`` [Pa] (nine
     components, row by row), means over the four Gauss points; ``plastic_shear_rate_at_points`` [1/s].
     """
-    if not vtk_available():
-        raise SoftcatError("VTK files are written by meshio, which is not installed: pip install 'softcat_sym[fem]'")
+    require_meshio()
     strip, span = strip_of(scene, run), scene.filament.span
     nodes = np.column_stack([span * strip.position, np.zeros(len(strip.position))])
     fields = list(element_fields(scene, run))
-    folder = Path(directory)
+    meshes = ((field.time, _mesh(nodes, strip.corner, field)) for field in fields)
+    return _written(Path(directory), SERIES, meshes, len(fields))
+
+
+def require_meshio() -> None:
+    """Raise SoftcatError if meshio is not installed."""
+    if not vtk_available():
+        raise SoftcatError("VTK files are written by meshio, which is not installed: pip install 'softcat_sym[fem]'")
+
+
+def write_run_vtk(run: Run, directory: str | Path) -> list[Path]:
+    """Write the centreline at every frame as ``filament-NNN.vtu``, and ``filament.pvd``, which lists them.
+
+    Parameters
+    ----------
+    run : Run
+        In its plane (z = 0) or in three dimensions.
+    directory : str or pathlib.Path
+        Where the files go; made if missing.
+
+    Returns
+    -------
+    list of pathlib.Path
+        What was written, the file to open first. Points are the nodes [m], with ``displacement`` [m] since the first
+        frame, ``radius`` [m] for a tube, and in three dimensions the axes ``d1``, ``d2``, ``d3`` of the section; lines
+        are the cells, with all that the run has of them in SI units.
+
+    Raises
+    ------
+    SoftcatError
+        If meshio is not installed.
+    """
+    require_meshio()
+    fields, time = run.fields, np.asarray(run.fields["time"])
+    places = np.stack([fields["x"], fields["y"], fields.get("z", 0 * fields["y"])], axis=-1)
+    cells = np.column_stack([np.arange(places.shape[1] - 1), np.arange(1, places.shape[1])])
+    names = [name for name in VARIABLES if name in fields and variable_of(name).dims == ("time", "cell")]
+    thick = np.asarray(fields["thickness"])
+    edges = np.concatenate([thick[:, :1], (thick[:, 1:] + thick[:, :-1]) / 2, thick[:, -1:]], axis=1)
+    points = {"displacement": places - places[:1], "radius": edges / 2}
+    if "quaternion" in fields:
+        turns = Rotation.from_quat(np.roll(fields["quaternion"], -1, axis=-1).reshape(-1, 4)).as_matrix()
+        points |= {f"d{n + 1}": turns[:, :, n].reshape(places.shape) for n in range(3)}
+    meshes = (
+        (
+            float(at),
+            _lines(
+                places[frame],
+                cells,
+                {name: values[frame] for name, values in points.items()},
+                {name: [np.asarray(fields[name][frame])] for name in names},
+            ),
+        )
+        for frame, at in enumerate(time)
+    )
+    return _written(Path(directory), RUN_SERIES, meshes, len(time))
+
+
+def _lines(places: Floats, cells: NDArray[np.int64], points: dict[str, Floats], fields: dict[str, list[Floats]]) -> Any:
+    import meshio
+
+    return meshio.Mesh(places, [("line", cells)], point_data=points, cell_data=fields)
+
+
+def _written(folder: Path, series: str, meshes: Iterable[tuple[float, Any]], count: int) -> list[Path]:
+    """A file for every mesh with its time, and the series that lists them."""
     folder.mkdir(parents=True, exist_ok=True)
-    digits = max(2, len(str(len(fields) - 1)))
-    written = {}
-    for number, field in enumerate(fields):
-        mesh = _mesh(nodes, strip.corner, field)
-        path = folder / f"elements-{number:0{digits}d}.vtu"
+    digits, written = max(2, len(str(count - 1))), dict[Path, float]()
+    for number, (time, mesh) in enumerate(meshes):
+        path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"
         fill_atomically(path, lambda passing, mesh=mesh: mesh.write(passing, file_format="vtu"))  # type: ignore[misc]
-        written[path] = field.time
-    return [replace_atomically(folder / SERIES, _series(written)), *written]
+        written[path] = time
+    return [replace_atomically(folder / series, _series(written)), *written]
 
 
 def _mesh(nodes: np.ndarray[Any, Any], corner: np.ndarray[Any, Any], field: ElementField) -> Any:
