@@ -27,32 +27,6 @@ def instant_modulus(scene: Scene) -> float | None:
     return material.youngs_modulus + (material.second_modulus or 0.0)
 
 
-def modulus_growing(scene: Scene, rate: float) -> float:
-    """Young's modulus [Pa] of a small disturbance that grows as exp(rate t): s E(s), the complex one at a real rate.
-
-    What yields or flows by no linear law counts as its spring, which is at least as stiff.
-    """
-    material, law = scene.material, scene.material.law
-    viscosity, spring = float(material.viscosity or 0.0), float(material.youngs_modulus or 0.0)
-    if material.modes:
-        pairs = [(float(mode.youngs_modulus), float(mode.viscosity)) for mode in material.modes]
-        return sum(_in_series(*pair, rate) for pair in pairs)
-    if law in ("newtonian", "kelvin-voigt"):
-        return spring + viscosity * rate
-    if law == "maxwell":
-        return _in_series(spring, viscosity, rate)
-    if law == "standard-linear":
-        return spring + _in_series(float(material.second_modulus or 0.0), viscosity, rate)
-    if has_chains(scene):
-        return _in_series(spring, viscosity_of_chains(scene), rate) + float(material.solvent_viscosity or 0.0) * rate
-    return spring
-
-
-def _in_series(modulus: float, viscosity: float, rate: float) -> float:
-    """A spring and a dashpot in a row."""
-    return modulus * viscosity * rate / (modulus + viscosity * rate)
-
-
 def static_modulus(scene: Scene) -> float | None:
     """Young's modulus of a lasting load [Pa], or of a sudden one where none lasts."""
     return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)

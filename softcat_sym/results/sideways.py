@@ -3,7 +3,8 @@
 Planar equations never leave the plane and say nothing. What they do not see are the displacement z of a node and the
 two turns of its section out of the plane; their stiffness is that of the cells in torsion and sideways bending, with
 the geometric part of the forces and moments that the planar run has found. A disturbance that grows as exp(s t) meets
-the modulus of its rate, s E(s), so that what flows resists by its viscosity.
+E + eta s where a viscous stress stands beside the spring; what flows counts as its spring, which is stiffer. A fluid
+without one is left alone: as its curvature grows its sections turn at that pace, which is no buckling.
 """
 
 from __future__ import annotations
@@ -20,7 +21,9 @@ from scipy.optimize import brentq
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.spatial import sideways_tangent
-from softcat_sym.effects.scaling_estimates import modulus_growing
+from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.effects.law import has_chains
+from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import SceneError
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
@@ -96,7 +99,8 @@ def seeded(scene: Scene) -> Scene | None:
 
 def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
-    if is_spatial(scene) or SECTIONS[scene.filament.section].plane_strain:
+    modulus = instant_modulus(scene)
+    if is_spatial(scene) or modulus is None or has_chains(scene) or SECTIONS[scene.filament.section].plane_strain:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None
@@ -107,7 +111,15 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     # Of forces and moments, and of each unit of a modulus.
     carried = _stiffness(scene, fields, 0.0)
     geometric, elastic = (_bands(blocks, held) for blocks in (carried, _stiffness(scene, fields, 1.0) - carried))
-    rates = np.array([_growth_rate(scene, *frame, mass, time[-1]) for frame in zip(geometric, elastic, strict=True)])
+    viscosity = solid_viscosity(scene)
+    if scene.material.law == "kelvin-voigt":
+        viscosity += float(scene.material.viscosity or 0.0)
+    rates = np.array(
+        [
+            _growth_rate(band + modulus * unit, viscosity * unit, mass, time[-1])
+            for band, unit in zip(geometric, elastic, strict=True)
+        ]
+    )
     if not np.any(rates):
         return None
     # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
@@ -201,18 +213,17 @@ def _is_positive(band: Floats) -> bool:
     return True
 
 
-def _growth_rate(scene: Scene, geometric: Floats, elastic: Floats, mass: Floats, duration: float) -> float:
-    """Fastest rate s at which a disturbance grows [1/s]: s^2 M + s E(s) K_E + K_G is positive definite beyond it.
+def _growth_rate(stiffness: Floats, damping: Floats, mass: Floats, duration: float) -> float:
+    """Fastest rate s at which a disturbance grows [1/s]: s^2 M + s C + K is positive definite beyond it.
 
     0 where it is less than an e-fold in the whole run.
     """
-    inertia = np.zeros_like(geometric)
+    inertia = np.zeros_like(stiffness)
     inertia[0] = mass
 
     def resists(log_rate: float) -> float:
         rate = math.exp(log_rate)
-        band = geometric + modulus_growing(scene, rate) * elastic + rate**2 * inertia
-        return 1.0 if _is_positive(band) else -1.0
+        return 1.0 if _is_positive(stiffness + rate * damping + rate**2 * inertia) else -1.0
 
     low, high = math.log(1 / duration), math.log(_MOST / duration)
     if resists(low) > 0:
