@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Bbox
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
@@ -100,16 +101,23 @@ def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
 
 def _frame(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     """Room for all shapes, to one scale."""
-    for part, least, most in zip("xyz", low, high, strict=True):
-        middle, half = (least + most) / 2, max((most - least) / 2, 0.12 * float((high - low).max()))
-        getattr(axes, f"set_{part}lim")(middle - half, middle + half)
+    middle, half = (low + high) / 2, np.maximum((high - low) / 2, 0.12 * float((high - low).max()))
+    for part, least, most in zip("xyz", middle - half, middle + half, strict=True):
+        getattr(axes, f"set_{part}lim")(least, most)
         getattr(axes, f"{part}axis").set_major_locator(MaxNLocator(3))
-    axes.set_aspect("equal")
+    axes.set_box_aspect(half)
     axes.view_init(*_VIEW)
     axes.tick_params(labelsize=7, pad=-2)
     axes.set_xlabel(f"x [{unit}]", labelpad=2)
     axes.set_ylabel("-z", labelpad=0)
     axes.set_zlabel("y", labelpad=-8)
+    # As large as box and labels fit: what is tall would stand in the next picture.
+    axes.figure.draw_without_rendering()
+    sides = (axes.xaxis, axes.yaxis, axes.zaxis)
+    room, drawn = axes.get_window_extent(), Bbox.union([side.get_tightbbox() for side in sides])
+    centre, reach = (room.p0 + room.p1) / 2, (room.p1 - room.p0) / 2
+    share = reach / np.maximum(np.abs(drawn.p0 - centre), np.abs(drawn.p1 - centre))
+    axes.set_box_aspect(half, zoom=min(1.5, 0.98 * float(share.min())))
 
 
 class SpatialAnimation(Pictures):
