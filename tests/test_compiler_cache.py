@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import importlib.util
 import os
 import shutil
 import signal
@@ -183,8 +184,34 @@ def test_what_is_wrong_with_compiler_or_flags_is_said(tmp_path: Path, monkeypatc
             refused(message)
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     assert find_compiler() is None
-    refused("no C compiler that runs was found; install gcc or clang, or set CC")
+    refused(r"no C compiler that runs was found; install gcc or clang \(or pip install 'softcat_sym\[compiler\]'\)")
+
+
+def test_without_one_on_the_path_that_of_ziglang_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A package ziglang whose compiler is a script around this machine's; the true one is tried where it is there."""
+    monkeypatch.delenv("CC", raising=False)
+    known = find_compiler()
+    assert known is not None
+    (tmp_path / "ziglang").mkdir()
+    (tmp_path / "ziglang" / "__init__.py").touch()
+    zig = tmp_path / "ziglang" / "zig"
+    zig.write_text(
+        f'#!/bin/sh\n[ "$1 $2" = "cc -mcpu=baseline" ] && shift 2 && PATH={os.environ["PATH"]} {known.path} "$@"\n'
+    )
+    zig.chmod(0o755)
+    sites = [str(tmp_path)]
+    if (true := importlib.util.find_spec("ziglang")) is not None and true.origin is not None:
+        sites.append(str(Path(true.origin).parents[1]))
+    for site in sites:
+        with monkeypatch.context() as patch:
+            patch.setenv("PATH", str(tmp_path))
+            patch.syspath_prepend(site)
+            importlib.invalidate_caches()
+            found = find_compiler()
+            assert found is not None and found.path == Path(site) / "ziglang" / "zig"
+            assert load(compile_library(ANSWER)).answer() == 42
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import atexit
 import contextlib
 import functools
 import hashlib
+import importlib.util
 import json
 import os
 import re
@@ -252,6 +253,8 @@ def _read() -> dict[str, dict[str, object]]:
 
 
 _USUAL = ("cc", "gcc", "clang")
+TO_INSTALL = "install gcc or clang (or pip install 'softcat_sym[compiler]'), or set CC"
+"""What a user without a C compiler can do."""
 _PATIENCE = 10.0  # s, for a compiler to say its version, which takes a tenth of one
 
 
@@ -286,12 +289,12 @@ def compiler_name() -> str:
 
 
 def find_compiler() -> Compiler | None:
-    """The compiler that the variable CC names (with its flags), else the first of cc, gcc, clang on the PATH.
+    """The compiler that the variable CC names (with its flags), else cc, gcc or clang on the PATH, else ziglang's.
 
     It is asked for its version once: as long as its file stays the same, what it said is read from the cache.
     """
     named = split_variable("CC")
-    for command in [named] if named else [[name] for name in _USUAL]:
+    for command in [named] if named else [*([name] for name in _USUAL), *_of_a_wheel()]:
         path = shutil.which(command[0])
         if path is not None:
             # Absolute, since it will be called from another folder.
@@ -300,6 +303,13 @@ def find_compiler() -> Compiler | None:
             if found is not None:
                 return found
     return None
+
+
+def _of_a_wheel() -> list[list[str]]:
+    """The C compiler of the package ziglang, for any processor of this kind; none where it is not installed."""
+    found = importlib.util.find_spec("ziglang")
+    folders = found.submodule_search_locations if found is not None else None
+    return [[str(Path(folder) / "zig"), "cc", "-mcpu=baseline"] for folder in folders or ()]
 
 
 def build_identity() -> list[str]:

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from softcat_sym.codegen import compiler
-from softcat_sym.codegen.compiler import Compiler, find_compiler, processor, run, split_variable
+from softcat_sym.codegen.compiler import TO_INSTALL, Compiler, find_compiler, processor, run, split_variable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 
@@ -324,7 +324,6 @@ SOON: tuple[str, ...] = ("-O1", *OPTIMISED[1:])
 _SOON_GNU = ("-fira-region=one",)
 
 _ALWAYS = ("-std=c99", "-fPIC", "-shared")
-_ADVICE = "install gcc or clang, or set CC to a C compiler"
 _MARKS = re.compile(r"error|undefined|failed|no space|killed", re.IGNORECASE)
 _NO_SPACE = re.compile(r"no space left|file size limit|file too large|quota exceeded", re.IGNORECASE)
 _SHOWN = 6
@@ -344,7 +343,7 @@ def compile_library(
     if compiler is None:
         named = os.environ.get("CC")
         found = f"CC is {named!r}, which is no C compiler that runs" if named else "no C compiler that runs was found"
-        raise SoftcatError(f"{found}; {_ADVICE}")
+        raise SoftcatError(f"{found}; {TO_INSTALL}")
     own = _SOON_GNU if flags == SOON and compiler.name.startswith("gcc") else ()
     whole = (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
     chosen = tuple(units) if units is not None else tuple(name for name in sorted(sources) if name.endswith(".c"))
@@ -395,7 +394,7 @@ def _refusal(compiler: Compiler, command: Sequence[str], done: subprocess.Comple
     lines = [line for line in (done.stderr + done.stdout).splitlines() if line.strip()]
     # Fall back on everything: not every compiler marks what matters.
     errors = [line for line in lines if _MARKS.search(line)] or lines
-    advice = _ADVICE
+    advice = TO_INSTALL
     if done.returncode < 0:
         ended = signal.strsignal(-done.returncode) or "unknown"
         errors.insert(0, f"(killed by signal {-done.returncode}: {ended})")

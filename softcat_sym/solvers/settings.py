@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
 from softcat_sym.discretization.assembly import choose_grid
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
@@ -86,7 +86,7 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
     elif (compiler := find_compiler()) is not None:
         return Backend(True, compiler.version)
     else:
-        obstacle = "there is no C compiler that runs: install gcc or clang, or set CC"
+        obstacle = f"there is no C compiler that runs: {TO_INSTALL}"
     if requested == "compiled":
         raise SceneError([Fault("numerics.backend", f"'compiled', but {obstacle}", "auto or interpreted")])
     return Backend(False, obstacle)
