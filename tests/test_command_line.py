@@ -600,6 +600,21 @@ def test_a_tab_is_answered_before_one_notices_and_loads_nothing_heavy() -> None:
     assert done.returncode == 0, done.stderr
 
 
+def test_a_run_without_pictures_writes_its_numbers_and_loads_no_matplotlib(tmp_path: Path) -> None:
+    code = (
+        "import sys\nsys.argv = ['softcat', 'run', 'cold-honey', '-q', '-o', sys.argv[1], '--set', 'run.frames=3', "
+        "'--set', 'numerics.estimate=false', '--no-pictures']\n"
+        "from softcat_sym.cli import main\n"
+        "try:\n    main()\nexcept SystemExit as left:\n    assert not left.code, left.code\n"
+        "assert 'matplotlib' not in sys.modules\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code, tmp_path / "out"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"trajectory.nc", "summary.json", "scene.toml"}
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["wall_s"]["write"] > 0
+
+
 @pytest.mark.slow
 def test_a_run_loads_neither_xarray_nor_dask_nor_scipy(tmp_path: Path) -> None:
     """Its fields are arrays, and its file is written without them; they take a second to load."""

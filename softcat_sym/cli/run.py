@@ -25,7 +25,7 @@ from softcat_sym.cli.application import (
 
 if TYPE_CHECKING:
     from softcat_sym.plotting.animation import FilmOrder
-    from softcat_sym.results.run import Run
+    from softcat_sym.results.run import Run, WrittenRun
 
 RunOutputOption = Annotated[
     Path | None,
@@ -49,6 +49,9 @@ StyleOption = Annotated[
 RadiusOption = Annotated[
     float, typer.Option("--radius", metavar="FACTOR", help="Draw shapes with their thickness swollen, to see beads.")
 ]
+NoPicturesOption = Annotated[
+    bool, typer.Option("--no-pictures", help="Only trajectory.nc, summary.json and scene.toml, and sooner.")
+]
 VtkOption = Annotated[
     bool, typer.Option("--vtk", help="The filament at every frame for ParaView, in DIR/vtk; needs the extra fem.")
 ]
@@ -66,6 +69,7 @@ def run(
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
+    no_pictures: NoPicturesOption = False,
     verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -73,10 +77,10 @@ def run(
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     """
-    order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
+    plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
+    order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = scene_and_directory(scene, changes, output, "run")
     from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.run import write_run
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
 
@@ -84,9 +88,9 @@ def run(
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             trajectory = simulated(asked, progress)
-            progress.stage("drawing pictures")
+            progress.stage("writing" if no_pictures else "drawing pictures")
             with made(output), written_together():
-                written = write_run(trajectory, output, drawn, radius)
+                written = trajectory.written(output) if no_pictures else _drawn(trajectory, output, drawn, radius)
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
@@ -103,6 +107,12 @@ def run(
 
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
+
+
+def _drawn(run: Run, output: Path, style: str, radius: float) -> WrittenRun:
+    from softcat_sym.plotting.run import write_run
+
+    return write_run(run, output, style, radius)
 
 
 @app.command(rich_help_panel=EVERYDAY)

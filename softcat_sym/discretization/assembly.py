@@ -22,7 +22,6 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
-from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.stencil import INVERTED, PER
@@ -139,8 +138,17 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         tip_mass=scene.load.tip_mass > 0,
         tip_force=any(scene.load.tip_force),
         tip_torque=any(scene.load.tip_torque),
-        natural=shaped(scene, grid.nodes)[2] if has_shape(scene) else None,
+        natural=_natural(scene, grid),
     )
+
+
+def _natural(scene: Scene, grid: Grid) -> Floats | None:
+    if not has_shape(scene):
+        return None
+    # Imported here, with SciPy, which takes half a second to load.
+    from softcat_sym.discretization.natural_shape import shaped
+
+    return shaped(scene, grid.nodes)[2]
 
 
 def choose_theory(scene: Scene, equations: FilamentEquations) -> Theory:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -49,7 +48,7 @@ from softcat_sym.plotting.units import (
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.results.run import Run
+    from softcat_sym.results.run import Run, WrittenRun
     from softcat_sym.scene.scene import Scene
 
 WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
@@ -560,24 +559,11 @@ def write_pictures(
     return write_results(directory, pictures(data, summary, scene, name))
 
 
-@dataclass(frozen=True)
-class WrittenRun:
-    """What a run left behind."""
-
-    files: tuple[Path, ...]  # In the order of interest
-    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
-
-
 def write_run(trajectory: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0) -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary states how long all but itself took.
     """
-    began = time.perf_counter()
-    drawn = pictures(trajectory.fields, trajectory.summary, trajectory.scene, name, radius)
-    written = write_results(directory, {**trajectory.files(), **drawn})
-    spent = time.perf_counter() - began
-    wall = trajectory.summary["wall_s"]
-    summary = {**trajectory.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
-    write_results(directory, {"summary.json": summary})
-    return WrittenRun(tuple(written), summary)
+    return trajectory.written(
+        directory, lambda: pictures(trajectory.fields, trajectory.summary, trajectory.scene, name, radius)
+    )

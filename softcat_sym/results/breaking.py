@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
-from scipy.optimize import brentq
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import Fault, SceneError
@@ -130,5 +128,9 @@ def _crossing(time: Floats, load: Floats) -> float:
     """When a load that is below one in all frames but the last reaches it."""
     if len(time) == 1 or load[-1] <= 1:
         return float(time[-1])
+    # Imported here, since they take half a second to load.
+    from scipy.interpolate import PchipInterpolator
+    from scipy.optimize import brentq
+
     smooth = PchipInterpolator(time, np.minimum(load, 1e6))
     return float(brentq(lambda instant: smooth(instant) - 1, time[-2], time[-1]))

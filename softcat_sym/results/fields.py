@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.filament import WORK_OF_AGEING
@@ -194,6 +193,9 @@ def _work_of_torque(scene: Scene, observed: Mapping[str, Floats]) -> Floats | fl
     """Work of the dead torque on the free end per undeformed area: a turn has no potential."""
     if not any(scene.load.tip_torque):
         return 0.0
+    # Imported here: a run in its plane does without SciPy, which takes half a second to load.
+    from scipy.spatial.transform import Rotation
+
     turns = Rotation.from_quat(np.roll(observed["quaternion"][:, -1], -1, axis=1))
     steps = (turns[1:] * turns[:-1].inv()).as_rotvec()
     work = np.concatenate([[0.0], np.cumsum(steps @ np.array(scene.load.tip_torque))])

@@ -6,10 +6,11 @@ import importlib.metadata
 import io
 import json
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -64,6 +65,14 @@ REFERENCES: Final = (
     "A. Meurer et al., SymPy, PeerJ Comput. Sci. 3, e103 (2017)",
 )
 _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
+
+
+@dataclass(frozen=True)
+class WrittenRun:
+    """What a run left behind."""
+
+    files: tuple[Path, ...]  # In the order of interest
+    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,6 +261,17 @@ class Run:
         from softcat_sym.plotting.files import write_results
 
         return write_results(directory, self.files())
+
+    def written(self, directory: str | Path, drawn: Callable[[], Mapping[str, object]] = dict) -> WrittenRun:
+        """Write as :meth:`save` does, with what is drawn besides; the summary states how long all but itself took."""
+        from softcat_sym.plotting.files import write_results
+
+        began = perf_counter()
+        files = write_results(directory, {**self.files(), **drawn()})
+        spent, wall = perf_counter() - began, self.summary["wall_s"]
+        summary = {**self.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
+        write_results(directory, {"summary.json": summary})
+        return WrittenRun(tuple(files), summary)
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``, as xarray would write it, which would have to be loaded.

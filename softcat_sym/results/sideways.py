@@ -15,8 +15,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.linalg import LinAlgError, cholesky_banded
-from scipy.optimize import brentq
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.point_rule import warping_rule
@@ -45,6 +43,9 @@ SEED = 1e-4
 
 _MOST = 1e3
 """Fastest growth that is told from a faster one, in e-folds of the whole run."""
+
+_HALVINGS = 14
+"""Of that range on a scale of logarithms: to a thousandth."""
 
 _FREE = 3
 """Unknowns of a node out of the plane: z and the turns about d1 and d2."""
@@ -110,16 +111,12 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     mass = _masses(scene, fields, held)
     # Of forces and moments, and of each unit of a modulus.
     carried = _stiffness(scene, fields, 0.0)
-    geometric, elastic = (_bands(blocks, held) for blocks in (carried, _stiffness(scene, fields, 1.0) - carried))
+    elastic = _stiffness(scene, fields, 1.0) - carried
     viscosity = solid_viscosity(scene)
     if scene.material.law == "kelvin-voigt":
         viscosity += float(scene.material.viscosity or 0.0)
-    rates = np.array(
-        [
-            _growth_rate(band + modulus * unit, viscosity * unit, mass, time[-1])
-            for band, unit in zip(geometric, elastic, strict=True)
-        ]
-    )
+    stiffness, damping = _Matrix.of(carried + modulus * elastic, held), _Matrix.of(viscosity * elastic, held)
+    rates = _growth_rates(stiffness, damping, mass, float(time[-1]))
     if not np.any(rates):
         return None
     # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
@@ -171,17 +168,58 @@ def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:
     return np.column_stack([ends[0], inner, ends[1]])
 
 
-def _bands(blocks: Floats, held: Bools) -> Floats:
-    """Lower bands of the matrix of every frame, shape (frame, 6, unknowns); what is held is a one on the diagonal."""
-    frames, cells = blocks.shape[:2]
-    bands = np.zeros((frames, 2 * _FREE, _FREE * (cells + 1)))
-    for row in range(2 * _FREE):
-        for column in range(row + 1):
-            bands[:, row - column, column : column + _FREE * cells : _FREE] += blocks[:, :, row, column]
-    for k in range(2 * _FREE):
-        below = np.append(held[k:], np.ones(k, dtype=bool))
-        bands[:, k, held | below] = float(k == 0)
-    return bands
+@dataclass(frozen=True)
+class _Matrix:
+    """Block tridiagonal matrices, one a frame: three unknowns a node; what is held is a one on the diagonal."""
+
+    diagonal: Floats  # shape (frames, nodes, 3, 3)
+    below: Floats  # shape (frames, nodes - 1, 3, 3), each beside the block of the node before
+
+    @classmethod
+    def of(cls, blocks: Floats, held: Bools) -> _Matrix:
+        """Assembled from those of the cells."""
+        frames, cells = blocks.shape[:2]
+        diagonal = np.zeros((frames, cells + 1, _FREE, _FREE))
+        diagonal[:, :-1] += blocks[..., :_FREE, :_FREE]
+        diagonal[:, 1:] += blocks[..., _FREE:, _FREE:]
+        below = blocks[..., _FREE:, :_FREE].copy()
+        node, unknown = np.divmod(np.flatnonzero(held), _FREE)
+        diagonal[:, node, unknown, :] = diagonal[:, node, :, unknown] = 0.0
+        diagonal[:, node, unknown, unknown] = 1.0
+        inner, last = node > 0, node < cells
+        below[:, node[inner] - 1, unknown[inner], :] = 0.0
+        below[:, node[last], :, unknown[last]] = 0.0
+        return cls(diagonal, below)
+
+    def plus(self, other: _Matrix, times: Floats) -> _Matrix:
+        """The sum with so many times another, frame by frame."""
+        factor = np.asarray(times)[:, None, None, None]
+        return _Matrix(self.diagonal + factor * other.diagonal, self.below + factor * other.below)
+
+    def only(self, frames: Bools) -> _Matrix:
+        """Those of some frames."""
+        return _Matrix(self.diagonal[frames], self.below[frames])
+
+    def are_positive(self) -> Bools:
+        """Which are positive definite: all pivots of the elimination by blocks are."""
+        found = np.ones(len(self.diagonal), dtype=bool)
+        pivot = self.diagonal[:, 0]
+        for node in range(self.diagonal.shape[1]):
+            if node:
+                beside = self.below[:, node - 1]
+                pivot = self.diagonal[:, node] - beside @ np.linalg.solve(pivot, beside.transpose(0, 2, 1))
+            found &= _are_positive(pivot)
+            pivot = np.where(found[:, None, None], pivot, np.eye(_FREE))
+        return found
+
+
+def _are_positive(blocks: Floats) -> Bools:
+    """Whether symmetric matrices (n, 3, 3) are positive definite, their unknowns scaled to each other."""
+    diagonal = np.einsum("nii->ni", blocks)
+    scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    a, b, c = (blocks[:, i, k] * scale[:, i] * scale[:, k] for i, k in ((0, 1), (0, 2), (1, 2)))
+    determinant = 1 + 2 * a * b * c - a**2 - b**2 - c**2
+    return np.asarray((diagonal > 0).all(axis=1) & (a**2 < 1) & (determinant > 0))
 
 
 def _held(scene: Scene, nodes: int) -> Bools:
@@ -199,33 +237,25 @@ def _masses(scene: Scene, fields: Mapping[str, Floats], held: Bools) -> Floats:
     return np.where(held, 0.0, np.column_stack([nodes, 0 * nodes, 0 * nodes]).ravel())
 
 
-def _is_positive(band: Floats) -> bool:
-    """Whether the matrix of a lower band is positive definite, its unknowns scaled to each other."""
-    size, diagonal = band.shape[1], band[0]
-    if np.min(diagonal) <= 0:
-        return False
-    scale = 1 / np.sqrt(diagonal)
-    following = np.array([np.append(scale[k:], np.zeros(k)) for k in range(len(band))])
-    try:
-        cholesky_banded(band * following * scale[None, :size], lower=True, check_finite=False)
-    except LinAlgError:
-        return False
-    return True
-
-
-def _growth_rate(stiffness: Floats, damping: Floats, mass: Floats, duration: float) -> float:
-    """Fastest rate s at which a disturbance grows [1/s]: s^2 M + s C + K is positive definite beyond it.
+def _growth_rates(stiffness: _Matrix, damping: _Matrix, mass: Floats, duration: float) -> Floats:
+    """Fastest rate s at which a disturbance of each frame grows [1/s]: s^2 M + s C + K is positive definite beyond it.
 
     0 where it is less than an e-fold in the whole run.
     """
-    inertia = np.zeros_like(stiffness)
-    inertia[0] = mass
+    inertia = np.zeros_like(stiffness.diagonal[:1])
+    inertia[0] += mass.reshape(-1, _FREE)[:, :, None] * np.eye(_FREE)
 
-    def resists(log_rate: float) -> float:
-        rate = math.exp(log_rate)
-        return 1.0 if _is_positive(stiffness + rate * damping + rate**2 * inertia) else -1.0
+    def resist(frames: Bools, rates: Floats) -> Bools:
+        here = _Matrix(inertia, np.zeros_like(stiffness.below[:1]))
+        return stiffness.only(frames).plus(damping.only(frames), rates).plus(here, rates**2).are_positive()
 
-    low, high = math.log(1 / duration), math.log(_MOST / duration)
-    if resists(low) > 0:
-        return 0.0
-    return math.exp(high if resists(high) < 0 else float(brentq(resists, low, high, xtol=1e-3)))
+    found = np.zeros(len(stiffness.diagonal))
+    unstable = ~resist(found == 0, np.full(len(found), 1 / duration))
+    low = np.full(np.count_nonzero(unstable), math.log(1 / duration))
+    high = np.full_like(low, math.log(_MOST / duration))
+    for _ in range(_HALVINGS if len(low) else 0):
+        middle = (low + high) / 2
+        stops = resist(unstable, np.exp(middle))
+        low, high = np.where(stops, low, middle), np.where(stops, middle, high)
+    found[unstable] = np.exp(high)
+    return found

@@ -11,7 +11,6 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
-from scipy.special import lambertw
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import DOWN, dimension_rules, is_spatial
@@ -74,6 +73,9 @@ def surface_stretch(scene: Scene) -> float:
     filament, material = scene.filament, scene.material
     if scene.initial.surface == "fresh" or material.law not in SOLIDS or material.youngs_modulus is None:
         return 1.0
+    # Imported here: most scenes do without SciPy, which takes a while to load.
+    from scipy.special import lambertw
+
     pull = scene.surroundings.surface_tension / material.youngs_modulus
     if filament.section == "sheet":
         return math.exp(-lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)

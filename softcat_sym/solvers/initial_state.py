@@ -33,7 +33,6 @@ from softcat_sym.solvers.equilibrium import (
     newton_of_graph,
     with_plastic_strain,
 )
-from softcat_sym.solvers.spatial_start import spatial_start
 
 _NUDGE = 1e-3  # of a span
 _LARGEST = 0.05  # change of a position in one step, in spans
@@ -130,6 +129,9 @@ def starting_state(
 ) -> Start | None:
     """Begin at rest; None if no equilibrium is found."""
     if is_spatial(scene):
+        # Imported here: a run in its plane does without SciPy, which takes half a second to load.
+        from softcat_sym.solvers.spatial_start import spatial_start
+
         return spatial_start(scene, graph, p, statics, newton or newton_of_graph)
     x = with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
