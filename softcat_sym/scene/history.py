@@ -8,10 +8,8 @@ from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
 from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene.formula import ACCEPTED, FUNCTIONS, Formula, dimension_of, parse_formula
@@ -33,6 +31,10 @@ from softcat_sym.scene.units import (
     to_si,
     to_si_of_any,
 )
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -255,7 +257,10 @@ def scaled(value: float, factor: float) -> float:
 
 def values_at(value: float, times: Iterable[float]) -> npt.NDArray[np.float64]:
     """Values of a constant at several times [s]."""
-    return np.array([value_at(value, float(time)) for time in times])
+    # Imported here: to complete a name on the command line takes no NumPy.
+    from numpy import array
+
+    return array([value_at(value, float(time)) for time in times])
 
 
 def extremes_of(value: float, duration: float) -> tuple[float, float]:

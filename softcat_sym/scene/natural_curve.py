@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
 
 if TYPE_CHECKING:
@@ -35,6 +33,8 @@ def is_curved(scene: Scene) -> bool:
 
 @lru_cache(maxsize=64)
 def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> Curve:
+    import numpy as np
+
     from softcat_sym.scene.curve import SplineCurve, SteadyCurve
 
     distance = math.hypot(*chord)
