@@ -18,12 +18,11 @@ from softcat_sym.codegen.export import (
     start_text,
 )
 from softcat_sym.codegen.interface import Description, describe, rendered
-from softcat_sym.codegen.loops import sites_of
-from softcat_sym.codegen.model import model_for
 from softcat_sym.codegen.right_hand_side import rhs_source
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.codegen.sites import sites_of
+from softcat_sym.codegen.structure import model_for
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.spatial import PLACES, TURN
+from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together
@@ -31,10 +30,10 @@ from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
-from softcat_sym.solvers.equilibrium import Newton
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings
+from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
     from softcat_sym.scene.reading import SceneLike
@@ -103,7 +102,7 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     if not effects.terms().integrates:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
-    structure, tolerances = filament.structure(), (settings.rtol, settings.atol)
+    structure, tolerances = filament.structure, (settings.rtol, settings.atol)
     return describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament
 
 
@@ -112,7 +111,7 @@ def _newton(filament: Assembled) -> Newton | None:
     if not filament.theory.is_spatial or find_compiler() is None:
         return None
     code, settings = (
-        compile_filament(filament.graph, filament.structure()),
+        compile_filament(filament.graph, filament.structure),
         compiled_settings(filament.scene, filament.effects),
     )
     return CompiledNewton(filament.graph, code, filament.code_at_rest, settings)
@@ -126,7 +125,7 @@ def _start(described: Description, filament: Assembled) -> Floats:
     if start is None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
-    observed = graph.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
+    observed = graph.symbolic.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
     names, ends, length = [slot.name for slot in described.model.slots], scene.ends, rest_length(scene)
     for kind in {*PLACES, *TURN} & set(names):
         held, unit = observed[kind], length if kind in PLACES else 1.0

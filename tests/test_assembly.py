@@ -13,7 +13,8 @@ import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_theory
 from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError

@@ -26,7 +26,7 @@ from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.codegen.model import Structure, model_for
 from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import PrintingError

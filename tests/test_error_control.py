@@ -10,7 +10,7 @@ import pytest
 
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.error_control import control
 from softcat_sym.error_control.control import ROUNDS, controlled
 from softcat_sym.error_control.estimate import Before, Differences, Judge, Resolution, differences, with_more_fibres

@@ -24,7 +24,7 @@ from softcat_sym import generation
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import model_files, runtime_files
 from softcat_sym.codegen.interface import comment, quoted
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.generation import export

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
 from tests.common.rivals import scenes

@@ -24,7 +24,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import cache_entries
 from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.errors import SceneError, SoftcatError

@@ -14,7 +14,8 @@ from scipy.optimize import brentq
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, Floats, whole_span
+from softcat_sym.discretization.grid import End, whole_span
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
 from softcat_sym.effects.choosing import choose_effects

@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq, curve_fit
 
 import softcat_sym as sc
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 
 L, H, RHO, G = 0.2, 2e-3, 1000.0, 9.81

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import hashlib
-import math
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from functools import cached_property
-from importlib.metadata import version
-from types import MappingProxyType
 
 import casadi as ca
 
+from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_reciprocals
 from softcat_sym.discretization.cell import Program
-from softcat_sym.discretization.section_rule import PER_FIBRE
-from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf, Where
+from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf
+from softcat_sym.discretization.unknowns import PER_FIBRE, Where
 from softcat_sym.errors import PrintingError
 
 _LONGEST = 60
@@ -64,15 +60,6 @@ _HELPERS = {
 def helpers_of(text: str) -> str:
     """The functions that a C text calls and C does not have; compilers warn of those that nobody calls."""
     return "".join(line for name, line in _HELPERS.items() if f"{name}(" in text)
-
-
-def number(value: float) -> str:
-    """A double that C reads as the same one."""
-    if math.isnan(value):
-        raise PrintingError("an expression of the generated code holds a constant that is not a number")
-    if math.isinf(value):
-        return "HUGE_VAL" if value > 0 else "(-HUGE_VAL)"
-    return repr(value) if value >= 0 else f"({value!r})"
 
 
 class When(IntEnum):
@@ -189,6 +176,7 @@ _ARGUMENTS = (
     ("e", "double *"),
     ("q", "double *"),
     ("s", "double *"),
+    ("o", "double *"),
 )
 
 
@@ -212,7 +200,7 @@ class Writer:
 
     def is_field(self, name: str) -> bool:
         """Whether it is a staged field, not a rate or a power."""
-        return not name.startswith(("f_", "power_"))
+        return not name.startswith(("f_", "power_", "shown_"))
 
     def field(self, name: str) -> Target:
         """A field at the site that is looked at."""
@@ -326,28 +314,3 @@ def at(size: int, distance: int, number: int) -> str:
     """Index of a number of a site at a distance from site i."""
     shift = size * distance + number
     return f"{size} * i{f' {_signed(shift)}' if shift else ''}"
-
-
-@dataclass(frozen=True)
-class CSource:
-    """C text, complete: what it includes beside the standard library is in it."""
-
-    files: Mapping[str, str]  # Text by file name; read only
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "files", MappingProxyType(dict(sorted(self.files.items()))))
-
-    @cached_property
-    def digest(self) -> str:
-        """SHA-256 of names and texts, in hexadecimal."""
-        parts = [part for name, text in self.files.items() for part in (name, text)]
-        # With its length before it, no part can pass for the end of the one before.
-        return hashlib.sha256("".join(f"{len(part)}:{part}" for part in parts).encode()).hexdigest()
-
-    @property
-    def size(self) -> int:
-        """Bytes of text."""
-        return sum(len(text.encode()) for text in self.files.values())
-
-
-VERSIONS = MappingProxyType({package: version(package) for package in ("softcat_sym", "casadi", "sympy")})

@@ -7,7 +7,7 @@ import re
 from importlib import resources
 from typing import Any
 
-from softcat_sym.codegen.c_printer import VERSIONS, CSource
+from softcat_sym.codegen.c_text import VERSIONS, CSource
 from softcat_sym.codegen.interface import (
     DEFAULT_NAME,
     MIN_CELLS,
@@ -18,7 +18,7 @@ from softcat_sym.codegen.interface import (
     source_text,
     symbol_of,
 )
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 
 START = "start.csv"

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from softcat_sym.discretization.stencil import INVERTED, PER, PLACE, Leaf
+from softcat_sym.discretization.stencil import PLACE, Leaf
+from softcat_sym.discretization.unknowns import INVERTED, PER
 from softcat_sym.errors import PrintingError
 
 _NAMES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}

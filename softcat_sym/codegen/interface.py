@@ -14,12 +14,11 @@ from typing import Any
 import jinja2
 import numpy as np
 
-from softcat_sym.codegen.c_printer import VERSIONS, CSource, number
-from softcat_sym.codegen.model import Model, Structure, c_array
+from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
+from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
-from softcat_sym.discretization.spatial import TURN
 from softcat_sym.discretization.supports import (
     DIRECTION,
     END_TURNS,
@@ -29,6 +28,7 @@ from softcat_sym.discretization.supports import (
     TIP_TORQUE,
     Body,
 )
+from softcat_sym.discretization.unknowns import TURN
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError

@@ -6,16 +6,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import casadi as ca
-import numpy as np
-import numpy.typing as npt
 
-from softcat_sym.discretization.assembly import places_of
-from softcat_sym.discretization.cell import Slot
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.discretization.section_rule import PER_FIBRE
-from softcat_sym.discretization.stencil import DERIVATIVE, STAGED, SUM, TIME, UNKNOWN, Field, Leaf, Leaves, Where
-from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.stencil import DERIVATIVE, STAGED, SUM, TIME, UNKNOWN, Field, Leaf, Leaves
+from softcat_sym.discretization.unknowns import PER_FIBRE, Where
 
 
 @dataclass(frozen=True)
@@ -187,40 +180,3 @@ def differentiated(chain: Chain, level: Sequence[Loop]) -> list[tuple[Loop, dict
 def entry_name(name: str, entry: Entry) -> str:
     """Name of the derivative of a field with respect to an unknown."""
     return f"{name}/{entry[0]}{entry[1]:+d}"
-
-
-@dataclass(frozen=True)
-class Sites:
-    """Where the unknowns of a graph are in the rows of sites."""
-
-    shape: tuple[int, int]  # Sites and slots
-    x: npt.NDArray[np.int64]  # Flat index of each differential and each algebraic unknown
-    z: npt.NDArray[np.int64]
-
-    def state(self, x: Floats, z: Floats) -> Floats:
-        """Rows of sites, zero where nothing is unknown."""
-        flat = np.zeros(self.shape[0] * self.shape[1])
-        flat[self.x], flat[self.z] = x, z
-        return flat.reshape(self.shape)
-
-    def vectors(self, states: Floats) -> tuple[Floats, Floats]:
-        """Differential and algebraic unknowns, (nx, frames) and (nz, frames), of states (frames, sites, slots)."""
-        flat = states.reshape(len(states), -1)
-        return flat[:, self.x].T.copy(), flat[:, self.z].T.copy()
-
-
-def sites_of(graph: Graph, slots: tuple[Slot, ...]) -> Sites:
-    """Match the unknowns of a graph with the slots of its model."""
-    number = {slot.name: k for k, slot in enumerate(slots)}
-    pairs = ((graph.x_kinds, graph.x_places), (graph.z_kinds, graph.z_places))
-    x, z = (
-        np.array([place * len(slots) + number[kind] for kind, place in zip(kinds, places, strict=True)], dtype=np.int64)
-        for kinds, places in pairs
-    )
-    return Sites((graph.grid.cells + 1, len(slots)), x, z)
-
-
-def places_in_rows(graph: Graph, body: Body, power: int, names: tuple[str, ...]) -> Floats:
-    """Geometry of each site, shape (sites, names)."""
-    known = places_of(graph.grid, body, power)
-    return np.ascontiguousarray(np.stack([known[name] for name in names], axis=1))

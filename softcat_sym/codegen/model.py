@@ -1,88 +1,20 @@
-"""The physics of a filament as one C file, named by its structure, and kept between processes."""
+"""The physics of a filament written as C, whatever its number of cells and fibres."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 import re
-import secrets
-import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
-from functools import lru_cache
-from types import FunctionType
+from dataclasses import replace
 
 import casadi as ca
 
-from softcat_sym import store
-from softcat_sym.codegen import library
-from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
+from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
-from softcat_sym.discretization.assembly import Theory
-from softcat_sym.discretization.cell import Program, Slot
-from softcat_sym.discretization.filament import build
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.point_rule import PointRule
-from softcat_sym.discretization.section_rule import PER_FIBRE, SectionRule
+from softcat_sym.codegen.structure import Template
+from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.stencil import Field
-from softcat_sym.discretization.supports import Body
-from softcat_sym.effects.choosing import Effects
+from softcat_sym.discretization.unknowns import PER_FIBRE, Shown
 from softcat_sym.errors import PrintingError
-from softcat_sym.physics.filament import FilamentEquations
-from softcat_sym.scene.scene import Scene
-
-
-@dataclass(frozen=True)
-class Model:
-    """What the C text of a filament amounts to."""
-
-    text: str  # The C file
-    slots: tuple[Slot, ...]  # Unknowns of a site
-    parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
-    places: tuple[str, ...]
-    powers: tuple[str, ...]  # What is integrated beside the unknowns
-    entries: tuple[tuple[str, str, int], ...]  # Row, column and distance of each entry of the Jacobian
-
-
-@dataclass(frozen=True)
-class Template:
-    """The C text of a filament before it is known how many fibres it has; what each has is named with a ``#``."""
-
-    functions: str  # The C text of its physics
-    slots: tuple[Slot, ...]  # As in :class:`Model`
-    parameters: tuple[str, ...]
-    places: tuple[str, ...]
-    powers: tuple[str, ...]
-    entries: tuple[tuple[str, str, int], ...]
-    scratch: tuple[int, int]  # Doubles per site that the functions need, and per site and fibre
-    moves: bool  # Whether they depend on time
-
-    def with_fibres(self, rule: SectionRule | PointRule | None = None) -> Model:
-        """The model with so many fibres; with none where it has no fibres."""
-        count = rule.points if rule else 0
-        slots = [
-            replace(slot, name=slot.name.replace(PER_FIBRE, str(k)))
-            for slot in self.slots
-            for k in range(count if PER_FIBRE in slot.name else 1)
-        ]
-        # As they are numbered at a site: what each fibre has comes last.
-        entries = [
-            (row.replace(PER_FIBRE, str(k)), column.replace(PER_FIBRE, str(k)), distance)
-            for row, column, distance in sorted(self.entries, key=lambda entry: PER_FIBRE in _label(entry))
-            for k in range(count if PER_FIBRE in row + column else 1)
-        ]
-        scratch = self.scratch[0] + count * self.scratch[1]
-        tables = _tables(self, slots, entries, scratch)
-        constants = [_constants(rule, len(slots), len(entries), self.scratch[0])] if rule else []
-        text = "\n\n".join([_HEAD, *constants, self.functions, tables])
-        return Model(text + "\n", tuple(slots), self.parameters, self.places, self.powers, tuple(entries))
-
-
-def _label(entry: tuple[str, str, int]) -> str:
-    """Name of an entry of the Jacobian."""
-    return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
-
 
 _MARK = "@"  # stands in the text for what is known only later
 
@@ -111,7 +43,7 @@ def template_of(program: Program) -> Template:
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, program, chain, levels)
     powers, work, slopes = _work(writer, program, chain, fields)
-    size, found = writer.slots.count, Row("ENTRIES", [_label(entry) for entry in entries])
+    size, found = writer.slots.count, Row("ENTRIES", [entry_label(entry) for entry in entries])
     text = "\n\n".join(
         [
             *writer.functions,
@@ -122,8 +54,62 @@ def template_of(program: Program) -> Template:
         ]
     )
     text = f"{helpers_of(text)}\n{text}"
-    given = program.parameters, program.places
-    return Template(text, program.slots, *given, powers, entries, writer.scratch, moves)
+    shown, observables, scratch = _observables(program)
+    signature = replace(program.signature, shown=shown)
+    return Template(text, observables, signature, powers, entries, writer.scratch, scratch, moves)
+
+
+_OBSERVE = """\
+int softcat_filament_observe(const softcat_filament *filament, int count, const double *times,
+                             const double *states, double *o, double *w)
+{{
+    const int n = filament->sites;
+    const double *p = filament->parameters, *g = filament->places;
+    for (int frame = 0; frame < count; frame++) {{
+        const double t = times[frame], *y = states + (size_t)frame * (size_t)(n * {slots});
+        (void)p, (void)g, (void)t, (void)y, (void)w;
+{calls}
+        o += (size_t)n * ({rows});
+    }}
+    return SOFTCAT_SOLVED;
+}}"""
+"""Rows of n sites for each field at each time, zero before: what is a sum is left to whoever adds up its row."""
+
+
+def _observables(program: Program) -> tuple[tuple[Shown, ...], str, tuple[int, int]]:
+    """What a run stores, as rows of sites: those that each fibre has last; the C text, and the scratch it needs."""
+    writer, leaves = Writer(program), program.leaves
+    shown = sorted(program.signature.shown, key=lambda one: PER_FIBRE in one.name)
+    plain = sum(PER_FIBRE not in one.name for one in shown)
+    items: list[Field] = []
+    targets: dict[str, Target] = {}
+    for row, one in enumerate(shown):
+        of, each = program.shown[one.name], PER_FIBRE in one.name
+        place = f"({plain} + {row - plain} * FIBRES + k) * n + i" if each else f"{times(row, 'n')}i"
+        for k, part in enumerate(of if isinstance(of, tuple) else (of,)):
+            name = f"shown_{row}_{k}{PER_FIBRE if each else ''}"
+            items.append(replace(part, name=name))
+            targets[name] = Target(f"o[{place}]", each, adds=one.summed)
+    fields = needed(leaves, program.fields, items)
+    loops = [loop for level in levels_of(leaves, [*fields, *items]) for loop in level]
+    calls = [
+        writer.function(
+            f"show_{k}",
+            loop.where,
+            loop.values,
+            [targets[name] if name in targets else writer.field(name) for name in loop.names],
+        )
+        for k, loop in enumerate(loops)
+    ]
+    rows = f"{plain} + {len(shown) - plain} * FIBRES" if plain < len(shown) else str(plain)
+    body = _OBSERVE.format(slots=writer.slots.count, calls="\n".join(f"    {call}" for call in calls), rows=rows)
+    text = "\n\n".join([*writer.functions, body])
+    return tuple(shown), f"{helpers_of(text)}\n{text}", writer.scratch
+
+
+def entry_label(entry: tuple[str, str, int]) -> str:
+    """Name of an entry of the Jacobian."""
+    return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
 
 
 def _derivatives(
@@ -161,7 +147,7 @@ def _jacobian(
 
     def mark(name: str, one: Entry) -> Target:
         label = (name[2:], *one)
-        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in _label(label))
+        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in entry_label(label))
 
     calls = _derivatives(writer, chain, levels, "jacobian", mark)
     outputs = [name for level in levels for loop in level for name in loop.names if not writer.is_field(name)]
@@ -169,8 +155,8 @@ def _jacobian(
         {(name[2:], entry[0], entry[1]) for name in outputs for entry in chain.patterns[name]},
         key=lambda one: (order[one[0]], one[2], order[one[1]]),
     )
-    row = Row("ENTRIES", [_label(entry) for entry in entries])
-    number = {marks[one]: row.at(_label(one)) for one in entries}
+    row = Row("ENTRIES", [entry_label(entry) for entry in entries])
+    number = {marks[one]: row.at(entry_label(one)) for one in entries}
     found = re.compile(re.escape(_MARK) + r"(\d+)")
     writer.functions = [found.sub(lambda match: number[int(match[1])], text) for text in writer.functions]
     return tuple(entries), calls
@@ -206,12 +192,6 @@ def _work(
     return tuple(program.powers), calls, changes
 
 
-_HEAD = """\
-#include <math.h>
-
-#include "softcat_model.h\""""
-
-
 def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str:
     body = "\n".join(calls)
     unpacked = [
@@ -237,148 +217,3 @@ def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str
             "}",
         ]
     )
-
-
-def _constants(rule: SectionRule | PointRule, slots: int, entries: int, scratch: int) -> str:
-    """Numbers of what a site has, and where the fibres are."""
-    sizes = {"FIBRES": rule.points, "SLOTS": slots, "ENTRIES": entries, "SCRATCH": scratch}
-    return "\n".join(
-        [
-            *(f"#define {name} {size}" for name, size in sizes.items()),
-            "",
-            rule.heading,
-            *(c_array("double", name, [number(float(one)) for one in values]) for name, values in rule.tables.items()),
-        ]
-    )
-
-
-def c_array(kind: str, name: str, values: Sequence[str]) -> str:
-    """A table of constants."""
-    body = textwrap.fill(", ".join(values), 96, initial_indent="    ", subsequent_indent="    ", break_long_words=False)
-    return f"static const {kind} {name}[] = {{\n{body}}};"
-
-
-def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[str, str, int]], scratch: int) -> str:
-    place = {slot.name: k for k, slot in enumerate(slots)}
-    columns = {
-        "rate": [place[s.rate] if s.rate else -1 for s in slots],
-        "differential": [int(s.differential) for s in slots],
-        "held_first": [int(s.where.first > 0) for s in slots],
-        "held_last": [int(s.where.behind > 0) for s in slots],
-        "row": [place[row] for row, _, _ in entries],
-        "offset": [distance for _, _, distance in entries],
-        "column": [place[column] for _, column, _ in entries],
-    }
-    lines = [c_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
-    sections, powers = sum(s.section for s in slots), len(template.powers)
-    given = len(template.parameters), len(template.places)
-    sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
-    lines += [
-        "",
-        "const softcat_model softcat_filament_model = {",
-        f"    {', '.join(map(str, sizes))},",
-        "    rate, differential, held_first, held_last, row, offset, column,",
-        f"    rates, jacobian, {'work, work_slope' if powers else '0, 0'},",
-        "};",
-    ]
-    return "\n".join(lines)
-
-
-def template_kept(key: str, made: Callable[[], Template]) -> Template:
-    """The template of a structure, from the cache or else made and stored there; another program has others."""
-    full = store.key_of("template", key)
-    text = library.recall(full)
-    if text is None:
-        template = made()
-        library.keep(full, json.dumps(asdict(template)))
-        return template
-    parts = json.loads(text)
-    parts |= {name: tuple(parts[name]) for name in ("parameters", "places", "powers", "scratch")}
-    parts["slots"] = tuple(Slot(**{**slot, "held": tuple(slot["held"])}) for slot in parts["slots"])
-    parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    return Template(**parts)
-
-
-_PROCESS = secrets.token_hex()
-
-
-@dataclass(frozen=True)
-class Structure:
-    """All filaments that share a C text."""
-
-    key: str  # Hash of all that the text depends on but the program and the fibres
-    rule: str  # Where the fibres are; empty without. Two structures are equal if these two are
-    effects: tuple[str, ...]  # Names of the effects in force
-    equations: FilamentEquations = field(compare=False)  # What the filament is recorded from
-    theory: Theory = field(compare=False)
-    ends: tuple[End, End] = field(compare=False)
-    body: Body = field(compare=False)
-
-    @property
-    def area_power(self) -> int:
-        """With which the area of the section goes with its thickness."""
-        return self.equations.shape.area_power
-
-
-def structure_of(
-    scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Theory, body: Body
-) -> Structure:
-    """The structure of a scene's filament."""
-    ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
-    parts: tuple[object, ...] = (
-        equations.terms,
-        equations.shape.name,
-        scene.run.closure,
-        theory.label,
-        tuple(end.name for end in ends),
-        body.supports,
-        body.profile.nodes is not None,
-        body.weighted,
-        body.tip_mass,
-        body.tip_force,
-        body.natural is not None,
-    )
-    if body.tip_torque:
-        parts = (*parts, "torque")
-    if equations.terms.shaking != 1:
-        parts = (*parts, equations.terms.shaking)
-    if equations.terms.hardens:
-        parts = (*parts, "hardens")
-    rule = fibres.label if fibres else ""
-    return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
-
-
-def _digest(parts: tuple[object, ...]) -> str:
-    """Hash of what parts say of themselves; where that is an address, it means nothing to another process."""
-    text = "\n".join(repr(_named(part)) for part in parts)
-    return hashlib.sha256(f"{_PROCESS} {text}".encode() if " at 0x" in text else text.encode()).hexdigest()
-
-
-def _named(part: object) -> object:
-    """A part in which functions are called by module and name, where these say which: a closure's do not."""
-    if isinstance(part, FunctionType) and "<" not in part.__qualname__:
-        return f"{part.__module__}.{part.__qualname__}"
-    if isinstance(part, tuple):
-        return tuple(_named(one) for one in part)
-    if is_dataclass(part) and not isinstance(part, type):
-        return type(part).__name__, *((one.name, _named(getattr(part, one.name))) for one in fields(part))
-    return part
-
-
-@lru_cache(maxsize=128)
-def model_for(structure: Structure) -> Model:
-    """The C text of a structure."""
-    fibres = structure.theory.fibres
-    return _template(replace(structure, rule="")).with_fibres(fibres)
-
-
-@lru_cache(maxsize=128)
-def _template(structure: Structure) -> Template:
-    """Read once a process, and made once a machine."""
-
-    def made() -> Template:
-        theory = structure.theory
-        rule = theory.fibres.one if theory.fibres else theory.rule
-        return template_of(build(structure.equations, theory.model, structure.ends, structure.body, rule))
-
-    return template_kept(structure.key, made)

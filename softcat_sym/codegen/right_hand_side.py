@@ -14,11 +14,12 @@ from typing import Any
 
 import casadi as ca
 
-from softcat_sym.codegen.c_printer import CSource
+from softcat_sym.codegen.c_text import CSource
 from softcat_sym.codegen.loops import Chain, Entry, differentiated, entry_name, levels_of, needed
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Layout
 from softcat_sym.discretization.stencil import DERIVATIVE, PARAMETER, STAGED, TIME, Column, Field, Leaf, Spread
+from softcat_sym.discretization.symbolic import gathered
+from softcat_sym.discretization.unknowns import Layout
 from softcat_sym.errors import PrintingError
 
 RHS, JACOBIAN, POWERS = "softcat_rhs", "softcat_jacobian", "softcat_powers"
@@ -89,7 +90,7 @@ class Dynamics:
     def _spread(self) -> Spread:
         t, x, z, p = self._inputs
         parameters = {Leaf(PARAMETER, name): p[k] for k, name in enumerate(self.graph.parameters)}
-        return self.graph.spread(x, z, {**parameters, Leaf(TIME, "t"): t})
+        return self.graph.symbolic.spread(x, z, {**parameters, Leaf(TIME, "t"): t})
 
     def _values(self, of: Sequence[Field]) -> dict[str, Any]:
         """Fields at all of their sites, in as few loops as there can be."""
@@ -162,7 +163,7 @@ class Dynamics:
                 if chosen:
                     values.append(column if len(chosen) == len(at) else column[chosen])
                     found += [(at[k] or 0, rows[name][sites[k]]) for k in chosen]
-        shape = size, 1 if by is None else by.vector.numel()
+        shape = size, 1 if by is None else len(by)
         if not values:
             return ca.MX(*shape)
         # By columns; what several sites give to one entry, as to a sum, is added.
@@ -187,7 +188,7 @@ class Dynamics:
     def jacobian(self) -> ca.Function:
         """Blocks ``ode_t`` ... ``alg_z``, sparse."""
         layouts = self.graph.moving, self.graph.still
-        rows, sizes = [self._rows_of(layout) for layout in layouts], [layout.vector.numel() for layout in layouts]
+        rows, sizes = [self._rows_of(layout) for layout in layouts], [len(layout) for layout in layouts]
         names = [f"{of}_{by}" for of in ("ode", "alg") for by in ARGUMENTS[:3]]
         return ca.Function(
             JACOBIAN, self._inputs, self._blocks(self.program.rates, rows, sizes), list(ARGUMENTS), names
@@ -198,7 +199,7 @@ class Dynamics:
         """(t, x, z, p) to (ode, alg), dense; its Jacobian is :attr:`jacobian`."""
         values = self._values(self.program.rates)
         rates = {slot.name: values[f"f_{slot.name}"] for slot in self.program.slots}
-        outputs = [ca.densify(ca.MX(layout.gather(rates))) for layout in (self.graph.moving, self.graph.still)]
+        outputs = [ca.densify(ca.MX(gathered(layout, rates))) for layout in (self.graph.moving, self.graph.still)]
         return _with_jacobian(ca.Function(RHS, self._inputs, outputs, list(ARGUMENTS), ["ode", "alg"]), self.jacobian)
 
     @cached_property

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from softcat_sym.discretization.cell import Slot
-from softcat_sym.discretization.filament import build
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import (
-    Block,
     End,
-    Floats,
     Grid,
-    Layout,
     choose_grading,
     half_span,
     may_yield,
@@ -24,14 +21,17 @@ from softcat_sym.discretization.grid import (
 )
 from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.stencil import INVERTED, PER
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, Supports, node_mass
+from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.dimensions import DOWN, is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
+
+if TYPE_CHECKING:
+    from softcat_sym.discretization.cell import Program
 
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
 
@@ -226,6 +226,24 @@ class Theory:
 KIRCHHOFF = Theory("filament", None)
 
 
+@dataclass(frozen=True)
+class Recorded:
+    """A filament whose program is written down when somebody asks for it."""
+
+    equations: FilamentEquations
+    grid: Grid
+    theory: Theory
+    body: Body
+
+    @cached_property
+    def program(self) -> Program:
+        """What its sites compute."""
+        # Imported here: a run whose library is cached does without CasADi.
+        from softcat_sym.discretization.filament import build
+
+        return build(self.equations, self.theory.model, (self.grid.first, self.grid.last), self.body, self.theory.rule)
+
+
 def assemble(
     equations: FilamentEquations,
     grid: Grid,
@@ -234,14 +252,27 @@ def assemble(
     body: Body | None = None,
 ) -> Graph:
     """Evaluate the filament of one cell's equations on a grid."""
-    body = body or Body()
-    program = build(equations, theory.model, (grid.first, grid.last), body, theory.rule)
+    recorded = Recorded(equations, grid, theory, body or Body())
+    return graph_of(grid, theory, recorded.body, effects, equations, recorded.program.signature, recorded)
+
+
+def graph_of(
+    grid: Grid,
+    theory: Theory,
+    body: Body,
+    effects: tuple[str, ...],
+    equations: FilamentEquations,
+    signature: Signature,
+    recorded: Recorded,
+) -> Graph:
+    """A filament whose sites compute what a signature names."""
     moving, still = (
-        Layout(symbol, [_block(slot, grid) for slot in program.slots if slot.differential == differential])
-        for symbol, differential in (("x", True), ("z", False))
+        Layout([_block(slot, grid) for slot in signature.slots if slot.differential == differential])
+        for differential in (True, False)
     )
     places = places_of(grid, body, equations.shape.area_power)
-    return Graph(grid, effects, equations.terms, equations.conserves_energy, program, places, moving, still)
+    described = effects, equations.terms, equations.conserves_energy
+    return Graph(grid, *described, signature, theory.rule, recorded, places, moving, still)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:

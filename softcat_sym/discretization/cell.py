@@ -8,21 +8,17 @@ other's transpose. So forces are the exact derivatives of the discrete energy.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE, Parameter
 from softcat_sym.discretization.stencil import (
-    CELLS,
-    INNER,
-    INVERTED,
-    NODES,
     PARAMETER,
-    PER,
     PLACE,
     STAGED,
     TIME,
@@ -33,9 +29,20 @@ from softcat_sym.discretization.stencil import (
     Leaves,
     Neighbours,
     Same,
+)
+from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.unknowns import (
+    CELLS,
+    INNER,
+    INVERTED,
+    NODES,
+    PER,
+    WARMING,
+    Shown,
+    Signature,
+    Slot,
     Where,
 )
-from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
 from softcat_sym.physics.conformation import Direction
 from softcat_sym.physics.filament import FilamentEquations
@@ -45,30 +52,8 @@ from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
 
-WARMING = "warming"
-"""The state of nodes that is their temperature over that at the start, less one."""
-
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
-
-
-@dataclass(frozen=True)
-class Slot:
-    """One unknown of every site."""
-
-    name: str  # ``x``, ``y``, ``u``, ``v``, ``psi``, ``omega``, or a plastic state
-    on: str  # ``node``, ``cell``, or ``whole`` where the filament has it once
-    held: tuple[bool, bool]  # Whether the first and the last of its sites hold it
-    differential: bool  # Whether it has a rate, or balances something
-    rate: str  # Name of the unknown that is its rate, or an empty text
-    section: bool  # Whether it belongs to the section of one cell
-
-    @property
-    def where(self) -> Where:
-        """The sites at which it is unknown."""
-        if self.on == "whole":
-            return Where(0, 0, alone=True)
-        return Where(int(self.held[0]), int(self.held[1]) + (self.on == "cell"))
 
 
 @dataclass(frozen=True)
@@ -86,6 +71,15 @@ class Program:
     parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
     places: tuple[str, ...]
     profiles: Mapping[str, tuple[float, float]]  # What each plastic state is of a plastic strain a_0 + a_1 zeta
+
+    @property
+    def signature(self) -> Signature:
+        """All of it that has no expressions."""
+        shown = tuple(
+            replace(item.shown, name=name) if isinstance(item, Field) else Shown(name, 0, 0, summed=True)
+            for name, item in self.shown.items()
+        )
+        return Signature(self.slots, self.parameters, self.places, tuple(self.powers), shown, self.profiles)
 
 
 def printed(expression: Any, values: Values) -> ca.SX:
@@ -474,12 +468,3 @@ def parameters_of(b: Builder, everything: Sequence[Field]) -> tuple[str, ...]:
     used |= {"density", "rest_length"}
     rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
     return (*dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters]), TIME_SCALE)
-
-
-def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
-    """Unit of the quadratures [Pa]: density times the square of span over time scale.
-
-    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
-    size whatever the units of the scene.
-    """
-    return density * (span / time_scale) ** 2

@@ -12,36 +12,25 @@ from softcat_sym.discretization.cell import (
     Mechanics,
     Program,
     Sided,
-    Slot,
-    energy_scale,
     ordered,
     parameters_of,
     place_names,
     printed,
 )
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.heat import HEAT_LOST, Heating, heating
+from softcat_sym.discretization.heat import Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
-from softcat_sym.discretization.point_rule import OnePoint, PointRule, SpatialSampling
-from softcat_sym.discretization.section_rule import Sampling
+from softcat_sym.discretization.parameters import energy_scale
+from softcat_sym.discretization.point_rule import PointRule
+from softcat_sym.discretization.sampling import OnePoint, Sampling, SpatialSampling
 from softcat_sym.discretization.shearing import shearing
 from softcat_sym.discretization.spatial import spatial_filament
-from softcat_sym.discretization.stencil import (
-    CELLS,
-    INNER,
-    NODES,
-    UNKNOWN,
-    Field,
-    Neighbours,
-    Where,
-)
+from softcat_sym.discretization.stencil import UNKNOWN, Field, Neighbours
 from softcat_sym.discretization.supports import POINT_MASS, Body
+from softcat_sym.discretization.unknowns import CELLS, HEAT_LOST, INNER, NODES, WORK_OF_AGEING, Slot, Where
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
-
-WORK_OF_AGEING = "work_ageing"
-"""What the energy stored at a held strain gains as constants of the material change, and what shrinking does."""
 
 
 def build(

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
 
-import casadi as ca
 import numpy as np
-import numpy.typing as npt
 
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.forecast import shaken_share
 from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.effects.scaling_estimates import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene, groups_of
-
-Floats = npt.NDArray[np.float64]
 
 
 class End(Enum):
@@ -172,50 +167,3 @@ def _ratio_for(shortest: float, cells: int) -> float:
     found = np.log(ratios) / (2 * cells * (ratios - 1))
     # np.interp wants ascending abscissae, and stays at the ends of the range beyond them.
     return float(np.interp(-shortest, -found, ratios))
-
-
-@dataclass(frozen=True)
-class Block:
-    """One kind of unknown on some nodes or cells."""
-
-    name: str  # What it is, for messages
-    places: tuple[int, ...]  # Node or cell numbers that carry it
-    positions: Floats  # X/L of those places
-    start: Floats  # Values in the straight, relaxed filament at rest
-
-
-class Layout:
-    """A state vector made of blocks, ordered by position along the filament."""
-
-    def __init__(self, symbol: str, blocks: Sequence[Block]) -> None:
-        self.blocks = tuple(blocks)
-        where = np.concatenate([b.positions for b in blocks]) if blocks else np.zeros(0)
-        self._order = np.argsort(where, kind="stable")
-        self._rank = np.argsort(self._order, kind="stable").tolist()
-        self.vector = ca.SX.sym(symbol, len(where))
-        labels = [
-            f"{b.name}[{place}] at X/L = {at:.4g}"
-            for b in blocks
-            for place, at in zip(b.places, b.positions, strict=True)
-        ]
-        self.names = tuple(labels[i] for i in self._order)
-        kinds = [b.name for b in blocks for _ in b.places]
-        self.kinds = tuple(kinds[i] for i in self._order)
-        places = [place for b in blocks for place in b.places]
-        self.places = tuple(places[i] for i in self._order)
-        self.where = where[self._order]
-        values = np.concatenate([b.start for b in blocks]) if blocks else np.zeros(0)
-        self.start = values[self._order]
-
-    def split(self, vector: Any) -> dict[str, Any]:
-        """The values of each block, by its name, of a state vector."""
-        offsets = np.cumsum([0, *(len(b.places) for b in self.blocks)]).tolist()
-        stacked = vector[self._rank] if self._rank else vector
-        return {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(self.blocks)}
-
-    def gather(self, fields: dict[str, Any]) -> Any:
-        """Stack the values of each block into the order of the state vector."""
-        if not self.blocks:
-            return ca.DM(0, 1)
-        stacked = ca.vertcat(*(fields[b.name] for b in self.blocks))
-        return stacked[self._order.tolist()]

@@ -11,15 +11,13 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
-from softcat_sym.discretization.cell import WARMING, Builder, Mechanics, Sided, printed
-from softcat_sym.discretization.stencil import CELLS, NODES, Field, Neighbours, Same
+from softcat_sym.discretization.cell import Builder, Mechanics, Sided, printed
+from softcat_sym.discretization.stencil import Field, Neighbours, Same
+from softcat_sym.discretization.unknowns import CELLS, NODES, WARMING
 from softcat_sym.physics import heat as sy
 from softcat_sym.physics import symbols
 from softcat_sym.physics.heat import Heat
 from softcat_sym.physics.necking import aspect
-
-HEAT_LOST = "heat_lost"
-"""Power that passes the surface, in :func:`heat_unit` over the time scale."""
 
 
 @dataclass
@@ -29,11 +27,6 @@ class Heating:
     shown: dict[str, Field | tuple[Field, ...]] = field(default_factory=dict)
     lost: list[Field] = field(default_factory=list)
     softening: list[Field] = field(default_factory=list)  # Elastic power that a falling modulus sets free [Pa/s]
-
-
-def heat_unit(density: float, capacity: float, kelvin: float) -> float:
-    """Heat of a unit of volume at its initial temperature [Pa]: the unit in which lost heat is integrated."""
-    return density * capacity * kelvin
 
 
 def heating(b: Builder, of: Mechanics) -> Heating:

@@ -9,7 +9,6 @@ import casadi as ca
 from softcat_sym.discretization.cell import (
     Builder,
     Mechanics,
-    Slot,
     branch_name,
     chain_state,
     derivatives,
@@ -21,13 +20,8 @@ from softcat_sym.discretization.cell import (
     surface_force,
     velocities,
 )
-from softcat_sym.discretization.stencil import (
-    CELLS,
-    NODES,
-    Field,
-    Neighbours,
-    Same,
-)
+from softcat_sym.discretization.stencil import Field, Neighbours, Same
+from softcat_sym.discretization.unknowns import CELLS, NODES, Slot
 from softcat_sym.physics import conformation, symbols
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.section_response import BranchResponse, ViscousResponse

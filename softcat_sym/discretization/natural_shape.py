@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import natural_curve
 from softcat_sym.scene.scene import Scene

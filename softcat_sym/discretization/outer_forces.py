@@ -9,7 +9,8 @@ import sympy as sp
 
 from softcat_sym.discretization.cell import Builder, Mechanics, derivatives, printed
 from softcat_sym.discretization.parameters import AREA
-from softcat_sym.discretization.stencil import CELLS, NODES, Field, Neighbours, Where
+from softcat_sym.discretization.stencil import Field, Neighbours
+from softcat_sym.discretization.unknowns import CELLS, NODES, Where
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.densities import Densities
 

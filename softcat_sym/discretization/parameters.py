@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -153,3 +154,17 @@ def _of_temperature(scene: Scene) -> dict[str, float]:
     for name, value in values.items():
         found |= named_numbers(f"{PREFIX}{name}", value) if isinstance(value, History) else {}
     return found
+
+
+def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
+    """Unit of the quadratures [Pa]: density times the square of span over time scale.
+
+    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
+    size whatever the units of the scene.
+    """
+    return density * (span / time_scale) ** 2
+
+
+def heat_unit(density: float, capacity: float, kelvin: float) -> float:
+    """Heat of a unit of volume at its initial temperature [Pa]: the unit in which lost heat is integrated."""
+    return density * capacity * kelvin

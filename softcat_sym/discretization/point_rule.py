@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar
 
-import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.discretization.section_rule import PER_FIBRE
-from softcat_sym.physics.spatial import POINT
+from softcat_sym.discretization.unknowns import Floats
+
+POINT_TABLES = ("Y_f", "Z_f", "W_2", "W_3", "weight")
+"""Numbers of a point, by the names of their symbols."""
 
 _TERMS = 60
 """Of Prandtl's stress function: the last is 1e-7 of the first."""
@@ -36,11 +36,6 @@ class PointRule:
 /* Places of the points of a section, what a twist shears there, over half the thickness, and their shares of it. */"""
 
     @property
-    def one(self) -> OnePoint:
-        """A point that stands for all of them."""
-        return OnePoint()
-
-    @property
     def is_of_fibres(self) -> bool:
         """Whether every point has plastic states of its own, as here."""
         return True
@@ -48,9 +43,7 @@ class PointRule:
     @property
     def tables(self) -> Mapping[str, Floats]:
         """Its numbers, by the names of the symbols of a point."""
-        return dict(zip((symbol.name for symbol in POINT), (self.Y, self.Z, self.W_2, self.W_3), strict=True)) | {
-            "weight": self.weight
-        }
+        return dict(zip(POINT_TABLES, (self.Y, self.Z, self.W_2, self.W_3, self.weight), strict=True))
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -66,26 +59,6 @@ class PointRule:
     def places(self) -> list[dict[str, float]]:
         """Numbers of every point."""
         return [{name: float(table[k]) for name, table in self.tables.items()} for k in range(self.points)]
-
-
-@dataclass(frozen=True)
-class OnePoint:
-    """One point that stands for all of them, for code that loops over points."""
-
-    symbols: dict[str, ca.SX] = field(
-        default_factory=lambda: {name: ca.SX.sym(name) for name in (*(symbol.name for symbol in POINT), "weight")}
-    )
-    points: int = 1
-    labels: tuple[str, ...] = (PER_FIBRE,)
-
-    @property
-    def places(self) -> list[dict[str, ca.SX]]:
-        """Numbers of the one."""
-        return [self.symbols]
-
-
-SpatialSampling = PointRule | OnePoint
-"""How a section is sampled in both directions."""
 
 
 def ring_rule(rings: int, angles: int) -> PointRule:

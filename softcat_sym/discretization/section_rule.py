@@ -7,17 +7,14 @@ of one rule both are the same.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar
 
-import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.casadi_printer import evaluate
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.physics.closures import mean_square, polynomial
+from softcat_sym.discretization.point_rule import PointRule
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import zeta
 
 _MIN_IN_HALVES = 6
 """Points from which on rules in the two halves are as good as one for what is smooth."""
@@ -60,11 +57,6 @@ class SectionRule:
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */"""
 
     @property
-    def one(self) -> OneFibre:
-        """A fibre that stands for all of them."""
-        return OneFibre()
-
-    @property
     def places(self) -> list[tuple[float, float]]:
         """Coordinate and weight of every point."""
         return [(float(zeta), float(weight)) for zeta, weight in zip(self.zeta, self.weight, strict=True)]
@@ -78,31 +70,6 @@ class SectionRule:
     def states(self) -> int:
         """Number of plastic states of one kind."""
         return int(self.recall.shape[1])
-
-
-PER_FIBRE = "#"
-"""In the name of a plastic state that stands for those of all fibres: the place of the fibre's number."""
-
-
-@dataclass(frozen=True)
-class OneFibre:
-    """One fibre that stands for all of them, for code that loops over fibres."""
-
-    zeta: ca.SX = field(default_factory=lambda: ca.SX.sym("zeta"))  # Symbols of its material coordinate and weight
-    weight: ca.SX = field(default_factory=lambda: ca.SX.sym("weight"))
-    points: int = 1
-    labels: tuple[str, ...] = (PER_FIBRE,)
-    recall: Floats = field(default_factory=lambda: np.eye(1))
-    project: Floats = field(default_factory=lambda: np.eye(1))
-
-    @property
-    def places(self) -> list[tuple[ca.SX, ca.SX]]:
-        """Coordinate and weight of the one."""
-        return [(self.zeta, self.weight)]
-
-
-Sampling = SectionRule | OneFibre
-"""How the section is sampled."""
 
 
 def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> SectionRule:
@@ -120,6 +87,11 @@ def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> Sectio
 
 def order_rule(section: Section, order: int, points: int) -> SectionRule:
     """Amplitudes of p_0 ... p_order, projected with `points` points (at least order + 1)."""
+    # Imported here: only who asks for amplitudes needs SymPy for a rule.
+    from softcat_sym.discretization.casadi_printer import evaluate
+    from softcat_sym.physics.closures import mean_square, polynomial
+    from softcat_sym.physics.symbols import zeta
+
     nodes, weights = _gauss(section, max(points, order + 1))
     values = [np.broadcast_to(evaluate(polynomial(section, n), {zeta: nodes}), nodes.shape) for n in range(order + 1)]
     project = [weights * value / float(mean_square(section, n)) for n, value in enumerate(values)]
@@ -160,3 +132,54 @@ def _gauss_of_sums(places: Floats, masses: Floats, points: int) -> tuple[Floats,
     beside = np.sqrt(spread[1:])
     nodes, vectors = np.linalg.eigh(np.diag(centre) + np.diag(beside, 1) + np.diag(beside, -1))
     return nodes, norm * vectors[0] ** 2
+
+
+POINT = "point_"
+"""Beginning of the names of what single points of a section show."""
+
+
+def shown_of_section(observed: dict[str, Floats], rule: SectionRule | PointRule) -> dict[str, Floats]:
+    """What a run stores of a section that is resolved: means, limits and largest of what its points show.
+
+    Parameters
+    ----------
+    observed : dict
+        Fields (frames, cells); those of a point begin with `POINT` and end with its number.
+    rule : SectionRule or PointRule
+        Where the points are.
+
+    Returns
+    -------
+    dict
+        The fields, with those of the section in the place of those of its points.
+    """
+    kinds = dict.fromkeys(name.rpartition("_")[0] for name in observed if name.startswith(POINT))
+    points = {
+        kind.removeprefix(POINT): np.stack([observed.pop(f"{kind}_{k}") for k in range(rule.points)]) for kind in kinds
+    }
+    if not points:
+        return observed
+    yields, speed = points.pop("yields"), points.pop("speed")
+    found = {"yielded_fraction": _mean(rule.weight, yields), "plastic_rate": speed.max(axis=0)}
+    if isinstance(rule, SectionRule):
+        axial = points.pop("axial")
+        slope = rule.weight * rule.zeta / float(rule.weight @ rule.zeta**2)
+        found |= dict(zip(("core_low", "core_high"), _core(rule.zeta, yields), strict=True))
+        found |= {"stress_mean": _mean(rule.weight, axial), "stress_bending": _mean(slope, axial)}
+    return observed | found | {kind: _mean(rule.weight, values) for kind, values in points.items()}
+
+
+def _mean(weight: Floats, values: Floats) -> Floats:
+    return np.asarray(np.tensordot(weight, values, 1))
+
+
+def _core(zeta: Floats, yields: Floats) -> tuple[Floats, Floats]:
+    """Limits in zeta of what does not yield, between the fibres that do on either side and those that do not.
+
+    Where the whole thickness yields both limits have met on the opposite faces: they are put together.
+    """
+    edges = np.concatenate([[-1.0], (zeta[1:] + zeta[:-1]) / 2, [1.0]])
+    widths = np.diff(edges)
+    low = -1 + np.tensordot(widths, np.cumprod(yields, axis=0), 1)
+    high = 1 - np.tensordot(widths[::-1], np.cumprod(yields[::-1], axis=0), 1)
+    return low, np.maximum(low, high)

@@ -14,7 +14,6 @@ from softcat_sym.discretization.cell import (
     Builder,
     Mechanics,
     Pair,
-    Slot,
     Values,
     branch_name,
     chain_state,
@@ -27,15 +26,10 @@ from softcat_sym.discretization.cell import (
     surface_force,
     velocities,
 )
-from softcat_sym.discretization.section_rule import OneFibre, Sampling, SectionRule
-from softcat_sym.discretization.stencil import (
-    CELLS,
-    FIBRE,
-    Field,
-    Leaf,
-    Neighbours,
-    Same,
-)
+from softcat_sym.discretization.sampling import OneFibre, Sampling, point_labels
+from softcat_sym.discretization.section_rule import POINT, SectionRule
+from softcat_sym.discretization.stencil import FIBRE, Field, Leaf, Neighbours, Same
+from softcat_sym.discretization.unknowns import CELLS, Floats, Slot
 from softcat_sym.physics import backstress, conformation, reissner, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.clocks import State
@@ -200,12 +194,12 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     for fibre in fibres if resolved.viscous is not None else ():
         fibre.resist()
     _sum_up(b, rule, fibres, found)
-    if isinstance(rule, SectionRule):
-        found.shown = _shown_fibres(rule, fibres)
-        for clock in followed:
-            found.shown[clock.state.name] = _dot(rule.weight, [fibre.values[clock.state.shown] for fibre in fibres])
+    for label, fibre in zip(point_labels(rule), fibres, strict=True):
+        shown = {"yields": fibre.yields, "speed": fibre.speed, "axial": fibre.axial, **shown_chains(fibre.conformation)}
+        shown |= {clock.state.name: fibre.values[clock.state.shown] for clock in followed}
         if any(branch.hardening is not None for branch in resolved.branches):
-            found.shown["backstress"] = _dot(rule.weight, [fibre.backstress for fibre in fibres])
+            shown["backstress"] = fibre.backstress
+        found.shown |= {f"{POINT}{name}_{label}": value for name, value in shown.items()}
     return found
 
 
@@ -272,12 +266,11 @@ def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Seque
         projected = [_dot(row, rates) for row in rule.project]
         names = [chain_state(one, f"_{label}") for label in rule.labels]
         found.plastic |= dict(zip(names, projected, strict=True))
-        if isinstance(rule, SectionRule):
-            linear = zip(names, rule.project @ np.ones(rule.points), rule.project @ rule.zeta, strict=True)
-            found.profiles |= {name: (one.power * float(m), one.power * float(z)) for name, m, z in linear}
-            if not rule.is_of_fibres:
-                for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
-                    fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
+        linear = zip(names, *_linear_parts(rule), strict=True)
+        found.profiles |= {name: (one.power * float(m), one.power * float(z)) for name, m, z in linear}
+        if isinstance(rule, SectionRule) and not rule.is_of_fibres:
+            for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
+                fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
 
 
 def _add_branch(
@@ -331,12 +324,17 @@ def _state_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int) -> dict[
 
 
 def _profiles(rule: Sampling, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
-    """What each axial state is of a plastic strain that is linear through the thickness; nothing of one fibre's."""
-    if isinstance(rule, OneFibre):
-        return {}
-    mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.zeta
+    """What each axial state is of a plastic strain that is linear through the thickness."""
+    mean, linear = _linear_parts(rule)
     names = [_state_names(rule, "axial", j) for j, branch in enumerate(resolved.branches) if branch.flow is not None]
     return {name: (float(mean[n]), float(linear[n])) for group in names for n, name in enumerate(group)}
+
+
+def _linear_parts(rule: Sampling) -> tuple[Floats, Floats]:
+    """Amplitudes of 1 and of zeta in each state; of one fibre that stands for all, over its zeta."""
+    if isinstance(rule, OneFibre):
+        return np.ones(1), np.ones(1)
+    return rule.project @ np.ones(rule.points), rule.project @ rule.zeta
 
 
 def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
@@ -457,28 +455,3 @@ class _Fibre:
         self.dissipation += 2 * printed(viscous.rayleigh, values)
         if not self.moduli and not self.relaxing:
             self.speed, self.yields = ca.fabs(rates[reissner.eps_t]), ca.SX(1)
-
-
-def _shown_fibres(rule: SectionRule, fibres: Sequence[_Fibre]) -> dict[str, ca.SX]:
-    weight, zeta = rule.weight, rule.zeta
-    yields, axial = [fibre.yields for fibre in fibres], [fibre.axial for fibre in fibres]
-    fastest = fibres[0].speed
-    for fibre in fibres[1:]:
-        fastest = ca.fmax(fastest, fibre.speed)
-    # Limits in zeta of what does not yield, between the fibres that do on either side and those that do not.
-    edges = np.concatenate([[-1.0], (zeta[1:] + zeta[:-1]) / 2, [1.0]])
-    below, above, low, high = ca.SX(1), ca.SX(1), ca.SX(-1), ca.SX(1)
-    for n in range(len(fibres)):
-        below, above = below * yields[n], above * yields[-1 - n]
-        low += below * (edges[n + 1] - edges[n])
-        high -= above * (edges[-1 - n] - edges[-2 - n])
-    return {
-        "core_low": low,
-        # Where the whole thickness yields both limits have met on the opposite faces: they are put together.
-        "core_high": ca.fmax(low, high),
-        "yielded_fraction": _dot(weight, yields),
-        "plastic_rate": fastest,
-        "stress_mean": _dot(weight, axial),
-        "stress_bending": _dot(weight * zeta / float(weight @ zeta**2), axial),
-        **shown_chains([_dot(weight, one) for one in zip(*(fibre.conformation for fibre in fibres), strict=True)]),
-    }

@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any
 
 import casadi as ca
-import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import CellFunction
@@ -20,10 +18,8 @@ from softcat_sym.discretization.cell import (
     Builder,
     Program,
     Sided,
-    Slot,
     branch_name,
     derivatives,
-    energy_scale,
     neck_force,
     ordered,
     parameters_of,
@@ -31,10 +27,14 @@ from softcat_sym.discretization.cell import (
     printed,
     surface_force,
 )
-from softcat_sym.discretization.grid import End, Floats
-from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
-from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
-from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, TIP_TORQUE, Held
+from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.held_ends import Held
+from softcat_sym.discretization.parameters import energy_scale
+from softcat_sym.discretization.sampling import OnePoint, SpatialSampling, point_labels
+from softcat_sym.discretization.section_rule import POINT as POINT_SHOWN
+from softcat_sym.discretization.stencil import FIBRE, Field, Leaf, Neighbours, Same
+from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, TIP_TORQUE
+from softcat_sym.discretization.unknowns import CELLS, INNER, NODES, PLACES, TURN, Slot, Where
 from softcat_sym.physics import spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.reissner import eps_e, eps_p
@@ -42,8 +42,8 @@ from softcat_sym.physics.spatial import MEANS, POINT, STRAINS, SpatialSection
 
 Three = tuple[ca.SX, ca.SX, ca.SX]
 
-PLACES, SPEEDS, TURN, SPIN = ("x", "y", "z"), ("u", "v", "w"), ("q0", "q1", "q2", "q3"), ("o1", "o2", "o3")
-"""Unknowns of a node: its place and velocity, its unit quaternion, and its spin where a viscous stress asks for it."""
+SPEEDS, SPIN = ("u", "v", "w"), ("o1", "o2", "o3")
+"""Unknowns of a node beside its place and quaternion: its velocity, and its spin where a viscous stress asks for it."""
 
 _ROUND = 1e-24
 """Square of the angle between two nodes below which it counts as none."""
@@ -266,8 +266,7 @@ class _Points:
     energy: ca.SX
     dissipation: ca.SX
     rates: dict[str, ca.SX]  # Of the plastic states [1/s]
-    yielded: ca.SX
-    fastest: ca.SX
+    shown: dict[str, ca.SX]  # Of single points
 
 
 def _sampled(
@@ -312,16 +311,16 @@ def _summed(b: Builder, rule: SpatialSampling, points: Sequence[_Point], rates: 
         return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
 
     rows = list(zip(*(point.contributions() for point in points), strict=True))
-    fastest = points[0].speed
-    for point in points[1:]:
-        fastest = ca.fmax(fastest, point.speed)
     return _Points(
         means=[mean(symbol.name, row) for symbol, row in zip(MEANS, rows, strict=True)],
         energy=mean("energy", [point.energy for point in points]),
         dissipation=mean("dissipation", [point.dissipation for point in points]),
         rates=rates,
-        yielded=ca.SX(0) if isinstance(rule, OnePoint) else mean("yields", [point.yields for point in points]),
-        fastest=ca.SX(0) if isinstance(rule, OnePoint) else fastest,
+        shown={
+            f"{POINT_SHOWN}{name}_{label}": value
+            for label, point in zip(point_labels(rule), points, strict=True)
+            for name, value in (("yields", point.yields), ("speed", point.speed))
+        },
     )
 
 
@@ -574,45 +573,7 @@ def _shown(
         "torque": conjugate[3],
         "moment_2": conjugate[4],
         "moment": -conjugate[5],
-        "yielded_fraction": points.yielded,
-        "plastic_rate": points.fastest,
         "stress_mean": points.means[0],
         "stress_bending": points.means[1] / float(b.equations.shape.zeta_squared),
     }
-    return {name: Field(name, CELLS, ca.SX(value)) for name, value in values.items()}
-
-
-def sideways_tangent(cells: Floats) -> Floats:
-    """Tangent of planar cells in what leaves the plane: z and the turns about d1 and d2 of both nodes, (cells, 6, 6).
-
-    Parameters
-    ----------
-    cells : ndarray
-        Rows x, y, psi of the first and of the last node, rest length [m, rad]; the conjugates n_1, n_2 [N] and M [N m];
-        stiffness in Gam_3 [N], in twist and in sideways bending [N m^2]; a column for each cell.
-    """
-    found = np.asarray(_tangent().map(cells.shape[1])(cells))
-    return found.reshape(6, cells.shape[1], 6).transpose(1, 0, 2)
-
-
-@cache
-def _tangent() -> ca.Function:
-    """Second derivative of n1 |(Lam, Gam_3)| + n2 Gam - M k_3 + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of a cell."""
-    given = ca.SX.sym("given", 13)
-    xa, ya, pa, xb, yb, pb, d, n1, n2, M, c_shear, c_twist, c_bend = ca.vertsplit(given)
-    out = ca.SX.sym("out", 6)
-    za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
-    slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
-    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, _turned(pa, a1, a2), _turned(pb, b1, b2), d)
-    stiff = (c_shear * Gam_3**2 + c_twist * k_1**2 + c_bend * k_2**2) / 2
-    # A tension pulls along the fibre: of itself it does not tilt the section, however soft that is in shear.
-    energy = d * (n1 * ca.sqrt(Lam**2 + Gam_3**2) + n2 * Gam - M * k_3 + stiff)
-    hessian = ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))
-    return ca.Function("tangent", [given], [ca.densify(hessian)])
-
-
-def _turned(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
-    """Quaternion of a section in the plane that turns about its own axes d1 and d2, to second order."""
-    c, s = ca.cos(psi / 2), ca.sin(psi / 2)
-    w, x, y = 1 - (first**2 + second**2) / 8, first / 2, second / 2
-    return [c * w, c * x - s * y, c * y + s * x, s * w]
+    return {name: Field(name, CELLS, ca.SX(value)) for name, value in (values | points.shown).items()}

@@ -13,17 +13,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.section_rule import PER_FIBRE
+from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Where
 
 UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
 FIBRE, SUM = "fibre", "sum"
 """Where a fibre is and what it counts for; a sum over the fibres of a cell."""
 WHOLE = "whole"
 """One number of the whole filament: a sum over its sites."""
-
-PER = "per_"
-INVERTED = "cell", "node", "mass"
-"""Lengths and mass of a site whose inverses a run is given too, under names that begin with `PER`."""
 
 
 @dataclass(frozen=True, order=True)
@@ -83,19 +79,6 @@ class Leaves:
 
 
 @dataclass(frozen=True)
-class Where:
-    """Sites of a field, whatever their number: from `first` to the last but `behind`; or one site alone."""
-
-    first: int  # Site at which the field begins; of a single one counted from the last if negative (-1 is the last)
-    behind: int  # Sites left out at the end of the row
-    alone: bool = False  # Whether it is `first` only
-
-
-NODES, CELLS, INNER = Where(0, 0), Where(0, 1), Where(1, 1)
-"""All nodes, all cells, the nodes between two cells."""
-
-
-@dataclass(frozen=True)
 class Field:
     """What sites compute alike, and what single sites at the ends compute otherwise."""
 
@@ -115,6 +98,12 @@ class Field:
         first = self.where.first % count
         last = first + 1 if self.where.alone else count - self.where.behind
         return sorted({*range(first, last), *(site % count for site in self.ends)})
+
+    @property
+    def shown(self) -> Shown:
+        """The sites whose values a run stores."""
+        first, behind = (0 if at in self.ends else n for at, n in ((0, self.where.first), (-1, self.where.behind)))
+        return Shown(self.name, first, behind, summed=False)
 
 
 class Neighbours:

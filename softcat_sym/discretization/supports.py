@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
-import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats, Grid
-from softcat_sym.physics import symbols
+from softcat_sym.discretization.grid import Grid
+from softcat_sym.discretization.unknowns import Floats
 
 
 @dataclass(frozen=True)
 class Profile:
     """Relative thickness, one where it is the scene's."""
 
-    # At the nodes and in the middle of the cells, as symbols where the grid is an input; None for a filament that is
-    # the same everywhere, which then leaves nothing of this in the graph.
-    nodes: Floats | ca.SX | None = None
-    cells: Floats | ca.SX | None = None
+    # At the nodes and in the middle of the cells; None for a filament that is the same everywhere, which then leaves
+    # nothing of this in the graph.
+    nodes: Floats | None = None
+    cells: Floats | None = None
 
     @classmethod
     def sampled(cls, values: tuple[float, ...], grid: Grid) -> Profile:
@@ -30,31 +26,6 @@ class Profile:
             return cls()
         at = np.linspace(-0.5, 0.5, len(values))
         return cls(np.interp(grid.nodes, at, values), np.interp(grid.centres, at, values))
-
-
-@dataclass(frozen=True)
-class Outline:
-    """Undeformed thickness [m] and relative area on cells and on nodes; numbers where nothing varies."""
-
-    h_cells: Any  # Thickness
-    h_nodes: Any
-    area_cells: Any  # Area over that of the scene's thickness
-    area_nodes: Any
-    relative: Any  # Thickness of the cells over the scene's
-
-
-def outline(profile: Profile, power: int, values: Mapping[symbols.Symbol, Any]) -> Outline:
-    """The outline of a filament whose area goes with a power of its thickness."""
-    h = values.get(symbols.h0)
-    if profile.nodes is None or profile.cells is None or h is None:
-        return Outline(h, h, 1.0, 1.0, 1.0)
-    cells, nodes = as_values(profile.cells), as_values(profile.nodes)
-    return Outline(h * cells, h * nodes, cells**power, nodes**power, cells)
-
-
-def as_values(values: Floats | ca.SX) -> Any:
-    """Numbers or symbols as CasADi has them."""
-    return values if isinstance(values, ca.SX) else ca.DM(values)
 
 
 def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
@@ -133,75 +104,3 @@ def path_name(kind: str, row: int) -> str:
 def turn_name(kind: str, row: int) -> str:
     """Name of one number of the twist of the right clamp: ``turn_0_time``, ``turn_0_angle``."""
     return f"turn_{row}_{kind}"
-
-
-@dataclass(frozen=True)
-class Held:
-    """The supports at one instant; lengths in rest lengths, angles in rad, velocities in rest lengths per second."""
-
-    left_x: ca.SX  # Positions; the left one has the height zero
-    right_x: ca.SX
-    right_y: ca.SX
-    right_u: ca.SX  # Velocity of the right one
-    right_v: ca.SX
-    left_angle: ca.SX  # Tangent angles that clamps impose
-    right_angle: ca.SX
-    right_z: ca.SX  # Of a filament in three dimensions, with the velocity
-    right_w: ca.SX
-    right_twist: ca.SX  # Of the right clamp about its own normal, and its rate [1/s]
-    right_spin: ca.SX
-    turns: tuple[list[ca.SX], ...]  # Quaternions of clamps that hold the ends of a shape; empty elsewhere
-    direction: tuple[ca.SX, ca.SX, ca.SX]  # Of gravity, of length one
-
-
-def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds: ca.SX) -> Held:
-    """The supports at a time."""
-    half = given[SPAN] / (2 * length) if supports.apart else ca.SX(0.5)
-    drop = given[DROP] / length if supports.lowered else ca.SX(0)
-    axes = ("dx", "dy", "dz") if supports.sideways else ("dx", "dy")
-    moved, speed = _path([path_name, *axes], supports.rows, given, seconds)
-    (twist,), (spin,) = _path([turn_name, "angle"], supports.turns, given, seconds)
-    nothing = ca.SX(0)
-    aside, aside_speed = (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
-    down = (given[name] for name in DIRECTION) if supports.directed else (nothing, ca.SX(-1), nothing)
-    return Held(
-        left_x=-half,
-        right_x=half + moved[0] / length,
-        right_y=moved[1] / length - drop,
-        right_u=speed[0] / length,
-        right_v=speed[1] / length,
-        left_angle=given[LEFT_ANGLE] if supports.left_turned else nothing,
-        right_angle=given[RIGHT_ANGLE] if supports.right_turned else nothing,
-        right_z=aside,
-        right_w=aside_speed,
-        right_twist=twist,
-        right_spin=spin,
-        turns=tuple(
-            [given[name] for name in turn] if needed else []
-            for turn, needed in zip(END_TURNS, supports.curved, strict=True)
-        ),
-        direction=tuple(down),  # type: ignore[arg-type]
-    )
-
-
-def _path(
-    named: Sequence[Any], rows: int, given: Mapping[str, ca.SX], seconds: ca.SX
-) -> tuple[list[ca.SX], list[ca.SX]]:
-    """Displacements and velocities along straight pieces, from nothing at t = 0 and held after the last row.
-
-    `named` has the function that names the numbers of a row, and what they are beside its time.
-    """
-    name, *axes = named
-    points = [[ca.SX(0)] * (1 + len(axes))]
-    points += [[given[name(kind, row)] for kind in ("time", *axes)] for row in range(rows)]
-    place, speed = [ca.SX(0)] * len(axes), [ca.SX(0)] * len(axes)
-    for (begin, *old), (end, *new) in itertools.pairwise(points):
-        # A path may state its beginning at t = 0, a piece of no duration.
-        lasting = ca.fmax(end - begin, 1e-300)
-        share = ca.fmin(ca.fmax((seconds - begin) / lasting, 0), 1)
-        under_way = ca.logic_and(seconds >= begin, seconds < end)
-        for axis in range(len(axes)):
-            change = new[axis] - old[axis]
-            place[axis] += change * share
-            speed[axis] += under_way * change / lasting
-    return place, speed

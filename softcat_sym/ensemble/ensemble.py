@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.ensemble.executor import MembersProgress, Stop, counted, executor, worker_count
 from softcat_sym.ensemble.members import (
     Choosing,

@@ -9,7 +9,8 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.error_control.estimate import (

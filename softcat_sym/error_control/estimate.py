@@ -9,7 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
-from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.scene.scene import Scene

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.free_parameters import INITIAL_SAG, TIME_OFFSET, FreeParameter, Unknowns
 from softcat_sym.fitting.integration import (
@@ -24,8 +24,8 @@ from softcat_sym.fitting.integration import (
 from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import identity_of
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.solution import watched
+from softcat_sym.solvers.start import Start
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
 _STEP = 1e-6  # in unknowns of order one, of the interpolation, which is smooth

@@ -12,8 +12,8 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from pydantic_core import PydanticCustomError
 
-from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.parameters import time_scale
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats, Layout
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
+from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError
@@ -32,11 +32,12 @@ from softcat_sym.solvers.compiled import (
     Status,
     compile_filament,
 )
-from softcat_sym.solvers.equilibrium import Equilibrium, Newton, Start
+from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
 from softcat_sym.solvers.solution import watched
+from softcat_sym.solvers.start import Newton, Start
 
 _Unknown = tuple[str, int]
 
@@ -51,7 +52,7 @@ class Starts:
         self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns nothing is sought: the straight filament as it is.
-        self._bare = replace(self._graph, still=Layout("z", []))
+        self._bare = replace(self._graph, still=Layout([]))
         self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae and not spatial else None
         # Its shape at rest may be that of another graph, without inertia and viscous stress.
         is_followed = not self._straight and not self._graph.positions_are_algebraic
@@ -525,7 +526,7 @@ class FrozenFilament:
                 found = "a support that moves is followed by the compiled solver only, when derivatives are wanted"
                 raise SceneError([Fault("ends.motion", found, f"a C compiler; {self.backend.reason}")])
             return InterpretedForward(parts.graph, settings)
-        filament = compile_filament(parts.graph, parts.structure())
+        filament = compile_filament(parts.graph, parts.structure)
         works = "v" not in parts.graph.x_kinds
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 

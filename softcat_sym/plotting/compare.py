@@ -19,7 +19,7 @@ from matplotlib.lines import Line2D
 from rich.console import Console
 from rich.text import Text
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import write_results

@@ -38,7 +38,7 @@ from softcat_sym.studies.phase_runs import CLAMPS_ONLY
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.discretization.grid import Floats
+    from softcat_sym.discretization.unknowns import Floats
     from softcat_sym.studies.paper_figures import FilmedScene, Panel, Snapshot
     from softcat_sym.studies.phase import PhaseDiagram, PhaseSheet
 

@@ -28,7 +28,7 @@ from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.discretization.grid import Floats
+    from softcat_sym.discretization.unknowns import Floats
     from softcat_sym.studies.sweep import Sweep
 
 MAX_DRAWN: Final = 4000

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, replace_atomically
 from softcat_sym.reference.elements import ElementField, element_fields, strip_of

@@ -8,7 +8,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.scene import Scene
 

@@ -7,12 +7,9 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from softcat_sym.discretization.cell import energy_scale
-from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.discretization.heat import heat_unit
-from softcat_sym.discretization.spatial import TURN
+from softcat_sym.discretization.parameters import energy_scale, heat_unit
+from softcat_sym.discretization.unknowns import TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
@@ -151,7 +148,7 @@ def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
     """Every variable of the trajectory that this theory has, whole span, whole filament."""
     graph, span = prepared.graph, rest_length(scene)
-    observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
+    observed = prepared.observe(solution)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     plastic, load, gradient, *lost = solution.quad * unit
     if "q0" in observed:
@@ -160,7 +157,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
         # Turns that are algebraic have no rate that a quadrature could use: the work is summed over frames.
         load = load + _work_of_torque(scene, observed)
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
-    for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
+    for name, loss in zip(graph.powers[_OWN_POWERS:], lost, strict=True):
         observed[name if name in VARIABLES else f"{_LOST}{name}"] = loss[:, None]
     if "heat_stored" in observed:
         observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * _heat_unit(scene) * span / unit

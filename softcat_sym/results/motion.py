@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.forecast import (
@@ -36,9 +36,9 @@ from softcat_sym.physics.loads import SURFACES
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Progress, Solution
+from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0
 """Fewer pictures a period show a swing that is not there: the wheels of the stage-coach that turn backwards."""

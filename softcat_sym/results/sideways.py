@@ -10,15 +10,14 @@ without one is left alone: as its curvature grows its sections turn at that pace
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.point_rule import warping_rule
-from softcat_sym.discretization.spatial import sideways_tangent
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.free_vibration import solid_viscosity
 from softcat_sym.effects.law import has_chains
 from softcat_sym.effects.scaling_estimates import instant_modulus
@@ -46,6 +45,9 @@ _MOST = 1e3
 
 _HALVINGS = 14
 """Of that range on a scale of logarithms: to a thousandth."""
+
+_SMALL = 1e-4
+"""Half of the turn of a cell [rad] below which its cotangent is a series."""
 
 _FREE = 3
 """Unknowns of a node out of the plane: z and the turns about d1 and d2."""
@@ -109,9 +111,11 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     fields = {name: values if name in _PLACES else values[frames] for name, values in fields.items()}
     time, held = fields["time"], _held(scene, fields["x"].shape[1])
     mass = _masses(scene, fields, held)
+    cells = _Cells.of(scene, fields)
+    if cells.stay(modulus, clamps=[scene.ends.left, scene.ends.right]):
+        return None
     # Of forces and moments, and of each unit of a modulus.
-    carried = _stiffness(scene, fields, 0.0)
-    elastic = _stiffness(scene, fields, 1.0) - carried
+    carried, elastic = (cells.tangent(share, force=one) for share, one in ((0.0, 1.0), (1.0, 0.0)))
     viscosity = solid_viscosity(scene)
     if scene.material.law == "kelvin-voigt":
         viscosity += float(scene.material.viscosity or 0.0)
@@ -124,36 +128,113 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     return None if growth < GROWN else Sideways(float(time[np.flatnonzero(rates)[0]]), growth, float(rates.max()))
 
 
-def _stiffness(scene: Scene, fields: Mapping[str, Floats], modulus: float) -> Floats:
-    """Tangent of every cell in (z, turn about d1, about d2) of its two nodes, shape (frame, cell, 6, 6)."""
-    filament, area = scene.filament, undeformed_area(scene)
-    x, y, nodes = fields["x"], fields["y"], fields["X_node"]
-    length = np.diff(nodes)
-    psi = _section_angles(fields, length)
-    stretch = np.hypot(np.diff(x, axis=1), np.diff(y, axis=1)) / length
-    relative = fields["thickness"] * np.sqrt(stretch) / filament.thickness
-    size = area * relative ** (SECTIONS[filament.section].area_power)
-    h = filament.thickness * relative
-    # Second moments over area, of bending about the second axis and of torsion.
-    if filament.section == "circle":
-        bending, torsion = h**2 / 16, h**2 / 8
-    else:
-        bending = np.full_like(h, filament.width**2 / 12)
-        points = warping_rule(4, 4, filament.width / filament.thickness)
-        torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
-    shear = modulus / (2 * (1 + scene.material.poisson))
-    correction = float(SHEAR_CORRECTION[filament.section])
-    shears = fields.get("shear", 0 * stretch)
-    # n_1 of the tension (THEORY3D 4), in the plane.
-    force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * shears
-    force = force + 1.5 * fields["moment"] * fields["curvature"]
-    given = (
-        *(x[:, :-1], y[:, :-1], psi[:, :-1], x[:, 1:], y[:, 1:], psi[:, 1:], length),
-        *(force, fields["shear_force"], fields["moment"], correction * shear * size / stretch**2),
-        *(shear * size * torsion / stretch**3, modulus * size * bending / stretch**3),
-    )
-    flat = np.vstack([np.broadcast_to(one, stretch.shape).ravel() for one in given])
-    return sideways_tangent(flat).reshape(*stretch.shape, 6, 6)
+@dataclass(frozen=True)
+class _Cells:
+    """Planar cells, all of shape (frames, cells): what holds them in their plane."""
+
+    length: Floats  # At rest [m]
+    Lam: Floats  # Strains of the cell, and by how much it turns from its first node to its last
+    Gam: Floats
+    turn: Floats
+    n_1: Floats  # Conjugates [N, N m]
+    n_2: Floats
+    M: Floats
+    stiffness: tuple[Floats, Floats, Floats]  # In Gam_3, twist and sideways bending, over the modulus [m^2, m^4]
+
+    @classmethod
+    def of(cls, scene: Scene, fields: Mapping[str, Floats]) -> _Cells:
+        """From what a planar run has stored."""
+        filament, area = scene.filament, undeformed_area(scene)
+        x, y, length = fields["x"], fields["y"], np.diff(fields["X_node"])
+        psi = _section_angles(fields, length)
+        along, up = np.diff(x, axis=1) / length, np.diff(y, axis=1) / length
+        stretch, middle = np.hypot(along, up), (psi[:, 1:] + psi[:, :-1]) / 2
+        c, s = np.cos(middle), np.sin(middle)
+        relative = fields["thickness"] * np.sqrt(stretch) / filament.thickness
+        size = area * relative ** (SECTIONS[filament.section].area_power)
+        h = filament.thickness * relative
+        # Second moments over area, of bending about the second axis and of torsion.
+        if filament.section == "circle":
+            bending, torsion = h**2 / 16, h**2 / 8
+        else:
+            bending = np.full_like(h, filament.width**2 / 12)
+            points = warping_rule(4, 4, filament.width / filament.thickness)
+            torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
+        shear = size / (2 * (1 + scene.material.poisson))
+        correction = float(SHEAR_CORRECTION[filament.section])
+        # n_1 of the tension (THEORY3D 4), in the plane.
+        force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * fields.get("shear", 0 * stretch)
+        force = force + 1.5 * fields["moment"] * fields["curvature"]
+        stiffness = correction * shear / stretch**2, shear * torsion / stretch**3, size * bending / stretch**3
+        strains = along * c + up * s, up * c - along * s, np.diff(psi, axis=1)
+        return cls(length, *strains, force, fields["shear_force"], fields["moment"], stiffness)
+
+    def stay(self, modulus: float, clamps: Sequence[str]) -> bool:
+        """Whether they surely stay in their plane.
+
+        In frames that do not turn with the filament the two turns phi of a section have the energy
+        (A p^2 + B r^2 + M (phi_1 r - phi_2 p) - n_2 Lam phi_1 phi_2 + n_2 Gam phi_1^2)/2 with p^2 + r^2 = |phi_X|^2,
+        and more under tension: positive if a lam > M^2/a + |n_2| (Lam + 2 |Gam|) with a the lesser of A and B, where
+        lam = (pi/l)^2 is the least of |phi_X|^2/|phi|^2 between two clamps, (pi/2l)^2 of one.
+        """
+        ends = sum(end == "clamped" for end in clamps)
+        if "pinned" in clamps or not ends or np.any(self.n_1 < 0):
+            return False
+        a = modulus * np.minimum(*self.stiffness[1:]).min(axis=1)
+        lam = (ends * math.pi / 2 / float(self.length.sum())) ** 2
+        couple = np.abs(self.M).max(axis=1) ** 2 / a
+        across = (np.abs(self.n_2) * (self.Lam + 2 * np.abs(self.Gam))).max(axis=1)
+        return bool(np.all(a * lam > couple + across))
+
+    def tangent(self, modulus: float, force: float) -> Floats:
+        """Second derivative of n_1 |(Lam, Gam_3)| + n_2 Gam - M k_3 + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of each cell.
+
+        By z and the turns a, b of its nodes about d1 and d2, shape (frames, cells, 6, 6), to second order in
+        zeta = z_X, sigma = (a + b)/2 and delta = (b - a)/2: with T = tan(turn/4), J (v_1, v_2) = (-v_2, v_1) and
+        g = turn cot(turn/2) the middle of the cell turns by m = sigma + T J delta and m_3 = -(T/2) sigma . delta,
+        k d = g delta + turn J sigma, k_3 d = turn + h delta^2 - turn/2 sigma^2 + (1 - g) delta . J sigma.
+        A tension pulls along the fibre: of itself it does not tilt the section, however soft that is in shear.
+        """
+        u, T, d = self.turn / 2, np.tan(self.turn / 4), self.length
+        # u cot u, and cot u (1 - u cot u), which is u/3 where nothing turns.
+        small = np.abs(u) < _SMALL
+        safe = np.where(small, 1.0, u)
+        ucot = np.where(small, 1 - u**2 / 3, safe / np.tan(safe))
+        h = np.where(small, u / 3, (1 - ucot) / np.tan(safe))
+        L, G, g = self.Lam, self.Gam, 2 * ucot
+        zeta, s_1, s_2, d_1, d_2 = (np.eye(5)[k][:, None, None] + 0 * u for k in range(5))
+        m_1, m_2 = s_1 - T * d_2, s_2 + T * d_1
+        slide = zeta - G * m_1 + L * m_2
+        k_1, k_2 = (g * d_1 - self.turn * s_2) / d, (g * d_2 + self.turn * s_1) / d
+        # Each term a weight times the product of two linear forms, over the length.
+        shears, twists, bends = (modulus * one for one in self.stiffness)
+        n_1, n_2, M = (force * one for one in (self.n_1, self.n_2, self.M))
+        m_3 = -T / 2 * (n_1 * G - n_2 * L)
+        terms = (
+            (-n_1, m_2, zeta),
+            (n_1 * G / 2 + n_2 * L / 2, m_1, m_2),
+            (-n_1 * L / 2, m_2, m_2),
+            (n_2, m_1, zeta),
+            (-n_2 * G / 2, m_1, m_1),
+            (m_3, s_1, d_1),
+            (m_3, s_2, d_2),
+            (n_1 / (2 * L) + shears / 2, slide, slide),
+            (twists / 2, k_1, k_1),
+            (bends / 2, k_2, k_2),
+            *((-M / d * h, one, one) for one in (d_1, d_2)),
+            *((M / d * u, one, one) for one in (s_1, s_2)),
+            (M / d * (1 - g), d_1, s_2),
+            (-M / d * (1 - g), d_2, s_1),
+        )
+        form = sum((np.einsum("fc,ifc,jfc->fcij", weight, a, b) for weight, a, b in terms), np.zeros(()))
+        form = (form + form.transpose(0, 1, 3, 2)) * d[:, None, None]
+        # (zeta, sigma, delta) of (z, turns) of both nodes.
+        of_nodes = np.zeros((len(d), 5, 2 * _FREE))
+        of_nodes[:, 0, 0], of_nodes[:, 0, _FREE] = -1 / d, 1 / d
+        for axis in (1, 2):
+            of_nodes[:, axis, [axis, _FREE + axis]] = 0.5
+            of_nodes[:, 2 + axis, axis], of_nodes[:, 2 + axis, _FREE + axis] = -0.5, 0.5
+        return np.asarray(np.einsum("cki,fckl,clj->fcij", of_nodes, form, of_nodes, optimize=True))
 
 
 def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.parameters import time_scale
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Estimate, Motion
 from softcat_sym.effects.registry import REGISTRY

@@ -3,33 +3,35 @@
 from __future__ import annotations
 
 import ctypes as ct
+import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from importlib import resources
 from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from softcat_sym.codegen.compiler import beside
 from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
-from softcat_sym.codegen.loops import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.model import Model, Structure, model_for
+from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
+from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats, Shown
 from softcat_sym.errors import SoftcatError
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.start import Start
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
-_MODEL = "softcat_filament_model"
+_MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
 _RUNTIME = ("-O2", *OPTIMISED[1:])  # as fast as at -O3, and compiled in two thirds of the time
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
@@ -150,11 +152,39 @@ class CModel:
             self.model = model()
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
-            header = "softcat_model.h"
-            sources = {"filament.c": self.model.text, header: runtime_sources()[header]}
-            self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS), _MODEL)
+            self._library = load(self._compiled("filament.c", self.model.text), _MODEL)
+        self._lock = threading.Lock()
         self._runtime = _runtime()
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
+
+    @staticmethod
+    def _compiled(name: str, text: str) -> Path:
+        header = "softcat_model.h"
+        return compile_library({name: text, header: runtime_sources()[header]}, flags=SOON, versions=_VERSIONS)
+
+    @cached_property
+    def _observe(self) -> Any:
+        """What computes what a run stores, compiled when first asked for."""
+        path = self._compiled("observables.c", self.model.observables)
+        function = load(path, _OBSERVE).softcat_filament_observe
+        function.argtypes = [ct.POINTER(Filament), ct.c_int, *[Doubles] * 4]
+        return function
+
+    def observe(self, parameters: Floats, places: Floats, times: Floats, states: Floats) -> dict[str, Floats]:
+        """What a run stores at several times: fields (frames, sites that have it), sums (frames, 1)."""
+        with self._lock:
+            function = self._observe
+        sites, shown = len(places), self.model.signature.shown
+        out, scratch = np.zeros((len(times), len(shown), sites)), np.empty(self.model.scratch * sites)
+        filament = Filament(sites, doubles(parameters), doubles(places))
+        given = [np.ascontiguousarray(part) for part in (times, states)]
+        function(ct.byref(filament), len(times), *map(doubles, (*given, out, scratch)))
+
+        def stored(row: int, one: Shown) -> Floats:
+            values = out[:, row]
+            return values.sum(axis=1, keepdims=True) if one.summed else values[:, one.first : sites - one.behind]
+
+        return {one.name: stored(row, one) for row, one in enumerate(shown)}
 
     def room(self, run: RunInput, status: Status) -> Answer:
         """Where the frames of a run go: NaN until they do."""
@@ -273,6 +303,12 @@ class CompiledFilament:
     model: CModel
     sites: Sites  # Where the unknowns of the graph are in it
     places: Floats  # Geometry, shape (sites, places)
+    graph: Graph  # The same filament, for names
+
+    def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
+        """As :meth:`softcat_sym.discretization.graph.Graph.observe`, in C."""
+        states = self.sites.states(x, z)
+        return self.graph.shown(self.model.observe(np.ascontiguousarray(p), self.places, time, states))
 
 
 @dataclass(frozen=True)
@@ -347,14 +383,14 @@ class CompiledIntegration:
         def torn() -> bool:
             frame = _reached(times, status)
             x, z = sites.vectors(room.states[frame : frame + 1])
-            return frame > 0 and is_torn(self.graph, times[frame], x, z, p)
+            return frame > 0 and is_torn(self.graph.terms, self.filament.observe(times[frame : frame + 1], x, z, p))
 
         self._watched(run, room, torn, scale, progress)
         refuse(status.code, model.message(status.code))
         frames = _reached(times, status) + 1
         x, z = sites.vectors(room.states[:frames])
         x[:, 0], z[:, 0] = start.x, start.z
-        quad = np.zeros((len(self.graph.program.powers), frames))
+        quad = np.zeros((len(self.graph.powers), frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code not in (SOLVED, STOPPED):
@@ -364,7 +400,7 @@ class CompiledIntegration:
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
-        found = found.to_rupture(self.graph, p, scale)
+        found = found.to_rupture(self.graph.terms, partial(self.filament.observe, p=p), scale)
         if status.code == STOPPED and found.outcome is Outcome.solved:
             raise KeyboardInterrupt
         return found
@@ -402,9 +438,7 @@ def _reached(times: Floats, status: Status) -> int:
 def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
     """The compiled form of a filament, from the cache if it has been compiled before."""
     compiled = compiled_model(structure)
-    model = compiled.model
-    places = places_in_rows(graph, structure.body, structure.area_power, model.places)
-    return CompiledFilament(compiled, sites_of(graph, model.slots), places)
+    return CompiledFilament(compiled, sites_of(graph, compiled.model.slots), places_in_rows(graph), graph)
 
 
 @lru_cache(maxsize=128)

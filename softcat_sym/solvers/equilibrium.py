@@ -1,18 +1,14 @@
-"""Equilibrium of a filament: Newton's method on what must vanish, and the state that a run begins with."""
+"""Equilibrium of a filament: Newton's method on what must vanish."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable
 
 import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.effects.first_stress import initial_strain
-from softcat_sym.scene.scene import Scene, force_free_stretch
+from softcat_sym.discretization.unknowns import Floats
 
 _ITERATIONS = 60
 _HALVINGS = 30
@@ -21,14 +17,6 @@ _ROUNDING = 1e-7
 _LONGEST_STEP = 0.1
 
 _POSITIONS = ("x", "y", "z", "psi", "q0", "q1", "q2", "q3")
-
-
-@dataclass(frozen=True)
-class Start:
-    """Differential and algebraic states at t = 0."""
-
-    x: Floats
-    z: Floats
 
 
 class Stiffness:
@@ -72,7 +60,7 @@ class Equilibrium:
         self._shape = np.isin(graph.z_kinds, _POSITIONS)
         self._bends = graph.terms.bending
         # Linear is a beam that does not stretch: the first whole step ends at the answer, however far that is.
-        self._residual, self._jacobian, self._linear = graph.balance
+        self._residual, self._jacobian, self._linear = graph.symbolic.balance
         self._stiffness = Stiffness(self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
@@ -115,27 +103,6 @@ class Equilibrium:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()
 
 
-Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
-"""Algebraic unknowns in balance at t = 0, of a graph, its differential unknowns, parameters and a guess."""
-
-
 def newton_of_graph(graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
     """As `Newton`, by CasADi."""
     return Equilibrium(graph).search(0.0, x, p, [guess])
-
-
-def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
-    """The state with a share of the plastic strain that the scene starts from."""
-    where = graph.x_where
-    # Given at equal distances from left to right; one value alone is that of the whole filament.
-    mean, bending = (
-        np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
-        for values in (initial_strain(scene), scene.initial.C)
-    )
-    mean = mean + math.log(force_free_stretch(scene))
-    result = np.array(x, dtype=float)
-    for n, kind in enumerate(graph.x_kinds):
-        if kind in graph.profiles:
-            weight = graph.profiles[kind]
-            result[n] = share * (weight[0] * mean[n] + weight[1] * bending[n])
-    return result

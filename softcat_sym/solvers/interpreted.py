@@ -6,7 +6,7 @@ import itertools
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +16,11 @@ import numpy as np
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.solvers.equilibrium import Start
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Progress, Solution, is_torn, watched
+from softcat_sym.solvers.start import Start
 
 # Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
 PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
@@ -88,8 +88,8 @@ class FrameIntegrator:
         now = start + interval * tau
         # Rosenbrock differentiates the quadratures too, and a sum would fill a row of its Jacobian; BDF does not.
         local = settings.solver == "rosenbrock"
-        powers = ca.vertcat(*graph.powers) if local else graph.quad
-        sizes = [power.numel() if local else 1 for power in graph.powers]
+        powers = ca.vertcat(*graph.symbolic.powers) if local else graph.quad
+        sizes = [power.numel() if local else 1 for power in graph.symbolic.powers]
         self._firsts = np.cumsum([0, *sizes[:-1]])
         x: Any = graph.x
         z: Any = graph.z
@@ -182,7 +182,7 @@ class Integration:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external = external
         # A multistep method starts anew in each chunk, so a short run gets one.
-        chunks = 40 if graph.x.numel() > _LARGE else 8 if settings.solver == "rosenbrock" else 1
+        chunks = 40 if len(graph.start) > _LARGE else 8 if settings.solver == "rosenbrock" else 1
         self._chunk = self._integrator(1 if len(kinks) else max(1, -(-(frames - 1) // chunks)))
         self._samples: FrameIntegrator | None = None
 
@@ -210,7 +210,7 @@ class Integration:
             Called after every chunk.
         """
         last, interval = self._frames - 1, duration / (self._frames - 1)
-        parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.program.powers))], 0, self._chunk
+        parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.powers))], 0, self._chunk
         while reached < last:
             if len(self._kinks):
                 # A piece begins just behind its kink and ends just before the next.
@@ -224,14 +224,14 @@ class Integration:
                 reached += len(part.time)
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
-                if is_torn(self._graph, part.time[-1], part.x[:, -1], part.z[:, -1], p):
+                if is_torn(self._graph.terms, self._graph.observe(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
                 integrator = self._single  # frame by frame to where it fails, so that the part that is sound is used
             else:
                 outcome, message = self._broken(parts[-1], part, reached * interval, p, scale)
                 return replace(self._whole(parts, interval), outcome=outcome, message=message)
-        return self._whole(parts, interval).to_rupture(self._graph, p, scale)
+        return self._whole(parts, interval).to_rupture(self._graph.terms, partial(self._graph.observe, p=p), scale)
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
         """All parts; the last chunk may go beyond the end."""
@@ -242,7 +242,7 @@ class Integration:
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
         begin, first, end = (float(times[k]) for k in (0, 1, -1))
-        parts = [Solution.at(start.x, start.z, len(self._graph.program.powers))]
+        parts = [Solution.at(start.x, start.z, len(self._graph.powers))]
         spans = [(low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)) for low, high in self._cuts(begin, first)]
         parts.append(self._through(parts[0], p, spans))
         if parts[-1].outcome is Outcome.solved:

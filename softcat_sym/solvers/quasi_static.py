@@ -9,12 +9,11 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.casadi_printer import CellFunction
-from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Floats
 from softcat_sym.physics.symbols import Expr, Symbol
+from softcat_sym.solvers.continuation import snapped
 from softcat_sym.solvers.equilibrium import Equilibrium
-from softcat_sym.solvers.initial_state import snapped
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Solution
 
@@ -75,7 +74,7 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
     shapes, outcome, message = [z0], Outcome.solved, ""
     # What is worked from outside: by the load, and by a material that shrinks.
-    works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.program.powers])
+    works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.powers])
     work = [np.zeros(len(works))]
     for before, time in itertools.pairwise(times.tolist()):
         instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]

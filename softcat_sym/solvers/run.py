@@ -5,37 +5,41 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from softcat_sym.codegen.model import Structure, structure_of
+from softcat_sym.codegen.structure import Structure, model_for, signature_of, structure_of
 from softcat_sym.discretization.assembly import (
+    Recorded,
     Theory,
-    assemble,
     choose_body,
     choose_grid,
     choose_theory,
     elastic_theory,
+    graph_of,
 )
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.initial_state import starting_state
-from softcat_sym.solvers.interpreted import External, Integration, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.quasi_static import march
-from softcat_sym.solvers.settings import Backend, Settings
+from softcat_sym.solvers.settings import Backend, Settings, choose_backend
 from softcat_sym.solvers.solution import Progress, Solution
+from softcat_sym.solvers.start import Start
 
-Code = CompiledFilament | External | None
+if TYPE_CHECKING:
+    from softcat_sym.solvers.interpreted import External, Integration
+
+Code: TypeAlias = "CompiledFilament | External | None"
 """What is compiled of a filament: all, its right-hand side only, or nothing."""
 
 
@@ -48,35 +52,33 @@ class Assembled:
     equations: FilamentEquations  # One cell
     theory: Theory  # The unknowns that the grid carries
     body: Body  # What is there beyond the equations
+    structure: Structure  # What its C text depends on
     graph: Graph  # The whole filament
 
     def at_rest(self) -> Graph:
         """The same filament without inertia and viscous stress: where a start that is not straight is sought."""
-        still, theory = self._still
-        return assemble(still, self.graph.grid, self.effects.names, theory, self.body)
+        return self._still.graph
 
     @cached_property
-    def _still(self) -> tuple[FilamentEquations, Theory]:
+    def _still(self) -> Assembled:
         scene = self.scene
         still = derive(self.effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
         # Nothing has flowed yet: few points hold what an elastic section does in three dimensions.
-        return still, elastic_theory(scene, still) if self.theory.is_spatial else choose_theory(scene, still)
+        theory = elastic_theory(scene, still) if self.theory.is_spatial else choose_theory(scene, still)
+        return _assembled(scene, self.effects, still, theory, self.graph.grid, self.body)
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
         """What is compiled of the filament at rest."""
-        still, theory = self._still
-        return compile_filament(graph, structure_of(self.scene, self.effects, graph, still, theory, self.body))
-
-    def structure(self) -> Structure:
-        """What its C text depends on."""
-        return structure_of(self.scene, self.effects, self.graph, self.equations, self.theory, self.body)
+        return compile_filament(graph, self._still.structure)
 
     def code(self, backend: Backend, settings: Settings) -> Code:
         """What is compiled of it; SoftcatError with the compiler's message if that refuses."""
         if not backend.compiled:
             return None
         if settings.solver == "rosenbrock":
-            return compile_filament(self.graph, self.structure())
+            return compile_filament(self.graph, self.structure)
+        from softcat_sym.solvers.interpreted import compiled_rhs
+
         return compiled_rhs(self.graph)
 
 
@@ -84,9 +86,19 @@ def assembled(scene: Scene, effects: Effects) -> Assembled:
     """Equations -> Graph of a scene with these effects."""
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
     grid = choose_grid(scene, effects)
-    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
-    graph = assemble(equations, grid, effects.names, theory, body)
-    return Assembled(scene, effects, equations, theory, body, graph)
+    return _assembled(scene, effects, equations, choose_theory(scene, equations), grid, choose_body(scene, grid))
+
+
+def _assembled(
+    scene: Scene, effects: Effects, equations: FilamentEquations, theory: Theory, grid: Grid, body: Body
+) -> Assembled:
+    structure = structure_of(scene, effects, grid, equations, theory, body)
+    recorded = Recorded(equations, grid, theory, body)
+    compiled = choose_backend(scene, effects).compiled and scene.numerics.solver in (None, "rosenbrock")
+    found = model_for(structure).signature if compiled else signature_of(structure)
+    signature = found or recorded.program.signature
+    graph = graph_of(grid, theory, body, effects.names, equations, signature, recorded)
+    return Assembled(scene, effects, equations, theory, body, structure, graph)
 
 
 _INTERPRETED = Backend(False, "as asked")
@@ -104,6 +116,12 @@ class Prepared:
     start: Start | None  # Where the run begins; None if no shape in balance was found
     integration: Integration | CompiledIntegration | None  # None of a row of equilibria
     backend: Backend = _INTERPRETED
+    code: CompiledFilament | None = None  # Of the whole filament, if it is compiled
+
+    def observe(self, solution: Solution) -> dict[str, Floats]:
+        """Fields and energies of a solution, shape (frames, sites)."""
+        of = self.graph if self.code is None else self.code
+        return of.observe(solution.time, solution.x, solution.z, self.p)
 
     def solve(self, progress: Progress) -> Solution:
         """Integrate."""
@@ -111,9 +129,11 @@ class Prepared:
             text = "at t = 0 s: no shape in balance was found (a straight string that does not bend has no stiffness)"
             x, z = self.graph.start[:, None], self.graph.straight[:, None]
             return Solution(
-                self.times[:1], x, z, np.zeros((len(self.graph.program.powers), 1)), Outcome.no_equilibrium, text, 0
+                self.times[:1], x, z, np.zeros((len(self.graph.powers), 1)), Outcome.no_equilibrium, text, 0
             )
         if self.integration is None:
+            from softcat_sym.solvers.quasi_static import march
+
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
 
@@ -171,6 +191,10 @@ def prepare(
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):
         integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks)
-    elif graph.x.numel() and start is not None:
+    elif len(graph.start) and start is not None:
+        # Imported here, as above: what is compiled does without CasADi.
+        from softcat_sym.solvers.interpreted import Integration
+
         integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code)
-    return Prepared(graph, settings, p, times, scale, start, integration, backend)
+    whole = code if isinstance(code, CompiledFilament) else None
+    return Prepared(graph, settings, p, times, scale, start, integration, backend, whole)

@@ -11,7 +11,7 @@ import numpy as np
 
 from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import ringing

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import signal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
@@ -12,9 +12,9 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import interrupts_go_to
+from softcat_sym.physics.filament import Terms
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 
 
@@ -70,14 +70,18 @@ def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
 
-def _thread(graph: Graph) -> float:
+Observe = Callable[[Floats, Floats, Floats], Mapping[str, Floats]]
+"""What is shown at times (frames,) of unknowns in columns (nx, frames), (nz, frames)."""
+
+
+def _thread(terms: Terms) -> float:
     """Stretch beyond which a filament of this law is followed no further."""
-    return THREAD if graph.terms.law.chains is None else POLYMER_THREAD
+    return THREAD if terms.law.chains is None else POLYMER_THREAD
 
 
-def is_torn(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> bool:
+def is_torn(terms: Terms, observed: Mapping[str, Floats]) -> bool:
     """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
-    return bool(np.any(np.asarray(graph.stretch(time, x, z, p)) > _thread(graph)))
+    return bool(np.any(observed["stretch"] > _thread(terms)))
 
 
 @dataclass(frozen=True)
@@ -110,11 +114,12 @@ class Solution:
         x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
         return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
 
-    def to_rupture(self, graph: Graph, p: Floats, scale: float) -> Solution:
+    def to_rupture(self, terms: Terms, observe: Observe, scale: float) -> Solution:
         """The same up to the first frame in which only a thread is left somewhere, if the last one is such."""
 
         def torn(frame: int) -> bool:
-            return frame > 0 and is_torn(graph, self.time[frame], self.x[:, frame], self.z[:, frame], p)
+            at = slice(frame, frame + 1)
+            return frame > 0 and is_torn(terms, observe(self.time[at], self.x[:, at], self.z[:, at]))
 
         frames = len(self.time)
         if not torn(frames - 1):
@@ -122,7 +127,7 @@ class Solution:
         while torn(frames - 2):
             frames -= 1
         time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
-        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {_thread(graph):g} times its length"
+        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {_thread(terms):g} times its length"
         return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
 
 

@@ -10,14 +10,13 @@ from scipy.interpolate import make_interp_spline
 from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.natural_shape import shaped
-from softcat_sym.discretization.spatial import PLACES, TURN
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE, TIP_TORQUE
+from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.scene.curve import carried, continuous
 from softcat_sym.scene.natural_curve import has_shape, is_curved
 from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
-from softcat_sym.solvers.equilibrium import Newton, Start, with_plastic_strain
+from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
 """Share of the load in the least step of a continuation."""

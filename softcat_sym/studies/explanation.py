@@ -192,9 +192,9 @@ def explain(scene: SceneLike) -> Explanation:
     size: dict[str, Any] = {
         "cells": graph.grid.cells,
         "half": graph.grid.is_half,
-        "differential": int(graph.x.numel()),
-        "algebraic": int(graph.z.numel()),
-        "instructions": graph.instructions,
+        "differential": len(graph.start),
+        "algebraic": len(graph.straight),
+        "instructions": graph.symbolic.instructions,
         "parameters": {name: float(values[name]) for name in graph.parameters},
     }
     backend = choose_backend(scene, effects)

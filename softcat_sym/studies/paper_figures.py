@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.discretization.casadi_printer import evaluate
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.physics import closed_forms, regimes
 from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau

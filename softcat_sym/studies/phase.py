@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
 from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, weight_stress

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym import store
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.scaling_estimates import buoyant_share, pull_of_surface
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, counted

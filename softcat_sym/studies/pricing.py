@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Decision, choose_effects
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.lists import (
@@ -98,9 +99,9 @@ def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> Pric
         effects=tuple(summary["effects"]),
         time=run.data["time"].values,
         midpoint=run.data["midpoint"].values,
-        states=int(graph.x.numel()),
-        algebraic=int(graph.z.numel()),
-        instructions=graph.instructions,
+        states=len(graph.start),
+        algebraic=len(graph.straight),
+        instructions=graph.symbolic.instructions,
         solve=median(seconds),
         solver=summary["solver"],
         outcome=run.outcome,

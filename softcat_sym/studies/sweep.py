@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym import store
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, check_executor, counted, executor
 from softcat_sym.ensemble.members import Row

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of

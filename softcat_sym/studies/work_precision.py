@@ -21,7 +21,7 @@ import pandas as pd
 
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES, choose_grid
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene

@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.sparse import csc_matrix
 
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
@@ -113,7 +113,7 @@ class CompiledRates:
         if not isinstance(whole, CompiledIntegration) or prepared.start is None:
             raise SoftcatError("an explicit method needs a compiled right-hand side and a shape to begin from")
         if prepared.graph.is_dae:
-            found = f"{prepared.graph.z.numel()} algebraic unknowns"
+            found = f"{len(prepared.graph.straight)} algebraic unknowns"
             raise SceneError([Fault("run.effects", found, "effects without algebraic unknowns")])
         filament, source = whole.filament, "work_precision_explicit.c"
         library = _library("filament.c", filament.model.model.text)

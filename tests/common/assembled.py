@@ -11,7 +11,8 @@ import numpy as np
 
 from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library, load
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.compiled import SOLVED, Filament, doubles
 from tests.common.rosenbrock import RUNTIME, Model
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library, load
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.compiled import CompiledIntegration, Filament, RunInput, Status, doubles
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence

@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.codegen.loops import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.model import Model, model_for
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.scene.scene import Scene

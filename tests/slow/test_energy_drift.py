@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
 from tests.common.symplectic_rivals import PERIODS, SCENES, Path, Swing, energies, swinging

@@ -15,7 +15,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.single_run import build
 from softcat_sym.solvers.run import Prepared

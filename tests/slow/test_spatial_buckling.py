@@ -13,7 +13,7 @@ from scipy.linalg import eigh
 from scipy.optimize import brentq, least_squares
 
 import softcat_sym as sc
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from tests.common.spatial_statics import FREE, PLACES, TURN, Statics, lowest
 from tests.common.table import show
 

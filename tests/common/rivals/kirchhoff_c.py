@@ -13,7 +13,7 @@ import numpy as np
 
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 
 HERE = Path(__file__).parent
 PORTABLE = ("-O3", "-fno-math-errno", "-fno-trapping-math")

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from scipy.integrate import solve_ivp
 from scipy.sparse import csc_matrix
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.run import Prepared
 from tests.common.rivals.kirchhoff_c import Numbers, numbers_of
 

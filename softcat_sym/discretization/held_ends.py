@@ -1,0 +1,94 @@
+"""What the supports hold at one instant, as expressions of the numbers of a run."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+
+from softcat_sym.discretization.supports import (
+    DIRECTION,
+    DROP,
+    END_TURNS,
+    LEFT_ANGLE,
+    RIGHT_ANGLE,
+    SPAN,
+    Supports,
+    path_name,
+    turn_name,
+)
+
+
+@dataclass(frozen=True)
+class Held:
+    """The supports at one instant; lengths in rest lengths, angles in rad, velocities in rest lengths per second."""
+
+    left_x: ca.SX  # Positions; the left one has the height zero
+    right_x: ca.SX
+    right_y: ca.SX
+    right_u: ca.SX  # Velocity of the right one
+    right_v: ca.SX
+    left_angle: ca.SX  # Tangent angles that clamps impose
+    right_angle: ca.SX
+    right_z: ca.SX  # Of a filament in three dimensions, with the velocity
+    right_w: ca.SX
+    right_twist: ca.SX  # Of the right clamp about its own normal, and its rate [1/s]
+    right_spin: ca.SX
+    turns: tuple[list[ca.SX], ...]  # Quaternions of clamps that hold the ends of a shape; empty elsewhere
+    direction: tuple[ca.SX, ca.SX, ca.SX]  # Of gravity, of length one
+
+
+def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds: ca.SX) -> Held:
+    """The supports at a time."""
+    half = given[SPAN] / (2 * length) if supports.apart else ca.SX(0.5)
+    drop = given[DROP] / length if supports.lowered else ca.SX(0)
+    axes = ("dx", "dy", "dz") if supports.sideways else ("dx", "dy")
+    moved, speed = _path([path_name, *axes], supports.rows, given, seconds)
+    (twist,), (spin,) = _path([turn_name, "angle"], supports.turns, given, seconds)
+    nothing = ca.SX(0)
+    aside, aside_speed = (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
+    down = (given[name] for name in DIRECTION) if supports.directed else (nothing, ca.SX(-1), nothing)
+    return Held(
+        left_x=-half,
+        right_x=half + moved[0] / length,
+        right_y=moved[1] / length - drop,
+        right_u=speed[0] / length,
+        right_v=speed[1] / length,
+        left_angle=given[LEFT_ANGLE] if supports.left_turned else nothing,
+        right_angle=given[RIGHT_ANGLE] if supports.right_turned else nothing,
+        right_z=aside,
+        right_w=aside_speed,
+        right_twist=twist,
+        right_spin=spin,
+        turns=tuple(
+            [given[name] for name in turn] if needed else []
+            for turn, needed in zip(END_TURNS, supports.curved, strict=True)
+        ),
+        direction=tuple(down),  # type: ignore[arg-type]
+    )
+
+
+def _path(
+    named: Sequence[Any], rows: int, given: Mapping[str, ca.SX], seconds: ca.SX
+) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Displacements and velocities along straight pieces, from nothing at t = 0 and held after the last row.
+
+    `named` has the function that names the numbers of a row, and what they are beside its time.
+    """
+    name, *axes = named
+    points = [[ca.SX(0)] * (1 + len(axes))]
+    points += [[given[name(kind, row)] for kind in ("time", *axes)] for row in range(rows)]
+    place, speed = [ca.SX(0)] * len(axes), [ca.SX(0)] * len(axes)
+    for (begin, *old), (end, *new) in itertools.pairwise(points):
+        # A path may state its beginning at t = 0, a piece of no duration.
+        lasting = ca.fmax(end - begin, 1e-300)
+        share = ca.fmin(ca.fmax((seconds - begin) / lasting, 0), 1)
+        under_way = ca.logic_and(seconds >= begin, seconds < end)
+        for axis in range(len(axes)):
+            change = new[axis] - old[axis]
+            place[axis] += change * share
+            speed[axis] += under_way * change / lasting
+    return place, speed

@@ -1,0 +1,43 @@
+"""The state that a run begins with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.scene.scene import Scene, force_free_stretch
+
+
+@dataclass(frozen=True)
+class Start:
+    """Differential and algebraic states at t = 0."""
+
+    x: Floats
+    z: Floats
+
+
+Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
+"""Algebraic unknowns in balance at t = 0, of a graph, its differential unknowns, parameters and a guess."""
+
+
+def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
+    """The state with a share of the plastic strain that the scene starts from."""
+    where = graph.x_where
+    # Given at equal distances from left to right; one value alone is that of the whole filament.
+    mean, bending = (
+        np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
+        for values in (initial_strain(scene), scene.initial.C)
+    )
+    mean = mean + math.log(force_free_stretch(scene))
+    result = np.array(x, dtype=float)
+    for n, kind in enumerate(graph.x_kinds):
+        if kind in graph.profiles:
+            weight = graph.profiles[kind]
+            result[n] = share * (weight[0] * mean[n] + weight[1] * bending[n])
+    return result
