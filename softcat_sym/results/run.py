@@ -8,7 +8,7 @@ import json
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
@@ -67,6 +67,12 @@ REFERENCES: Final = (
 _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 
 
+@cache
+def versions_now() -> str:
+    """Versions of this package and of those it calculates with, as JSON."""
+    return json.dumps({name: importlib.metadata.version(name) for name in _VERSIONS})
+
+
 @dataclass(frozen=True)
 class WrittenRun:
     """What a run left behind."""
@@ -106,9 +112,7 @@ class Run:
     outcome: Outcome
     missing_effect: dict[str, str]
     heights: Floats | None = None
-    versions: str = field(
-        default_factory=lambda: json.dumps({name: importlib.metadata.version(name) for name in _VERSIONS})
-    )
+    versions: str = field(default_factory=versions_now)
 
     @property
     def terms(self) -> Terms:

@@ -10,7 +10,7 @@ without one is left alone: as its curvature grows its sections turn at that pace
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,6 +48,9 @@ _HALVINGS = 14
 
 _SMALL = 1e-4
 """Half of the turn of a cell [rad] below which its cotangent is a series."""
+
+_NEARLY_STRAIGHT = 0.2
+"""Turn from one end to the other [rad]."""
 
 _FREE = 3
 """Unknowns of a node out of the plane: z and the turns about d1 and d2."""
@@ -112,7 +115,7 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     time, held = fields["time"], _held(scene, fields["x"].shape[1])
     mass = _masses(scene, fields, held)
     cells = _Cells.of(scene, fields)
-    if cells.stay(modulus, clamps=[scene.ends.left, scene.ends.right]):
+    if cells.stay(modulus, (scene.ends.left, scene.ends.right)):
         return None
     # Of forces and moments, and of each unit of a modulus.
     carried, elastic = (cells.tangent(share, force=one) for share, one in ((0.0, 1.0), (1.0, 0.0)))
@@ -169,22 +172,32 @@ class _Cells:
         strains = along * c + up * s, up * c - along * s, np.diff(psi, axis=1)
         return cls(length, *strains, force, fields["shear_force"], fields["moment"], stiffness)
 
-    def stay(self, modulus: float, clamps: Sequence[str]) -> bool:
+    def stay(self, modulus: float, ends: tuple[str, str]) -> bool:
         """Whether they surely stay in their plane.
 
-        In frames that do not turn with the filament the two turns phi of a section have the energy
-        (A p^2 + B r^2 + M (phi_1 r - phi_2 p) - n_2 Lam phi_1 phi_2 + n_2 Gam phi_1^2)/2 with p^2 + r^2 = |phi_X|^2,
-        and more under tension: positive if a lam > M^2/a + |n_2| (Lam + 2 |Gam|) with a the lesser of A and B, where
-        lam = (pi/l)^2 is the least of |phi_X|^2/|phi|^2 between two clamps, (pi/2l)^2 of one.
+        In frames that do not turn with the filament the two turns phi of a section have the energy (A p^2 + B r^2 +
+        M (phi_1 r - phi_2 p) - n_2 Lam phi_1 phi_2 + n_2 Gam phi_1^2)/2 with p^2 + r^2 = |phi_X|^2, more under tension,
+        and less by |n_1| Lam phi^2 under pressure. By parts with M_X = n_2 Lam - n_1 Gam, phi^2 <= w int phi_X^2 with
+        w = x (l - x)/l between two clamps and x from one, it is positive if the lesser of A and B exceeds
+        2 sqrt(int M^2 w) + int (|M k| + |n_1 Gam| + 2 |n_2 Gam| + 2 <-n_1> Lam) w.
+        Between pins the turn about d2 has no mean, as z vanishes at both: w = l (1/3 - x/l + x^2/l^2), if it is nearly
+        straight.
         """
-        ends = sum(end == "clamped" for end in clamps)
-        if "pinned" in clamps or not ends or np.any(self.n_1 < 0):
+        whole, at = float(self.length.sum()), np.cumsum(self.length) - self.length / 2
+        clamped = [end == "clamped" for end in ends]
+        if ends == ("pinned", "pinned"):
+            weight = whole / 3 - at * (whole - at) / whole
+            if np.abs(np.cumsum(self.turn, axis=1)).max() > _NEARLY_STRAIGHT:
+                return False
+        elif any(clamped):
+            weight = at * (whole - at) / whole if all(clamped) else at if clamped[0] else whole - at
+        else:
             return False
-        a = modulus * np.minimum(*self.stiffness[1:]).min(axis=1)
-        lam = (ends * math.pi / 2 / float(self.length.sum())) ** 2
-        couple = np.abs(self.M).max(axis=1) ** 2 / a
-        across = (np.abs(self.n_2) * (self.Lam + 2 * np.abs(self.Gam))).max(axis=1)
-        return bool(np.all(a * lam > couple + across))
+        weight = weight * self.length
+        least = modulus * np.minimum(*self.stiffness[1:]).min(axis=1)
+        potential = np.abs(self.M * self.turn / self.length) - 2 * np.minimum(self.n_1, 0) * self.Lam
+        potential += (np.abs(self.n_1) + 2 * np.abs(self.n_2)) * np.abs(self.Gam)
+        return bool(np.all(least > 2 * np.sqrt(self.M**2 @ weight) + potential @ weight))
 
     def tangent(self, modulus: float, force: float) -> Floats:
         """Second derivative of n_1 |(Lam, Gam_3)| + n_2 Gam - M k_3 + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of each cell.

@@ -13,6 +13,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.solvers.equilibrium import Equilibrium, Stiffness
+from softcat_sym.solvers.initial_state import sagging_guesses
 from softcat_sym.solvers.start import with_plastic_strain
 
 _NUDGE = 1e-3  # of a span
@@ -23,12 +24,6 @@ _SETTLING_ITERATIONS = 400
 _SETTLING_ROUNDING = 1e-13
 
 _MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # of a continuation
-
-
-def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
-    """Parabolas around the sag (over span) expected, and the straight filament."""
-    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
-    return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
 def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> Floats:

@@ -9,6 +9,7 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
@@ -25,6 +26,12 @@ from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 _POSITIONS = ("x", "y", "psi")
 
 
+def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
+    """Parabolas around the sag (over span) expected, and the straight filament."""
+    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
+    return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
+
+
 def starting_state(
     scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None, newton: Newton | None = None
 ) -> Start | None:
@@ -36,26 +43,12 @@ def starting_state(
         return spatial_start(scene, graph, p, statics, newton or _interpreted_newton())
     x = with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
-    if graph.positions_are_algebraic or not is_straight(scene):
-        # Imported here: a run that begins straight does without CasADi.
-        from softcat_sym.solvers.continuation import balanced
     if graph.positions_are_algebraic:
-        z = balanced(scene, graph, p, straight, is_straight=is_straight(scene))
+        z = _hung(scene, graph, x, p, straight, newton)
         return None if z is None else Start(x, z)
     if not is_straight(scene):
         rest = statics() if statics is not None else graph
-        if not rest.positions_are_algebraic:
-            return None
-        values = dict(zip(graph.parameters, p.tolist(), strict=True))
-        values["gravity"] = values["gravity"] if is_slack(scene) else 0.0
-        constants = np.array([values[name] for name in rest.parameters])
-        shape = balanced(
-            scene,
-            rest,
-            constants,
-            _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene),
-            is_straight=False,
-        )
+        shape = _shape_at_rest(scene, graph, rest, p)
         if shape is None:
             return None
         x = _moved(x, graph.x_kinds, graph.x_where, rest, shape)
@@ -66,6 +59,31 @@ def starting_state(
     if found is None:
         found = _interpreted_newton()(graph, x, p, straight)
     return None if found is None else Start(x, found)
+
+
+def _hung(scene: Scene, graph: Graph, x: Floats, p: Floats, straight: Floats, newton: Newton | None) -> Floats | None:
+    """Positions in equilibrium under the weight."""
+    if newton is not None and is_straight(scene):
+        hung = (newton(graph, x, p, guess) for guess in sagging_guesses(graph, straight, elastic_sag(scene)))
+        if (found := next((z for z in hung if z is not None), None)) is not None:
+            return found
+    # Imported here, and below: a run that begins straight does without CasADi.
+    from softcat_sym.solvers.continuation import balanced
+
+    return balanced(scene, graph, p, straight, is_straight=is_straight(scene))
+
+
+def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats) -> Floats | None:
+    """Positions in equilibrium of what begins bent or pulled; without weight, unless only that holds it in shape."""
+    if not rest.positions_are_algebraic:
+        return None
+    from softcat_sym.solvers.continuation import balanced
+
+    values = dict(zip(graph.parameters, p.tolist(), strict=True))
+    values["gravity"] = values["gravity"] if is_slack(scene) else 0.0
+    constants = np.array([values[name] for name in rest.parameters])
+    straight = _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene)
+    return balanced(scene, rest, constants, straight, is_straight=False)
 
 
 def _interpreted_newton() -> Newton:
