@@ -11,11 +11,10 @@ import sympy as sp
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_theory
-from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
+from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.physics import small_deflection as small
@@ -186,7 +185,7 @@ def test_flow_only_ever_dissipates() -> None:
             for numerics in ({"fibres": 4}, {"order": 3})
         ]
         for graph in graphs if section == "rectangle" else graphs[:1]:
-            power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.powers[0]])
+            power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.symbolic.powers[0]])
             for seed in range(10):
                 state = random_state(graph, seed, size=0.01 * (seed + 1) / 10)
                 (lost,) = value(power, TIME, *state, parameters(scene, graph))
@@ -269,8 +268,10 @@ def test_top_and_bottom_are_the_same() -> None:
     graph = build(scene, whole_span(3, End.PINNED, End.PINNED))
     x, _ = random_state(graph, 9)
     flip = np.array([-1.0 if name.startswith(("y", "v", "a_1")) else 1.0 for name in graph.state_names])
-    energies = [graph.observables.name_out().index(name) for name in STORED]
-    observed = [value(graph.observables, 0.0, state, np.zeros(0), parameters(scene, graph)) for state in (x, x * flip)]
+    energies = [graph.symbolic.observables.name_out().index(name) for name in STORED]
+    observed = [
+        value(graph.symbolic.observables, 0.0, state, np.zeros(0), parameters(scene, graph)) for state in (x, x * flip)
+    ]
     kinetic, elastic, potential = ((observed[0][k][0], observed[1][k][0]) for k in energies)
     assert kinetic[0] == kinetic[1] > 0
     assert elastic[0] == pytest.approx(elastic[1], rel=1e-13) and elastic[0] > 0
@@ -291,8 +292,8 @@ def test_rigid_motion_strains_nothing() -> None:
                 if kind in ("x", "y"):
                     turned = grid.nodes[number] * (np.cos(angle) if kind == "x" else np.sin(angle))
                     x[k] = turned + (0.02 if kind == "x" else -0.05)
-            found = value(graph.observables, 0.0, x, z, parameters(scene, graph))
-            observed = dict(zip(graph.observables.name_out(), found, strict=True))
+            found = value(graph.symbolic.observables, 0.0, x, z, parameters(scene, graph))
+            observed = dict(zip(graph.symbolic.observables.name_out(), found, strict=True))
             sizes = {
                 "stretch": 1,
                 "shear": 1,

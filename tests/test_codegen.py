@@ -20,14 +20,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import softcat_sym as sc
-from softcat_sym.codegen.c_printer import Target, When, helpers_of, number, statements
+from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
+from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.codegen.model import Structure, model_for
 from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
+from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import PrintingError
 from softcat_sym.solvers.run import assembled
@@ -145,7 +146,7 @@ def test_texts_are_the_same_whatever_the_hash_seed() -> None:
 
 def structure_in(name: str, **changes: Any) -> Structure:
     scene = sc.load_scene(name, {key.replace("__", "."): value for key, value in changes.items()})
-    return assembled(scene, choose_effects(scene)).structure()
+    return assembled(scene, choose_effects(scene)).structure
 
 
 def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:

@@ -14,14 +14,14 @@ from softcat_sym.discretization.grid import (
     LEAST,
     MOST,
     SMOOTH_KIRCHHOFF,
-    Block,
     End,
-    Layout,
     choose_grading,
     half_span,
     whole_span,
 )
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.discretization.symbolic import gathered
+from softcat_sym.discretization.unknowns import Block, Layout
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.reading import load_scene
@@ -138,19 +138,20 @@ def test_unknowns_are_sorted_along_the_filament_and_gathering_undoes_laying_out(
     heights = np.linspace(1.0, 2.0, 6)
     free = [0, 2, 3]
     nodes = Block("y", tuple(free), grid.nodes[free], heights[free])
-    layout = Layout("q", [nodes, Block("a", tuple(range(5)), grid.centres, np.zeros(5))])
+    layout = Layout([nodes, Block("a", tuple(range(5)), grid.centres, np.zeros(5))])
     positions = [float(name.rsplit("= ", 1)[1]) for name in layout.names]
     assert positions == sorted(positions)
-    assert len(layout.names) == layout.vector.numel() == len(layout.start) == 8
+    assert len(layout.names) == len(layout) == len(layout.start) == 8
     for name, start in zip(layout.names, layout.start, strict=True):
         kind, number = place(name)
         assert start == (1.0 + 0.2 * number if kind == "y" else 0.0)
-    back = ca.Function("back", [layout.vector], [layout.gather(layout.split(layout.vector))])
+    vector = ca.SX.sym("q", len(layout))
+    back = ca.Function("back", [vector], [gathered(layout, layout.split(vector))])
     state = np.arange(8.0) ** 2
     np.testing.assert_array_equal(np.asarray(back(state)).ravel(), state)
     assert layout.split(layout.start)["y"].tolist() == heights[free].tolist()
-    empty = Layout("z", [])
-    assert (empty.names, empty.vector.numel(), empty.gather({}).numel()) == ((), 0, 0)
+    empty = Layout([])
+    assert (empty.names, len(empty), gathered(empty, {}).numel()) == ((), 0, 0)
 
 
 def test_a_graph_starts_straight_and_at_rest() -> None:

@@ -22,18 +22,19 @@ from scipy.optimize import brentq
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import cache_entries
-from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
-from softcat_sym.solvers import compiled, initial_state, interpreted, settings
+from softcat_sym.solvers import compiled, continuation, interpreted, settings
 from softcat_sym.solvers.compiled import CModel, CompiledIntegration
+from softcat_sym.solvers.continuation import settled
 from softcat_sym.solvers.equilibrium import Equilibrium
-from softcat_sym.solvers.initial_state import sagging_guesses, settled
+from softcat_sym.solvers.initial_state import sagging_guesses
 from softcat_sym.solvers.interpreted import External, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, prepare
@@ -176,9 +177,10 @@ def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks(
 
 
 def with_ode(graph: Graph, ode: ca.SX) -> Graph:
-    other = copy.copy(graph)
-    other.__dict__.pop("rates", None)
-    other.__dict__["raw"] = dataclasses.replace(graph.raw, rates=(ode, graph.alg))
+    other, symbolic = copy.copy(graph), copy.copy(graph.symbolic)
+    symbolic.__dict__.pop("rates", None)
+    symbolic.__dict__["raw"] = dataclasses.replace(graph.symbolic.raw, rates=(ode, graph.alg))
+    other.__dict__["symbolic"] = symbolic
     return other
 
 
@@ -566,7 +568,7 @@ class Shape:
 
     @property
     def observed(self) -> dict[str, Floats]:
-        found = self.graph.observables(time=0.0, state=self.x, algebraic=self.z, parameters=self.p)
+        found = self.graph.symbolic.observables(time=0.0, state=self.x, algebraic=self.z, parameters=self.p)
         return {name: np.asarray(value, dtype=float).ravel() for name, value in found.items()}
 
     @property
@@ -598,7 +600,7 @@ def started(scene: Scene) -> tuple[Shape, Shape]:
         return settled(graph, x, p, z, straight)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(initial_state, "settled", listen)
+        patch.setattr(continuation, "settled", listen)
         start = build(scene, choose_effects(scene)).start
     assert start is not None
     return given[0], given[0].at(start.z)

@@ -15,9 +15,9 @@ import softcat_sym as sc
 from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, whole_span
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
@@ -83,7 +83,9 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
         np.array(layout.gather({b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
         for layout in (graph.moving, graph.still)
     )
-    out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], [*graph.raw.rates, *graph.raw.powers])
+    out = ca.Function(
+        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.raw.rates, *graph.symbolic.raw.powers]
+    )
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
     found = graph.moving.split(ode) | graph.still.split(alg)
     observed = graph.observe(np.array([0.3]), x[:, None], z[:, None], p)

@@ -12,8 +12,8 @@ import numpy as np
 from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
@@ -107,7 +107,7 @@ def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
 
 def energy_of(graph: Graph, names: tuple[str, ...]) -> ca.SX:
     """Sum of energies [J per unit undeformed area] as an expression of the graph's own symbols."""
-    out = graph.observables(time=graph.t, state=graph.x, algebraic=graph.z, parameters=graph.p)
+    out = graph.symbolic.observables(time=graph.t, state=graph.x, algebraic=graph.z, parameters=graph.p)
     return sum((out[name] for name in names), ca.SX(0))
 
 

@@ -8,16 +8,16 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.loops import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.model import Model, model_for
+from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
+from softcat_sym.codegen.structure import Model, model_for
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.start import Start
 from tests.common.c_values import CModel, Values
 
 AMPLITUDES = {"x": 0.002, "y": 0.05, "u": 0.1, "v": 0.1, "psi": 0.05, "omega": 0.1}
@@ -73,12 +73,10 @@ class Pair:
 def pair_of(scene: Scene) -> Pair:
     """Assemble a scene's filament, and make its C."""
     filament = assembled(scene, choose_effects(scene))
-    graph, structure = filament.graph, filament.structure()
-    model = model_for(structure)
-    places = places_in_rows(graph, filament.body, structure.area_power, model.places)
+    graph, model = filament.graph, model_for(filament.structure)
     p = np.ascontiguousarray(graph.vector(parameter_values(scene)))
     start = starting_state(scene, graph, p, filament.at_rest) or Start(graph.start, graph.straight)
-    return Pair(graph, model, p, places, sites_of(graph, model.slots), start)
+    return Pair(graph, model, p, places_in_rows(graph), sites_of(graph, model.slots), start)
 
 
 def differences(pair: Pair, seeds: range, other: Pair | None = None) -> dict[str, float]:

@@ -15,8 +15,8 @@ from softcat_sym import Run, Scene
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.results.run import judge
 from softcat_sym.single_run import build
-from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.solvers.start import Start
 from tests.common.filaments import Array
 
 EFFECTS = ("inertia", "extensibility", "bending", "finite-stretch", "thinning", "large-rotation", "surface-tension")

@@ -371,8 +371,8 @@ SYMBOLS: dict[str, tuple[set[str], set[str]]] = {
 def depends_on(graph: Graph) -> set[str]:
     """Parameters that the right-hand sides, powers and observables depend on."""
     arguments = [graph.t, graph.x, graph.z, graph.p]
-    seen = graph.observables.call(arguments)
-    everything = ca.vertcat(graph.ode, graph.alg, *graph.powers, *(ca.vec(value) for value in seen))
+    seen = graph.symbolic.observables.call(arguments)
+    everything = ca.vertcat(graph.ode, graph.alg, *graph.symbolic.powers, *(ca.vec(value) for value in seen))
     used = np.asarray(ca.which_depends(everything, graph.p, 1, False), dtype=bool)
     return {name for name, is_used in zip(graph.parameters, used, strict=True) if is_used}
 

@@ -14,8 +14,8 @@ from scipy.spatial.transform import Rotation
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_body, choose_theory
 from softcat_sym.discretization.grid import End, whole_span
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
@@ -99,7 +99,7 @@ def test_a_turn_of_the_whole_turns_the_forces() -> None:
     grid = whole_span(6, End.FREE, End.FREE, 1.0)
     graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
     p = graph.vector(parameter_values(scene))
-    out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], list(graph.raw.rates))
+    out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], list(graph.symbolic.raw.rates))
     rng = np.random.default_rng(3)
     nodes = len(grid.nodes)
     places = np.column_stack([grid.nodes, 0 * grid.nodes, 0 * grid.nodes]) + 0.01 * rng.standard_normal((nodes, 3))
