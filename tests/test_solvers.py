@@ -308,7 +308,8 @@ def test_compiled_right_hand_sides_are_the_interpreted_ones() -> None:
 def test_the_compiled_run_is_the_interpreted_one(kind: str) -> None:
     runs = [twin(kinds()[kind], backend, rtol=TIGHT) for backend in ("compiled", "interpreted")]
     starts = [run.start for run in runs if run.start is not None]
-    np.testing.assert_array_equal(*(np.append(start.x, start.z) for start in starts))
+    # Newton's method in C and by CasADi meets the same equilibrium.
+    np.testing.assert_allclose(*(np.append(start.x, start.z) for start in starts), rtol=0, atol=1e-15)
     one, other = (run.solve(Silence()) for run in runs)
     assert one.outcome is other.outcome is Outcome.solved
     np.testing.assert_allclose(one.time, other.time, rtol=1e-13)
