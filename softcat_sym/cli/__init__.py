@@ -48,6 +48,8 @@ def main() -> NoReturn:
     print_whatever_the_terminal_takes()
     # Commands draw into files: a name of a window system that is not there would only keep matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
+    # Scenes need no plugin, and pydantic would look for one in all that is installed.
+    os.environ["PYDANTIC_DISABLE_PLUGINS"] = "1"
     with ended_like_ctrl_c() as ending:
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)

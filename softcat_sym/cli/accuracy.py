@@ -13,7 +13,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
-    app,
+    commands,
     print_error,
     scene_and_directory,
 )
@@ -23,7 +23,7 @@ _LIMIT = typer.Option(metavar="SECONDS", min=0.01, help="An integration that tak
 _PROGRAM = typer.Option(metavar="KEY", help="Only this program. Repeatable.")
 
 
-@app.command(rich_help_panel=VALIDATION)
+@commands.command(rich_help_panel=VALIDATION)
 def accuracy(
     scene: SceneArgument,
     output: OutputOption = None,

@@ -5,11 +5,12 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+import typer.main
 from typer.core import TyperGroup
 
 from softcat_sym.cli.completing import complete_change, complete_scene
@@ -26,16 +27,64 @@ EVERYDAY, FITTING, VALIDATION, DEVELOPER = "Everyday", "Fitting", "Validation", 
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
-class _GroupedCommands(TyperGroup):
+_HELP = ("-h", "--help")
+_LOOK: dict[str, Any] = {
+    "context_settings": {"help_option_names": list(_HELP)},
+    "pretty_exceptions_enable": False,
+    "rich_markup_mode": None,
+}
+
+commands = typer.Typer(**_LOOK)
+"""What every command registers with, in the order of the help."""
+
+
+class _MadeWhenAsked(Mapping[str, Any]):
+    """Commands by name. Typer takes milliseconds to make one of a function, and a call needs one of twenty."""
+
+    def __init__(self) -> None:
+        self.functions = {
+            info.name or getattr(info.callback, "__name__", ""): info for info in commands.registered_commands
+        }
+        self._made: dict[str, Any] = {}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._made:
+            alone = typer.Typer(add_completion=False, **_LOOK)
+            alone.registered_commands.append(self.functions[name])
+            self._made[name] = typer.main.get_command(alone)
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.functions)
+
+    def __len__(self) -> int:
+        return len(self.functions)
+
+
+class _Softcat(TyperGroup):
     """Lists the commands in the help under the names of their groups."""
 
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        self.commands: Any = _MadeWhenAsked()
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Answer a call for the help of a command at once: typer loads pydantic to read the first option, even this."""
+        name, *others = args or [""]
+        if name in self.commands.functions and not ctx.resilient_parsing and not {*_HELP}.isdisjoint(others):
+            command = self.commands[name]
+            typer.echo(command.get_help(type(ctx)(command, info_name=name, parent=ctx)))
+            ctx.exit()
+        return super().parse_args(ctx, args)
+
     def format_commands(self, ctx: Any, formatter: Any) -> None:
-        longest = max(map(len, self.commands))
+        functions: Mapping[str, Any] = self.commands.functions
+        longest = max(map(len, functions))
         for title in (EVERYDAY, FITTING, VALIDATION, DEVELOPER):
             rows = [
-                (f"{name:{longest}}", command.get_short_help_str(formatter.width))
-                for name, command in self.commands.items()
-                if getattr(command, "rich_help_panel", "") == title
+                (f"{name:{longest}}", info.callback.__doc__.partition("\n")[0])
+                for name, info in functions.items()
+                if info.rich_help_panel == title
             ]
             with formatter.section(title):
                 formatter.write_dl(rows)
@@ -43,13 +92,11 @@ class _GroupedCommands(TyperGroup):
 
 app = typer.Typer(
     name="softcat",
-    cls=_GroupedCommands,
+    cls=_Softcat,
     help="Slender soft filaments that sag, stretch, yield and stop.",
     epilog="softcat COMMAND -h tells more of each; begin with: softcat run ink-bridge",
-    context_settings={"help_option_names": ["-h", "--help"]},
     no_args_is_help=True,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
+    **_LOOK,
 )
 
 _SCENE = typer.Argument(

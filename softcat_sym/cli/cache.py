@@ -7,13 +7,13 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import DEVELOPER, app
+from softcat_sym.cli.application import DEVELOPER, commands
 
 _SHOWN = 20
 _BESIDE = {"elements": "states of finite elements", "answers": "answers of acceptance checks"}
 
 
-@app.command(rich_help_panel=DEVELOPER)
+@commands.command(rich_help_panel=DEVELOPER)
 def cache(
     clear: Annotated[
         bool,

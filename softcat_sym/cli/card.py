@@ -14,7 +14,7 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
-    app,
+    commands,
     judge,
     output_directory,
     scene_and_directory,
@@ -30,7 +30,7 @@ def _value(help_text: str) -> Any:
     return typer.Option(metavar="VALUE", help=help_text)
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def card(
     context: typer.Context,
     scene: OptionalScene = None,

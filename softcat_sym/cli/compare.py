@@ -16,7 +16,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
-    app,
+    commands,
     judge,
     scene_and_directory,
     scene_of,
@@ -163,7 +163,7 @@ DeckOption = Annotated[
 ]
 
 
-@app.command(rich_help_panel=VALIDATION)
+@commands.command(rich_help_panel=VALIDATION)
 def compare(
     scene: SceneArgument,
     output: OutputOption = None,

@@ -6,11 +6,12 @@ Called by the shell at every Tab: nothing heavy is imported, and whatever goes w
 from __future__ import annotations
 
 import os
-from importlib.resources import files
 
 
 def complete_scene(incomplete: str) -> list[str]:
     """Offer bundled scenes by name, and TOML files and folders by path."""
+    from importlib.resources import files  # only a Tab needs it
+
     folder = files("softcat_sym") / "scene" / "bundled"
     names = sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
     return [name for name in names if name.startswith(incomplete)] + _paths(incomplete)

@@ -14,7 +14,7 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
-    app,
+    commands,
     judge,
     output_directory,
     scene_and_directory,
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from softcat_sym.studies.pricing import Pricing
 
 
-@app.command(rich_help_panel=VALIDATION)
+@commands.command(rich_help_panel=VALIDATION)
 def effects(
     scene: OptionalScene = None,
     output: OutputOption = None,

@@ -13,7 +13,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
-    app,
+    commands,
     read_pair,
     scene_and_directory,
     study,
@@ -58,7 +58,7 @@ SagOption = Annotated[
 ]
 
 
-@app.command(rich_help_panel=FITTING)
+@commands.command(rich_help_panel=FITTING)
 def experiment(
     scene: SceneArgument,
     free: FreeOption,

@@ -14,7 +14,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     VerboseOption,
-    app,
+    commands,
     directory,
     scene_and_directory,
     scene_of,
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 Rows = list[tuple[str, ...]]
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def explain(
     scene: SceneArgument,
     output: Annotated[

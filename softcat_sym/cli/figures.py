@@ -13,7 +13,7 @@ from softcat_sym.cli.application import (
     FreshOption,
     OutputOption,
     QuietOption,
-    app,
+    commands,
     output_directory,
     print_error,
 )
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@app.command(rich_help_panel=VALIDATION)
+@commands.command(rich_help_panel=VALIDATION)
 def figures(
     output: OutputOption = None,
     only: Annotated[

@@ -16,7 +16,7 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
-    app,
+    commands,
     print_error,
     read_pair,
     scene_and_directory,
@@ -74,7 +74,7 @@ NoProfilesOption = Annotated[
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 
 
-@app.command(rich_help_panel=FITTING)
+@commands.command(rich_help_panel=FITTING)
 def fit(
     data: DataArgument,
     scene: SceneOption,

@@ -13,14 +13,14 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
-    app,
+    commands,
     output_directory,
     print_error,
     scene_and_directory,
 )
 
 
-@app.command(rich_help_panel=DEVELOPER)
+@commands.command(rich_help_panel=DEVELOPER)
 def generate(
     scene: OptionalScene = None,
     output: OutputOption = None,

@@ -12,7 +12,7 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
-    app,
+    commands,
     scene_and_directory,
     study,
 )
@@ -27,7 +27,7 @@ ResolutionOption = Annotated[
 ]
 
 
-@app.command(rich_help_panel=VALIDATION)
+@commands.command(rich_help_panel=VALIDATION)
 def phase(
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")

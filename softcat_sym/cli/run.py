@@ -15,7 +15,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     VerboseOption,
-    app,
+    commands,
     directory,
     judge,
     output_directory,
@@ -60,7 +60,7 @@ TrajectoryArgument = Annotated[
 ]
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def run(
     scene: SceneArgument,
     output: RunOutputOption = None,
@@ -115,7 +115,7 @@ def _drawn(run: Run, output: Path, style: str, radius: float) -> WrittenRun:
     return write_run(run, output, style, radius)
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def draw(
     trajectory: TrajectoryArgument,
     output: OutputOption = None,

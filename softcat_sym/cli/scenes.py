@@ -13,8 +13,8 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
-    app,
     check_directory,
+    commands,
     directory,
     scene_of,
     study,
@@ -23,7 +23,7 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def scenes(
     output: Annotated[
         Path | None,
@@ -73,7 +73,7 @@ def scenes(
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def show(scene: SceneArgument, changes: SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
@@ -84,7 +84,7 @@ def show(scene: SceneArgument, changes: SetOption = None) -> None:
     typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def keys(
     part: Annotated[
         str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")

@@ -15,7 +15,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
-    app,
+    commands,
     print_error,
     scene_and_directory,
     study,
@@ -52,7 +52,7 @@ ClusterOption = Annotated[
 ]
 
 
-@app.command(rich_help_panel=EVERYDAY)
+@commands.command(rich_help_panel=EVERYDAY)
 def sweep(
     scene: SceneArgument,
     output: OutputOption = None,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.metadata
-import io
 import json
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
@@ -28,7 +27,6 @@ from softcat_sym.results.fields import (
     energy_residual,
     min_energy,
     node_positions,
-    variable_of,
     variables_of,
     whole_span_fields,
 )
@@ -42,6 +40,7 @@ from softcat_sym.results.motion import (
     rings_on,
     too_few_frames,
 )
+from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.sideways import Sideways, seeded, sideways
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
@@ -278,35 +277,8 @@ class Run:
         return WrittenRun(tuple(files), summary)
 
     def to_netcdf(self) -> bytes:
-        """``trajectory.nc``, as xarray would write it, which would have to be loaded.
-
-        It is made in memory: where the disk is full, HDF5 would not only fail, but end the program as it closes the
-        file.
-        """
-        import h5netcdf
-
-        stream = io.BytesIO()
-        with h5netcdf.File(stream, "w") as file:
-            sizes = {"time": self.fields["time"], "node": self.fields["X_node"], "cell": self.fields["X_cell"]}
-            file.dimensions = {name: len(values) for name, values in sizes.items()}
-            if "quaternion" in self.fields:
-                file.dimensions["component"] = 4
-            file.attrs.update(self._attrs())
-            for name, variable in variables_of(self.fields).items():
-                grid = len(variable.dims) > 1
-                packing: dict[str, Any] = {"compression": "gzip", "compression_opts": 1} if grid else {}
-                written = file.create_variable(
-                    name, variable.dims, data=np.asarray(self.fields[name]), fillvalue=np.nan, **packing
-                )
-                written.attrs.update(variable_attrs(name))
-                if grid:
-                    written.attrs["coordinates"] = f"X_{variable.dims[1]}"
-        return stream.getvalue()
-
-
-def variable_attrs(name: str) -> dict[str, str]:
-    """Attributes of a variable in the file."""
-    return {"units": variable_of(name).unit, "long_name": variable_of(name).meaning}
+        """``trajectory.nc``."""
+        return netcdf_bytes(self.fields, self._attrs())
 
 
 def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Run:
@@ -439,7 +411,7 @@ def open_run(directory: str | os.PathLike[str]) -> Run:
     if not path.is_file():
         raise SoftcatError(f"{path}: no such file; {_ACCEPTED}")
     try:
-        fields, attrs = _read_netcdf(path)
+        fields, attrs = read_netcdf(path)
     except OSError as error:
         raise SoftcatError(f"{path}: cannot be read as netCDF4 ({error}); {_ACCEPTED}") from None
     if "energy_gradient" in fields:
@@ -466,26 +438,6 @@ def open_run(directory: str | os.PathLike[str]) -> Run:
     if isinstance(beside, dict) and beside.get("midpoint_final_m") == float(fields["midpoint"][-1]):
         summary = beside
     return Run(scene, fields, summary, outcome, {}, versions=str(attrs.get("versions", "")))
-
-
-def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
-    """Arrays and attributes of a netCDF file; OSError, in one line, if it is none."""
-    import h5netcdf
-    import h5py
-
-    try:
-        # A file that fails here would fail h5netcdf half made, which then complains a second time as it is closed.
-        with h5py.File(path, "r") as raw:
-            raw.attrs.get("_nc3_strict")
-        with h5netcdf.File(path, "r") as file:
-            fields = {
-                name: np.asarray(file.variables[name][...], dtype=float)
-                for name, known in variables_of(file.variables).items()
-                if file.variables[name].dimensions == known.dims
-            }
-            return fields, dict(file.attrs)
-    except (OSError, ValueError, LookupError, RuntimeError, TypeError, AttributeError, OverflowError) as error:
-        raise OSError(" ".join(str(error).split())[:120] or type(error).__name__) from error
 
 
 def check_drawable(run: Run) -> None:

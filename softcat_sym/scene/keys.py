@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
 from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, tensile_name
-from softcat_sym.scene.parts import Part, dotted, kinds_of
+from softcat_sym.scene.parts import Part, dotted, kinds_of, meanings_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
 from softcat_sym.scene.units import SI_UNITS, Kind, Quantity, consistency_unit
@@ -32,19 +32,20 @@ def scene_keys(part: str = "") -> tuple[SceneKey, ...]:
     """List the keys of the scene file in its order."""
     parts: dict[str, type[Part]] = {"": Scene, **parts_of_scene(), "groups": GroupBlock}
     keys = (
-        _key(dotted(table, name), part.model_fields[name], kind)
+        _key(dotted(table, name), part.model_fields[name], kind, meanings.get(name, ""))
         for table, part in parts.items()
+        for meanings in (meanings_of(part),)
         for name, kind in kinds_of(part).items()
     )
     return tuple(key for key in keys if part in key.path)
 
 
-def _key(path: str, field: FieldInfo, kind: Kind) -> SceneKey:
+def _key(path: str, field: FieldInfo, kind: Kind, meaning: str) -> SceneKey:
     unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else ""
     default = "required" if field.is_required() else ""
     if not field.is_required() and field.default is not None:
         default = toml_value(kind.write(field.default))
-    return SceneKey(path, unit, default, field.description or "", kind.accepted)
+    return SceneKey(path, unit, default, meaning, kind.accepted)
 
 
 PAGE = """# Keys of a scene

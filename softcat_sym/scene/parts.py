@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import math
 from collections.abc import Iterator
 from itertools import pairwise
@@ -47,7 +49,8 @@ class Part(BaseModel):
     Two parts are equal when their physics is: how a value was given (in shear or in tension) does not count.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+    # Built when first used: parts are read as fields of a scene, whose build has them all.
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
     table_name: ClassVar[str] = ""
 
     def kinds(self) -> dict[str, Kind]:
@@ -86,6 +89,19 @@ def dotted(*names: str) -> str:
 def kinds_of(part: type[BaseModel]) -> dict[str, Kind]:
     """Return the kind of each field that holds a value (not a part)."""
     return {name: kind for name, info in part.model_fields.items() for kind in info.metadata if isinstance(kind, Kind)}
+
+
+def meanings_of(part: type[BaseModel]) -> dict[str, str]:
+    """Return the sentence below each field of a part's source, which pydantic would parse at every start."""
+    body = [
+        line for text in ast.parse(inspect.getsource(part)).body if isinstance(text, ast.ClassDef) for line in text.body
+    ]
+    return {
+        field.target.id: inspect.cleandoc(str(below.value.value))
+        for field, below in pairwise(body)
+        if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+        if isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant)
+    }
 
 
 Point = tuple[float, ...]

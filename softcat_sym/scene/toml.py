@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from softcat_sym.errors import Fault
 from softcat_sym.scene.material import INDEXED, Material, twins
-from softcat_sym.scene.parts import Filament, Part
+from softcat_sym.scene.parts import Filament, Part, meanings_of
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import shown
 
@@ -112,7 +112,7 @@ def _table_lines(part: Part, every_default: bool) -> list[str]:
         if value is None:
             # A constant that is not there is none of the law's.
             if every_default and not isinstance(part, Material):
-                lines.append(f"# {name}: {type(part).model_fields[name].description}")
+                lines.append(f"# {name}: {meanings_of(type(part))[name]}")
             continue
         if name in follows:
             # As a comment, so that an override of the one it follows still carries it along.
