@@ -9,7 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.results.fields import variable_of, variables_of
 
 _SIZES: Final = {"time": "time", "node": "X_node", "cell": "X_cell"}

@@ -6,6 +6,7 @@ import ast
 import inspect
 import math
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
@@ -59,7 +60,7 @@ class Part(BaseModel):
 
     def physics(self) -> dict[str, Any]:
         """Values that make a difference to the answer, by field name; SI."""
-        return {name: getattr(self, name) for name, info in type(self).model_fields.items() if not info.exclude}
+        return {name: getattr(self, name) for name in _physical(type(self))}
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -78,7 +79,13 @@ class Part(BaseModel):
         return type(self) is type(other) and isinstance(other, Part) and self.physics() == other.physics()
 
     def __hash__(self) -> int:
-        return hash((type(self), tuple(self.physics().values())))
+        return hash((type(self), *(getattr(self, name) for name in _physical(type(self)))))
+
+
+@cache
+def _physical(part: type[BaseModel]) -> tuple[str, ...]:
+    """Names of the fields that make a difference to the answer."""
+    return tuple(name for name, info in part.model_fields.items() if not info.exclude)
 
 
 def dotted(*names: str) -> str:
