@@ -17,6 +17,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
+from softcat_sym.discretization.spatial import cell_strains
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.forward_model import ForwardModel
@@ -25,7 +26,7 @@ from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.run import run_form
-from softcat_sym.results.sideways import sideways
+from softcat_sym.results.sideways import _Cells, _Matrix, sideways
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import load_scene
 from tests.common.pairs import differences, pair_of
@@ -225,6 +226,68 @@ def test_rules_of_a_section_have_its_moments() -> None:
         found = [float(rule.weight @ square) for square in (rule.Y**2, rule.Z**2, rule.W_2**2 + rule.W_3**2)]
         assert found == pytest.approx([*second, torsion], rel=1e-4)
         assert abs(float(rule.weight @ (rule.Y * rule.Z))) < 1e-14 and float(rule.weight.sum()) == pytest.approx(1)
+
+
+def turned_out_of_plane(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
+    """Quaternion of a planar section that turns about its own axes d1 and d2, to second order."""
+    c, s = ca.cos(psi / 2), ca.sin(psi / 2)
+    w, x, y = 1 - (first**2 + second**2) / 8, first / 2, second / 2
+    return [c * w, c * x - s * y, c * y + s * x, s * w]
+
+
+def test_the_tangent_sideways_is_the_second_derivative_of_the_energy_of_a_cell() -> None:
+    """In closed form what CasADi finds of the strains of a cell in three dimensions."""
+    given, out = ca.SX.sym("given", 13), ca.SX.sym("out", 6)
+    xa, ya, pa, xb, yb, pb, d, n1, n2, M, shear, twist, bend = ca.vertsplit(given)
+    za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
+    slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
+    turns = turned_out_of_plane(pa, a1, a2), turned_out_of_plane(pb, b1, b2)
+    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, *turns, d)
+    stiff = (shear * Gam_3**2 + twist * k_1**2 + bend * k_2**2) / 2
+    energy = d * (n1 * ca.sqrt(Lam**2 + Gam_3**2) + n2 * Gam - M * k_3 + stiff)
+    hessian = ca.Function("hessian", [given], [ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))])
+    rng = np.random.default_rng(0)
+    for turn in (0.0, 0.02, 0.3, -1.2):
+        length, stretch, off = rng.uniform(0.5, 1), rng.uniform(0.8, 1.5), rng.uniform(-0.3, 0.3)
+        (xa, ya), pa = rng.normal(size=2), rng.uniform(-2, 2)
+        along = pa + turn / 2 + off
+        forces, stiffness = rng.uniform(-2, 2, 3), rng.uniform(0.5, 2, 3)
+        ahead = xa + stretch * length * np.cos(along), ya + stretch * length * np.sin(along)
+        exact = np.asarray(hessian([xa, ya, pa, *ahead, pa + turn, length, *forces, *stiffness]))
+        strains = (stretch * np.cos(off), stretch * np.sin(off), turn)
+        cells = _Cells(
+            np.array([length]),
+            *(np.array([[one]]) for one in (*strains, *forces)),
+            tuple(np.array([[one]]) for one in stiffness),
+        )
+        np.testing.assert_allclose(cells.tangent(1.0, 1.0)[0, 0], exact, rtol=0, atol=1e-11)
+
+
+def test_what_surely_stays_in_its_plane_has_no_way_out_of_it() -> None:
+    """The bound is below the eigenvalues: on random bent filaments it never says that one stays which does not."""
+    rng, cells, sure, unstable = np.random.default_rng(1), 40, 0, 0
+    length = np.full(cells, 1 / cells)
+    for ends in (("clamped", "clamped"), ("clamped", "free"), ("free", "clamped"), ("pinned", "pinned")):
+        for size in np.geomspace(0.03, 30, 40):
+            at = (np.arange(cells) + 0.5) / cells
+            # A moment that vanishes where nothing holds it, and the transverse force that balances it.
+            free = "free" in ends
+            modes = [np.cos((k - 0.5) * np.pi * at) if free else np.sin(k * np.pi * at) for k in (1, 2, 3)]
+            shape = np.array(rng.normal(size=3)) @ modes
+            M = size * (shape[::-1] if ends[0] == "free" else shape)
+            turn = 0.1 * rng.normal() * M / max(1.0, np.abs(M).max()) / cells
+            row = (np.ones(cells), 0 * at, turn, size * rng.uniform(-0.5, 2) * np.ones(cells), np.gradient(M, at), M)
+            stiff = 1e6 * np.ones((1, cells)), rng.uniform(0.5, 2) * np.ones((1, cells)), np.ones((1, cells))
+            found = _Cells(length, *(one[None] for one in row), stiff)
+            held = np.zeros(3 * (cells + 1), dtype=bool)
+            for end, first in zip(ends, (0, 3 * cells), strict=True):
+                held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[end]] = True
+            stable = bool(_Matrix.of(found.tangent(1.0, 1.0), held).are_positive()[0])
+            unstable += not stable
+            if found.stay(1.0, ends):
+                sure += 1
+                assert stable, (ends, size)
+    assert sure > 40 and unstable > 20, (sure, unstable)
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -81,6 +82,7 @@ def chord_rule(zeta: Floats, weight: Floats) -> PointRule:
     return PointRule(Y, Z, -Z, Y, np.repeat(weight / 2, 2))
 
 
+@lru_cache(maxsize=64)
 def warping_rule(across: int, beside: int, aspect: float) -> PointRule:
     """Gauss points of a rectangle of width over thickness `aspect`, which warps freely where it twists (Saint-Venant).
 

@@ -8,6 +8,7 @@ of one rule both are the same.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -72,6 +73,7 @@ class SectionRule:
         return int(self.recall.shape[1])
 
 
+@lru_cache(maxsize=64)
 def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> SectionRule:
     """A plastic state for each of `fibres` points of the section's Gauss rule, or of one in either half of it.
 
