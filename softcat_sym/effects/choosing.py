@@ -6,8 +6,6 @@ import difflib
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-import sympy as sp
-
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.extensibility import EXTENSIBILITY
@@ -22,7 +20,7 @@ from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
@@ -235,18 +233,18 @@ class Effects:
 
     def at_rest(self) -> Terms:
         """The terms of the same filament at rest under its whole weight: nothing that depends on a rate."""
-        bare = Terms()
+        found = self.terms()
         return replace(
-            self.terms(),
+            found,
             inertia=False,
             rotary_inertia=False,
             viscous=False,
             damped=False,
-            gravity=bare.gravity,
-            gravity_rate=bare.gravity_rate,
-            shaking=bare.shaking,
-            shaking_rate=bare.shaking_rate,
-            densities=tuple(replace(one, dissipation=sp.S.Zero, kinetic=sp.S.Zero) for one in self.terms().densities),
+            ramped=False,
+            shaken=False,
+            drag="",
+            added_mass=False,
+            densities=tuple(one.at_rest for one in found.densities),
         )
 
 
