@@ -26,14 +26,15 @@ def shaken_share(scene: Scene) -> float:
     besides the decay that resonance has the time of the run to build up, by one static deflection in 2/omega. What
     flows has nothing to spring back: r = 0.
     """
-    return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene)
+    return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene) if scene.load.shake > 0 else 0.0
 
 
 def steady_gain(scene: Scene) -> float:
     """Amplitude of the forced vibration over that of a filament in balance at every instant."""
-    ratio, rings = _ratio(scene), ringing(scene)
+    ratio = _ratio(scene)
     if ratio == 0:
         return 1.0
+    rings = ringing(scene)
     damping = rings.decay / rings.frequency + 1 / (rings.frequency * scene.run.duration)
     return 1 / math.hypot(1 - ratio**2, 2 * damping * ratio)
 
