@@ -34,7 +34,6 @@ from proving import Erratum, prove_equal, record_errata
 from softcat_sym.physics import closures, energy, filament, kinematics, laws, sections
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.equation import check
-from softcat_sym.physics.laws import law_of
 from softcat_sym.physics.section_response import PLANE_STRAIN, SectionResponse
 from softcat_sym.physics.sections import CIRCLE, NONE, RECTANGLE, SHEET, UNIFORM, WIDE, scaled
 from softcat_sym.physics.symbols import (
@@ -65,6 +64,7 @@ from softcat_sym.physics.symbols import (
     z,
     zeta,
 )
+from softcat_sym.physics.terms import Rheology, Terms
 
 # %% [markdown]
 # ## Strain of a fibre: (2.6)
@@ -634,14 +634,14 @@ assert printed_M != 0
 # %%
 def cell(shape: sections.Section, name: str, law: str, *, finite: bool = True) -> SectionResponse:
     """What the solver holds."""
-    terms = filament.Terms(
-        centreline=kinematics.LARGE_ROTATION,
-        strain=kinematics.TRUE_STRAIN if finite else kinematics.SMALL_STRAIN,
+    terms = Terms(
+        large_rotation=True,
+        finite=finite,
         thins=finite,
         inertia=True,
         bending=True,
         stretches=True,
-        law=law_of(law),
+        law=Rheology(law),
         flows=True,
         yields=True,
     )
@@ -702,9 +702,7 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE),
 
 # %%
 for shape in (RECTANGLE, CIRCLE, SHEET):
-    fluid = filament.Terms(
-        strain=kinematics.TRUE_STRAIN, thins=True, bending=True, stretches=True, law=law_of("newtonian"), viscous=True
-    )
+    fluid = Terms(finite=True, thins=True, bending=True, stretches=True, law=Rheology("newtonian"), viscous=True)
     response = filament.derive(fluid, shape, "material").response
     viscous = response.viscous
     moment = response.moment.subs(sigma_1, viscous.stress_bending)
@@ -913,7 +911,7 @@ for left, right, stiffness_, share in (
 
 # %%
 for law in ("maxwell", "bingham"):
-    beam = filament.Terms(bending=True, law=law_of(law), flows=True, yields=True)
+    beam = Terms(bending=True, law=Rheology(law), flows=True, yields=True)
     loose, stiff = (filament.derive(replace(beam, stretches=given), CIRCLE, "material") for given in (True, False))
     with_mean, alone = loose.response.branch, stiff.response.branch
     assert stiff.response.tension == alone.stress_mean == alone.rate_mean == 0

@@ -20,7 +20,7 @@
 # becomes which, and how a string of a power-law fluid sags.
 #
 # Effects derived here: `viscous-flow` (`laws.power_law_rate`, `laws.maxwell_rate`), `viscous-stress`
-# (`laws.law_of`), `solid-damping` (`filament.Terms`).
+# (`laws.law_of`), `solid-damping` (`filament.law_in_force`).
 
 # %%
 import sympy as sp
@@ -28,7 +28,7 @@ from proving import prove_equal
 
 from softcat_sym.physics import bulk, closed_forms
 from softcat_sym.physics.equation import all_equations, check
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.filament import law_in_force
 from softcat_sym.physics.laws import (
     E_2,
     SMALL_STRESS,
@@ -47,6 +47,7 @@ from softcat_sym.physics.regimes import H
 from softcat_sym.physics.rheometry import mu
 from softcat_sym.physics.sections import RECTANGLE, scaled
 from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
+from softcat_sym.physics.terms import Rheology, Terms
 
 for module, equations in all_equations().items():
     if module == "strings" or module.startswith("laws."):
@@ -201,7 +202,7 @@ prove_equal(sp.limit(maxwell, q, sp.oo), E)
 
 # %%
 omega, loss_tangent = sp.symbols("omega_1 tan_delta", positive=True)
-damped = Terms(law=law_of("bingham", yields=True), damped=True).law_in_force()
+damped = law_in_force(Terms(law=Rheology("bingham"), damped=True))
 below_yield = modulus_of(damped).subs(q, sp.I * omega).subs(eta_s, loss_tangent * E / omega)
 prove_equal(sp.im(below_yield) / sp.re(below_yield), loss_tangent)
 

@@ -18,18 +18,16 @@
 # a bath leaves its weight and nothing else; that the potentials give the forces which the literature states; that the
 # kinetic energy gives Lighthill's reactive force, and what the mass of a node becomes.
 #
-# Effects derived here: `buoyancy` (`effects.buoyancy.BUOYANT`), `drag` (`effects.drag.SLENDER`,
-# `effects.drag.CROSS_FLOW`), `added-mass` (`effects.added_mass.ADDED`).
+# Effects derived here: `buoyancy` (`surroundings.BUOYANT`), `drag` (`surroundings.SLENDER`,
+# `surroundings.CROSS_FLOW`), `added-mass` (`surroundings.ADDED`).
 
 # %%
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.effects.added_mass import ADDED
-from softcat_sym.effects.buoyancy import BUOYANT
-from softcat_sym.effects.drag import CROSS_FLOW, SLENDER, across, along
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.surroundings import ADDED, BUOYANT, CROSS_FLOW, SLENDER, across, along
 from softcat_sym.physics.symbols import A0, L_0, X, g, g_t, h0, mu_b, rho_b, s, t, x_t, x_X, y_t, y_X
 
 stretch = sp.sqrt(x_X**2 + y_X**2)

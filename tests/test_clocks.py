@@ -19,6 +19,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.free_parameters import candidates, free_parameters, with_values
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t
+from softcat_sym.physics.terms import Course
 from softcat_sym.scene.history import History, Timed, TimedNumber, table_history
 from softcat_sym.scene.units import in_si
 from softcat_sym.studies.compare import compare
@@ -61,7 +62,7 @@ def test_a_table_is_the_monotone_cubic_of_scipy(rows: int) -> None:
 def test_a_history_is_one_expression_and_comes_back_from_its_file(given: Any) -> None:
     history = STRESS.read(given)
     assert isinstance(history, History)
-    found, times = varying(history, "yield_stress"), np.linspace(0, 100, 83) + 0.0123
+    found, times = varying(Course.of("yield_stress", history)), np.linspace(0, 100, 83) + 0.0123
     numbers = {one.symbol: np.full(83, value) for one, value in zip(found.constants, history.numbers, strict=True)}
     wanted, step = np.array([history.at(time) for time in times]), 1e-6
     slopes = [(history.at(time + step) - history.at(time - step)) / (2 * step) for time in times]

@@ -23,7 +23,6 @@ from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, ord
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Block, Layout
 from softcat_sym.errors import SoftcatError
-from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.reading import load_scene
 from tests.common.assembled import GRIDS, build, place, scene_of
 
@@ -169,9 +168,8 @@ def moments(section: str, degree: int) -> list[float]:
 
 
 def rules(section: str) -> list[SectionRule]:
-    shape = SECTIONS[section]
-    orders = [order_rule(shape, k, points) for k, points in ((0, 1), (1, 2), (1, 24), (3, 9), (8, 9), (8, 64))]
-    return [*(fibre_rule(shape, m) for m in (1, 2, 3, 6, 24)), *orders]
+    orders = [order_rule(section, k, points) for k, points in ((0, 1), (1, 2), (1, 24), (3, 9), (8, 9), (8, 64))]
+    return [*(fibre_rule(section, m) for m in (1, 2, 3, 6, 24)), *orders]
 
 
 def test_section_rules_are_quadratures_of_the_section() -> None:
@@ -188,7 +186,7 @@ def test_section_rules_are_quadratures_of_the_section() -> None:
 def test_moments_are_exact_up_to_twice_the_points() -> None:
     for section in SHAPES:
         for points in [2, 3, 6, 12]:
-            rule, exact = fibre_rule(SECTIONS[section], points), moments(section, 2 * points)
+            rule, exact = fibre_rule(section, points), moments(section, 2 * points)
             for n in range(2 * points):
                 assert rule.weight @ rule.zeta**n == pytest.approx(exact[n], abs=1e-14), n
             # and no further: a rule of this many points cannot
@@ -199,7 +197,7 @@ def test_rules_in_the_halves_have_the_plastic_moment() -> None:
     """<|zeta|>, of a section that yields from its faces to its middle; one rule through all of it has 0.75/n^2 more."""
     for section, exact in (("rectangle", 1 / 2), ("circle", 4 / (3 * math.pi))):
         for points in [6, 8, 16, 64]:
-            rule, whole = (fibre_rule(SECTIONS[section], points, halves=halves) for halves in (True, False))
+            rule, whole = (fibre_rule(section, points, halves=halves) for halves in (True, False))
             assert rule.weight @ np.abs(rule.zeta) == pytest.approx(exact, rel=1e-13)
             assert whole.weight @ np.abs(whole.zeta) / exact - 1 == pytest.approx(0.75 / points**2, rel=0.6)
             for n, moment in enumerate(moments(section, points - 1)):
@@ -210,17 +208,17 @@ def test_projection_is_the_best_polynomial() -> None:
     """Against a weighted least-squares fit of monomials, which knows no orthogonal polynomial."""
     for section in SHAPES:
         for order, points in [(1, 2), (3, 4), (3, 24), (8, 9), (8, 24)]:
-            rule = order_rule(SECTIONS[section], order, points)
+            rule = order_rule(section, order, points)
             profile = np.exp(rule.zeta) + np.maximum(rule.zeta - 0.3, 0)
             root, powers = np.sqrt(rule.weight), rule.zeta[:, None] ** np.arange(order + 1)
             fit, *_ = np.linalg.lstsq(root[:, None] * powers, root * profile, rcond=None)
             np.testing.assert_allclose(rule.recall @ (rule.project @ profile), powers @ fit, atol=1e-10)
             assert rule.states == order + 1
         for order in [1, 3, 8]:  # as many points as amplitudes are fibres: the amplitudes only rename their strains
-            rule, fibres = order_rule(SECTIONS[section], order, order + 1), fibre_rule(SECTIONS[section], order + 1)
+            rule, fibres = order_rule(section, order, order + 1), fibre_rule(section, order + 1)
             np.testing.assert_array_equal([rule.zeta, rule.weight], [fibres.zeta, fibres.weight])
             np.testing.assert_allclose(rule.recall @ rule.project, np.eye(order + 1), atol=1e-12)
-    assert order_rule(SECTIONS["rectangle"], 8, 2).points == 9, "fewer could not tell the amplitudes apart"
-    legendre, chebyshev = (order_rule(SECTIONS[section], 2, 5) for section in SHAPES)
+    assert order_rule("rectangle", 8, 2).points == 9, "fewer could not tell the amplitudes apart"
+    legendre, chebyshev = (order_rule(section, 2, 5) for section in SHAPES)
     np.testing.assert_allclose(legendre.recall[:, 2], (3 * legendre.zeta**2 - 1) / 2, atol=1e-14)
     np.testing.assert_allclose(chebyshev.recall[:, 2], (4 * chebyshev.zeta**2 - 1) / 3, atol=1e-14)

@@ -16,7 +16,6 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES
 from softcat_sym.discretization.section_rule import fibre_rule
-from softcat_sym.physics.sections import SECTIONS
 from tests.common.rheology import GEOMETRY, scene
 from tests.common.rigid_bridge import Bridge, first_speed, section_rates
 from tests.common.table import show
@@ -91,7 +90,7 @@ class Theory:
 
 def reserve(section: str, fibres: int) -> float:
     """M_p of so many fibres over the exact one."""
-    rule = fibre_rule(SECTIONS[section], fibres, halves=True)
+    rule = fibre_rule(section, fibres, halves=True)
     return float(rule.weight @ np.abs(rule.zeta)) / 2 / FULL[section]
 
 

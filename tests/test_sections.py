@@ -473,8 +473,7 @@ def found(section: str, rule: SectionRule) -> tuple[Array, Array]:
 
 
 def rule_of(section: str, kind: str, number: int) -> SectionRule:
-    shape = SECTIONS[section]
-    return fibre_rule(shape, number) if kind == "fibres" else order_rule(shape, number, 24)
+    return fibre_rule(section, number) if kind == "fibres" else order_rule(section, number, 24)
 
 
 def limit_moment(section: str, rule: SectionRule) -> float:
@@ -529,7 +528,7 @@ def test_moment_follows_curvature(section: str) -> None:
 def test_fibres_yield_one_by_one(section: str) -> None:
     """Each carries its strain or the yield stress: the whole curve, exactly, up to viscosity."""
     for number in (6, 24):
-        rule = fibre_rule(SECTIONS[section], number)
+        rule = fibre_rule(section, number)
         stress = np.clip(CURVATURE[:, None] * rule.zeta, -1.0, 1.0)
         wanted = stress @ (rule.weight * rule.zeta) / SECOND[section]
         np.testing.assert_allclose(found(section, rule)[1], wanted, atol=1e-7)
@@ -538,7 +537,7 @@ def test_fibres_yield_one_by_one(section: str) -> None:
 @pytest.mark.parametrize("section", ["rectangle", "circle"])
 def test_a_linear_profile_stops_at_first_yield(section: str) -> None:
     """A linear stress that exceeds yield nowhere has at most the moment of first yield: M_p is out of reach."""
-    rule = order_rule(SECTIONS[section], 1, 64)
+    rule = order_rule(section, 1, 64)
     _, moment = found(section, rule)
     assert moment[-1] == pytest.approx(1 / rule.zeta[-1], abs=OVERSTRESS)
     assert moment[-1] == pytest.approx(1.0, abs=2e-3)

@@ -65,7 +65,7 @@ def pair(law: str, section: str) -> tuple[Graph, Graph, int, Floats, Floats]:
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[section], "material")
     grid = whole_span(6, End.CLAMPED, End.CLAMPED, 1.0)
-    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
+    theory, body = choose_theory(scene, equations.terms), choose_body(scene, grid)
     planar_rule = theory.rule
     assert planar_rule is not None and not isinstance(planar_rule, PointRule)
     rule = chord_rule(planar_rule.zeta, planar_rule.weight)

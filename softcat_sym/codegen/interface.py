@@ -16,9 +16,10 @@ import numpy as np
 
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
 from softcat_sym.codegen.structure import Model, Structure
+from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
-from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
     END_TURNS,
@@ -32,11 +33,10 @@ from softcat_sym.discretization.unknowns import TURN
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
-from softcat_sym.physics.heat import PREFIX
 from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature import PREFIX, Temperature
 from softcat_sym.scene.units import Quantity, si_unit
 
 MIN_CELLS = 4
@@ -382,7 +382,7 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "first": f"SOFTCAT_{structure.ends[0].name}",
         "last": f"SOFTCAT_{structure.ends[1].name}",
         "least_cells": str(MIN_CELLS),
-        "area_power": str(structure.area_power),
+        "area_power": str(structure.formulation.area_power),
         "profiled": str(int(structure.body.profile.nodes is not None)),
         "places": "described_places",
         **{slot: place(slots, slot) for slot in ("x", "y", "z", "psi")},

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
-import secrets
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import lru_cache
-from types import FunctionType
 from typing import TypeVar
 
 from softcat_sym import store
@@ -21,8 +18,7 @@ from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Signature, Slot
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.physics.filament import FilamentEquations
-from softcat_sym.scene.scene import Scene
+from softcat_sym.physics.terms import Formulation
 
 
 @dataclass(frozen=True)
@@ -165,9 +161,6 @@ def _recalled(key: str) -> Template:
     return Template(**{**parts, "signature": Signature(**given)})
 
 
-_PROCESS = secrets.token_hex()
-
-
 @dataclass(frozen=True)
 class Structure:
     """All filaments that share a C text."""
@@ -175,60 +168,32 @@ class Structure:
     key: str  # Hash of all that the text depends on but the program and the fibres
     rule: str  # Where the fibres are; empty without. Two structures are equal if these two are
     effects: tuple[str, ...]  # Names of the effects in force
-    equations: FilamentEquations = field(compare=False)  # What the filament is recorded from
+    formulation: Formulation = field(compare=False)  # What the filament is recorded from
     theory: Theory = field(compare=False)
     ends: tuple[End, End] = field(compare=False)
     body: Body = field(compare=False)
 
-    @property
-    def area_power(self) -> int:
-        """With which the area of the section goes with its thickness."""
-        return self.equations.shape.area_power
 
-
-def structure_of(
-    scene: Scene, effects: Effects, grid: Grid, equations: FilamentEquations, theory: Theory, body: Body
-) -> Structure:
-    """The structure of a scene's filament."""
-    ends, fibres = (grid.first, grid.last), theory.fibres
-    parts: tuple[object, ...] = (
-        equations.terms,
-        equations.shape.name,
-        scene.run.closure,
+def structure_of(effects: Effects, grid: Grid, formulation: Formulation, theory: Theory, body: Body) -> Structure:
+    """The structure of a filament."""
+    ends, fibres, terms = (grid.first, grid.last), theory.fibres, formulation.terms
+    key = store.key_of(
+        "structure",
+        replace(terms, densities=()),
+        [one.signature for one in terms.densities],
+        formulation.section,
+        formulation.closure,
         theory.label,
-        tuple(end.name for end in ends),
+        [end.name for end in ends],
         body.supports,
         body.profile.nodes is not None,
         body.weighted,
         body.tip_mass,
         body.tip_force,
+        body.tip_torque,
         body.natural is not None,
     )
-    if body.tip_torque:
-        parts = (*parts, "torque")
-    if equations.terms.shaking != 1:
-        parts = (*parts, equations.terms.shaking)
-    if equations.terms.hardens:
-        parts = (*parts, "hardens")
-    rule = fibres.label if fibres else ""
-    return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
-
-
-def _digest(parts: tuple[object, ...]) -> str:
-    """Hash of what parts say of themselves; where that is an address, it means nothing to another process."""
-    text = "\n".join(repr(_named(part)) for part in parts)
-    return hashlib.sha256(f"{_PROCESS} {text}".encode() if " at 0x" in text else text.encode()).hexdigest()
-
-
-def _named(part: object) -> object:
-    """A part in which functions are called by module and name, where these say which: a closure's do not."""
-    if isinstance(part, FunctionType) and "<" not in part.__qualname__:
-        return f"{part.__module__}.{part.__qualname__}"
-    if isinstance(part, tuple):
-        return tuple(_named(one) for one in part)
-    if is_dataclass(part) and not isinstance(part, type):
-        return type(part).__name__, *((one.name, _named(getattr(part, one.name))) for one in fields(part))
-    return part
+    return Structure(key, fibres.label if fibres else "", effects.names, formulation, theory, ends, body)
 
 
 def signature_of(structure: Structure) -> Signature | None:
@@ -255,7 +220,8 @@ def _made(structure: Structure) -> Template:
     from softcat_sym.codegen.model import template_of
     from softcat_sym.discretization.filament import build
     from softcat_sym.discretization.sampling import one_of
+    from softcat_sym.physics.filament import equations_of
 
     theory = structure.theory
     rule = one_of(theory.fibres) if theory.fibres else theory.rule
-    return template_of(build(structure.equations, theory.model, structure.ends, structure.body, rule))
+    return template_of(build(equations_of(structure.formulation), theory.model, structure.ends, structure.body, rule))

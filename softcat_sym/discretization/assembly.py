@@ -25,13 +25,14 @@ from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, S
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
-from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import DOWN, is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
+    from softcat_sym.physics.filament import FilamentEquations
 
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
 
@@ -151,44 +152,44 @@ def _natural(scene: Scene, grid: Grid) -> Floats | None:
     return shaped(scene, grid.nodes)[2]
 
 
-def choose_theory(scene: Scene, equations: FilamentEquations) -> Theory:
+def choose_theory(scene: Scene, terms: Terms) -> Theory:
     """The theory of the scene's model and effects."""
     if is_spatial(scene):
-        return Theory(scene.model, choose_points(scene, equations))
-    return Theory(scene.model, choose_rule(scene, equations) if equations.resolved is not None else None)
+        return Theory(scene.model, choose_points(scene, terms))
+    return Theory(scene.model, choose_rule(scene, terms) if terms.turns else None)
 
 
-def elastic_theory(scene: Scene, equations: FilamentEquations) -> Theory:
+def elastic_theory(scene: Scene) -> Theory:
     """The theory of a filament in three dimensions where nothing has flowed: with as few points as are exact then."""
-    return Theory(scene.model, _points(scene, equations, 0))
+    return Theory(scene.model, _points(scene, 0))
 
 
-def choose_points(scene: Scene, equations: FilamentEquations) -> PointRule:
+def choose_points(scene: Scene, terms: Terms) -> PointRule:
     """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
 
     What counts is how many different heights the angles of a circle give (THEORY3D 6).
     """
-    return _points(scene, equations, choose_fibres(scene) if equations.terms.flows else 0)
+    return _points(scene, choose_fibres(scene) if terms.flows else 0)
 
 
-def _points(scene: Scene, equations: FilamentEquations, points: int) -> PointRule:
-    if equations.shape.name == "circle":
+def _points(scene: Scene, points: int) -> PointRule:
+    if scene.filament.section == "circle":
         rings = max(1, round(math.sqrt(_RINGS * points)))
         return ring_rule(rings, max(3, math.ceil(points / rings)))
     count = max(2, math.ceil(math.sqrt(points)))
     return warping_rule(count, count, scene.filament.width / scene.filament.thickness)
 
 
-def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
+def choose_rule(scene: Scene, terms: Terms) -> SectionRule:
     """Points through the thickness: two for a linear law, which they follow exactly, more where fibres yield in turn.
 
     ``numerics.order`` asks for amplitudes of polynomials instead of fibres.
     """
-    numerics, shape = scene.numerics, equations.shape
+    numerics, section = scene.numerics, scene.filament.section
     if numerics.order is not None:
-        return order_rule(shape, numerics.order, DEFAULT_PROJECTION)
-    fibres = choose_fibres(scene) if equations.terms.resolved else numerics.fibres or LINEAR_FIBRES
-    return fibre_rule(shape, fibres, halves=equations.terms.resolved and _hinges_carry(scene))
+        return order_rule(section, numerics.order, DEFAULT_PROJECTION)
+    fibres = choose_fibres(scene) if terms.resolved else numerics.fibres or LINEAR_FIBRES
+    return fibre_rule(section, fibres, halves=terms.resolved and _hinges_carry(scene))
 
 
 @dataclass(frozen=True)
@@ -230,7 +231,7 @@ KIRCHHOFF = Theory("filament", None)
 class Recorded:
     """A filament whose program is written down when somebody asks for it."""
 
-    equations: FilamentEquations
+    formulation: Formulation
     grid: Grid
     theory: Theory
     body: Body
@@ -238,10 +239,17 @@ class Recorded:
     @cached_property
     def program(self) -> Program:
         """What its sites compute."""
-        # Imported here: a run whose library is cached does without CasADi.
+        # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
+        from softcat_sym.physics.filament import equations_of
 
-        return build(self.equations, self.theory.model, (self.grid.first, self.grid.last), self.body, self.theory.rule)
+        return build(
+            equations_of(self.formulation),
+            self.theory.model,
+            (self.grid.first, self.grid.last),
+            self.body,
+            self.theory.rule,
+        )
 
 
 def assemble(
@@ -252,27 +260,20 @@ def assemble(
     body: Body | None = None,
 ) -> Graph:
     """Evaluate the filament of one cell's equations on a grid."""
-    recorded = Recorded(equations, grid, theory, body or Body())
-    return graph_of(grid, theory, recorded.body, effects, equations, recorded.program.signature, recorded)
+    recorded = Recorded(equations.formulation, grid, theory, body or Body())
+    return graph_of(recorded, effects, recorded.program.signature)
 
 
-def graph_of(
-    grid: Grid,
-    theory: Theory,
-    body: Body,
-    effects: tuple[str, ...],
-    equations: FilamentEquations,
-    signature: Signature,
-    recorded: Recorded,
-) -> Graph:
+def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:
     """A filament whose sites compute what a signature names."""
+    grid, formulation = recorded.grid, recorded.formulation
     moving, still = (
         Layout([_block(slot, grid) for slot in signature.slots if slot.differential == differential])
         for differential in (True, False)
     )
-    places = places_of(grid, body, equations.shape.area_power)
-    described = effects, equations.terms, equations.conserves_energy
-    return Graph(grid, *described, signature, theory.rule, recorded, places, moving, still)
+    places = places_of(grid, recorded.body, formulation.area_power)
+    described = effects, formulation.terms, formulation.conserves_energy
+    return Graph(grid, *described, signature, recorded.theory.rule, recorded, places, moving, still)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:

@@ -14,9 +14,10 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.held_ends import Held, held
-from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE, Parameter
+from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,
     PLACE,
@@ -158,8 +159,8 @@ class Builder:
 
     def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
-        found, heat = dict(given), self.equations.terms.heat
-        for clock in (one for one in self.equations.terms.clocks if one.state is None):
+        found, heat = dict(given), self.equations.heat
+        for clock in (one for one in self.equations.clocks if one.state is None):
             now = {**found, symbols.t: self.time * self.scale}
             found |= {symbol: printed(value, now) for symbol, value in clock.replaces}
         if heat is not None:

@@ -53,9 +53,9 @@ def build(
 
 def _balanced(b: Builder, of: Mechanics) -> Program:
     """Rates of all unknowns, powers and observables, in units of rest length and time scale."""
-    terms, span, scale = b.equations.terms, b.span, b.scale
+    span, scale = b.span, b.scale
     load = {**b.values, symbols.t: b.time * scale}
-    gravity, gravity_rate = printed(terms.load, load), printed(terms.load_rate, load)
+    gravity, gravity_rate = printed(b.equations.load, load), printed(b.equations.load_rate, load)
     mass = b.place("mass")[0]
     if b.body.weighted:
         mass += b.place("hung")[0] * (b.named[POINT_MASS] / (b.density * span))
@@ -205,7 +205,7 @@ def _powers(
     groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
     groups |= {"energy_softening": softened} if softened else {}
     groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
-    if b.equations.terms.clocks:
+    if b.equations.clocks:
         groups[WORK_OF_AGEING] = [
             Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
             for k, one in enumerate(of.ageing)

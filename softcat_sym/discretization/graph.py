@@ -13,7 +13,7 @@ from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule, shown_of_section
 from softcat_sym.discretization.unknowns import Floats, Layout, Signature
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 
 if TYPE_CHECKING:
     import casadi as ca

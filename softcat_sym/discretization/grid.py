@@ -157,7 +157,7 @@ def towards_middle(scene: Scene, effects: Effects | None = None) -> bool:
 def may_yield(scene: Scene) -> bool:
     """Whether a fibre yields under a load at once, with at most twice the static moment, and what shaking adds."""
     gravity_number = gravity_number_of(scene)
-    bound = float(beam_of(scene).overshoot_bound) + shaken_share(scene)
+    bound = beam_of(scene).overshoot_bound + shaken_share(scene)
     return gravity_number is not None and gravity_number * bound > first_yield_gravity_number(scene)
 
 

@@ -31,7 +31,7 @@ class Heating:
 
 def heating(b: Builder, of: Mechanics) -> Heating:
     """The rate of every node's temperature, and the balance of heat."""
-    heat = b.equations.terms.heat
+    heat = b.equations.heat
     if heat is None:
         return Heating()
     mass, start = b.place("mass")[0], b.values[sy.initial]

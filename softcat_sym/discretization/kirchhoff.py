@@ -137,7 +137,7 @@ def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
 
 def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: Section) -> None:
     """Polymer chains of a section that does not bend: one conformation in every cell."""
-    response, strain = b.equations.response, b.equations.terms.strain.strain
+    response, strain = b.equations.response, b.equations.strain.strain
     slots = [Slot(chain_state(one), "cell", (False, False), True, "", section=False) for one in chains.states]
     taken = {one.taken: b.unknown(slot)[0] for one, slot in zip(chains.states, slots, strict=True)}
     cell = {**b.values, **taken, symbols.s: at.s[0], symbols.h0: b.h_cell}
@@ -175,7 +175,7 @@ def _states(b: Builder, branch: int, *, whole: bool) -> tuple[Neighbours, Neighb
 
 def kirchhoff(b: Builder) -> Mechanics:
     """A filament whose sections stay normal to the centreline."""
-    terms, line = b.equations.terms, b.equations.terms.centreline
+    terms, line = b.equations.terms, b.equations.centreline
     x, y = positions(b, along=terms.stretches)
     u, v, *moved = velocities(b, along=terms.stretches)
     slope = tuple(b.stage(f"slope_{n}", CELLS, (r[1] - r[0]) / b.length[0]) for n, r in (("x", x), ("y", y)))
@@ -235,7 +235,7 @@ def kirchhoff(b: Builder) -> Mechanics:
 
 def small_deflection(b: Builder) -> Mechanics:
     """A filament of small slope: one stretch for the whole, the mean elongation of its cells (2.13)."""
-    line = b.equations.terms.centreline
+    line = b.equations.centreline
     y = positions(b, along=False)[1]
     u, v, *_ = velocities(b, along=False)
     slope = Same(1), b.stage("slope_y", CELLS, (y[1] - y[0]) / b.length[0])
@@ -274,7 +274,7 @@ def small_deflection(b: Builder) -> Mechanics:
 
 def _aged(b: Builder, section: Section, surface: list[Field]) -> list[Field]:
     """What clocks do to stored energies at strains that are held, and to what resists."""
-    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.terms.clocks else []
+    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else []
 
 
 def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:

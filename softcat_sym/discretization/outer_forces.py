@@ -63,7 +63,7 @@ class Outer:
 def outer_forces(b: Builder, of: Mechanics) -> Outer:
     """Forces of all densities; a density of a cell adds its share to the internal forces of the cells."""
     outer = Outer()
-    for stated in b.equations.terms.densities:
+    for stated in b.equations.densities:
         one = stated.level if of.level else stated
         (_of_cells if one.of_a_cell else _of_nodes)(b, of, one, outer)
     return outer
@@ -88,7 +88,7 @@ def _of_nodes(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
 def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> None:
     """Half of it at each node of a cell, with the cell's tangent: a mean velocity would not feel every other node."""
     name, speed, moved, area = densities.label, b.span / b.scale, of.moved or (of.u, of.v), b.named[AREA]
-    densities = densities.of(b.equations.terms.centreline.stretch)
+    densities = densities.of(b.equations.centreline.stretch)
     values = _given(b, b.area_cell, b.h_cell, b.X[0])
     for slope, slope_rate, position, velocity in zip(_TANGENT, _TANGENT_RATES, (of.x, of.y), moved, strict=True):
         values[slope] = (position[1] - position[0]) / b.length[0]
@@ -158,8 +158,8 @@ def _given(b: Builder, area: ca.SX, h: ca.SX, X: ca.SX) -> dict[sp.Symbol, ca.SX
     now = {**b.values, sy.t: b.time * b.scale}
     return {
         **now,
-        sy.g_t: printed(b.equations.terms.load, now),
-        _LOAD_RATE: printed(b.equations.terms.load_rate, now),
+        sy.g_t: printed(b.equations.load, now),
+        _LOAD_RATE: printed(b.equations.load_rate, now),
         sy.A0: b.named[AREA] * area,
         sy.h0: h,
         sy.X: X * b.span,

@@ -1,9 +1,8 @@
-"""The numbers that a filament is given: their names in a scene, their symbols and their values."""
+"""The numbers that a filament is given, by their names in a scene."""
 
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,51 +22,15 @@ from softcat_sym.discretization.supports import (
     turn_name,
 )
 from softcat_sym.effects.free_vibration import solid_viscosity
-from softcat_sym.physics import symbols
-from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.heat import PREFIX
-from softcat_sym.physics.loads import surface_tension
-from softcat_sym.physics.necking import aspect
-from softcat_sym.physics.spatial import natural_twist
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
+from softcat_sym.scene.temperature import PREFIX
 
 REST_LENGTH = "rest_length"
 AREA = "area"
 TIME_SCALE = "time_scale"
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """A numeric input of the graph: its leaf name in the scene, its symbol and its unit."""
-
-    name: str
-    symbol: symbols.Symbol
-    unit: str
-
-
-CATALOGUE: tuple[Parameter, ...] = (
-    Parameter(REST_LENGTH, symbols.L_0, "m"),
-    Parameter("thickness", symbols.h0, "m"),
-    Parameter("density", symbols.rho, "kg/m^3"),
-    Parameter("gravity", symbols.g, "m/s^2"),
-    Parameter("ramp", symbols.g_on, "s"),
-    Parameter("youngs_modulus", symbols.E, "Pa"),
-    Parameter("viscosity", symbols.eta, "Pa*s"),
-    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
-    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
-    Parameter("poisson", nu, "1"),
-    Parameter("curvature", symbols.kappa_0, "1/m"),
-    Parameter("twist", natural_twist, "1/m"),
-    Parameter("aspect", aspect, "1"),
-    Parameter("surface_tension", surface_tension, "N/m"),
-    Parameter("bath_density", symbols.rho_b, "kg/m^3"),
-    Parameter("bath_viscosity", symbols.mu_b, "Pa*s"),
-    Parameter("shake", symbols.a_g, "1"),
-    Parameter("shake_frequency", symbols.f_g, "Hz"),
-)
 
 
 def time_scale(scene: Scene) -> float:

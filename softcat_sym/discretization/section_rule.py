@@ -15,7 +15,6 @@ import numpy as np
 
 from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.physics.sections import Section
 
 _MIN_IN_HALVES = 6
 """Points from which on rules in the two halves are as good as one for what is smooth."""
@@ -74,7 +73,7 @@ class SectionRule:
 
 
 @lru_cache(maxsize=64)
-def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> SectionRule:
+def fibre_rule(section: str, fibres: int, *, halves: bool = False) -> SectionRule:
     """A plastic state for each of `fibres` points of the section's Gauss rule, or of one in either half of it.
 
     Where a section yields in bending its stress jumps in the middle. A rule through the whole thickness gives it a
@@ -87,31 +86,37 @@ def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> Sectio
     return SectionRule(nodes, weights, np.eye(fibres), np.eye(fibres))
 
 
-def order_rule(section: Section, order: int, points: int) -> SectionRule:
+def order_rule(section: str, order: int, points: int) -> SectionRule:
     """Amplitudes of p_0 ... p_order, projected with `points` points (at least order + 1)."""
-    # Imported here: only who asks for amplitudes needs SymPy for a rule.
-    from softcat_sym.discretization.casadi_printer import evaluate
-    from softcat_sym.physics.closures import mean_square, polynomial
-    from softcat_sym.physics.symbols import zeta
-
     nodes, weights = _gauss(section, max(points, order + 1))
-    values = [np.broadcast_to(evaluate(polynomial(section, n), {zeta: nodes}), nodes.shape) for n in range(order + 1)]
-    project = [weights * value / float(mean_square(section, n)) for n, value in enumerate(values)]
-    return SectionRule(nodes, weights, np.array(values).T, np.array(project))
+    values = polynomials(section, nodes, order)
+    # <p_n^2> of Legendre's and of Chebyshev's.
+    squares = [1 / (n + 1) ** 2 if section == "circle" else 1 / (2 * n + 1) for n in range(order + 1)]
+    return SectionRule(nodes, weights, values, weights * values.T / np.array(squares)[:, None])
 
 
-def _gauss(section: Section, points: int) -> tuple[Floats, Floats]:
+def polynomials(section: str, places: Floats, order: int) -> Floats:
+    """p_0 to p_n, orthogonal under the width of the section with p_n(1) = 1 (A 1), shape (places, order + 1)."""
+    if section != "circle":
+        return np.asarray(np.polynomial.legendre.legvander(places, order), dtype=float)
+    found = [np.ones_like(places), 2 * places]
+    while len(found) <= order:
+        found.append(2 * places * found[-1] - found[-2])
+    return np.column_stack([one / (n + 1) for n, one in enumerate(found[: order + 1])])
+
+
+def _gauss(section: str, points: int) -> tuple[Floats, Floats]:
     """Nodes and weights for the width of the section: Legendre's, or Chebyshev's of the second kind for a circle."""
-    if section.name == "circle":
+    if section == "circle":
         angle = np.arange(points, 0, -1) * np.pi / (points + 1)
         return np.cos(angle), 2 / (points + 1) * np.sin(angle) ** 2
     nodes, weights = np.polynomial.legendre.leggauss(points)
     return nodes, weights / 2
 
 
-def _in_halves(section: Section, points: int) -> tuple[Floats, Floats]:
+def _in_halves(section: str, points: int) -> tuple[Floats, Floats]:
     """Nodes and weights of a Gauss rule for the width of the section in the upper half, and their mirror image."""
-    if section.name == "circle":
+    if section == "circle":
         angle, share = np.polynomial.legendre.leggauss(_MOMENT_POINTS)
         angle = (angle + 1) * np.pi / 4
         nodes, weights = _gauss_of_sums(np.cos(angle), share / 2 * np.sin(angle) ** 2, points // 2)

@@ -146,7 +146,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
 
 def _aged(b: Builder, volume: ca.SX, fibres: Fibres, surface: list[Field]) -> list[Field]:
     """What clocks do to the energies; that of the fibres may be a sum, which says nothing of the time."""
-    if not b.equations.terms.clocks:
+    if not b.equations.clocks:
         return []
     of_fibres = b.rate(volume) * fibres.energy + volume * fibres.ageing
     return [Field("fibres_aged", CELLS, of_fibres), *map(b.aged, surface)]
@@ -182,7 +182,7 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     _adopt(b, rule)
     fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
     found = Fibres(profiles=_profiles(rule, resolved))
-    followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.terms.clocks if clock.state]
+    followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.clocks if clock.state]
     for clock in followed:
         clock.set(b, rule, fibres)
     for j, branch in enumerate(resolved.branches):
@@ -220,7 +220,7 @@ def _sum_up(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres)
 
     found.axial, found.axial_zeta, found.shear = mean("axial"), mean("axial", linear=True), mean("shear")
     found.energy, found.dissipation = mean("energy"), mean("dissipation")
-    if b.equations.terms.clocks:
+    if b.equations.clocks:
         found.ageing = mean("ageing")
     if b.thermal:
         found.softening = mean("softening")

@@ -72,7 +72,7 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         For what only a filament in its plane has: half of a symmetric span, clocks, heat, and effects of a bath.
     """
     terms = b.equations.terms
-    if b.half or terms.clocks or terms.hardens or terms.heat is not None or terms.densities or terms.rotary_inertia:
+    if b.half or b.equations.clocks or terms.hardens or terms.heat or b.equations.densities or terms.rotary_inertia:
         raise ValueError("a filament in three dimensions has neither a half span nor clocks, heat or a bath")
     section = spatial.spatial_section(b.equations.shape, b.equations.law, natural=terms.curved)
     places, speeds, moved, turn, spin = _unknowns(b)
@@ -402,9 +402,9 @@ class _Body:
     double_force: Neighbours | None
 
     def __post_init__(self) -> None:
-        b, terms = self.b, self.b.equations.terms
+        b = self.b
         load = {**b.values, symbols.t: b.time * b.scale}
-        self.gravity, self.gravity_rate = printed(terms.load, load), printed(terms.load_rate, load)
+        self.gravity, self.gravity_rate = printed(b.equations.load, load), printed(b.equations.load_rate, load)
         self.direction = b.supports.direction
         self.mass = b.place("mass")[0]
         self.unit = b.scale**2 / b.span

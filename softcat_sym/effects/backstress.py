@@ -7,20 +7,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
 
 
 def _applies(scene: Scene) -> bool:
     given = scene.material.hardening_modulus is not None
     return scene.model == "filament" and scene.run.closure == "material" and given
-
-
-def _adapted(scene: Scene, terms: Terms) -> Terms:
-    del scene
-    return replace(terms, hardens=True)
 
 
 def _hardened(scene: Scene, strain: float) -> float:
@@ -42,7 +37,7 @@ BACKSTRESS = Effect(
     name="backstress",
     summary="kinematic hardening with dynamic recovery, fibre by fibre: flow is driven by the stress less C A",
     source="Armstrong & Frederick 1966; Dimitriou & McKinley 2014",
-    adapt=_adapted,
+    contribute=partial(replace, hardens=True),
     applies=_applies,
     without_it=f"the scene has no material.hardening_modulus, asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,

@@ -6,22 +6,11 @@ The hydrostatic pressure drops out of the section: what the law gives is the eff
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.errors import Fault
-from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.laws import Constant
-from softcat_sym.physics.symbols import A0, g_t, rho_b, y
 from softcat_sym.scene.scene import Scene
-
-# Its mass counts for the weight only, not for the inertia; a point mass keeps its own weight.
-BUOYANT = Densities("buoyancy", stored=-rho_b * A0 * g_t * y, constants=(Constant("bath_density", rho_b),))
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, densities=(*terms.densities, BUOYANT))
-
 
 _MAX_DENSITY = 22_600.0
 """That of osmium [kg/m^3]: what is beyond is a slip in the unit."""
@@ -50,7 +39,7 @@ BUOYANCY = Effect(
     name="buoyancy",
     summary="weight less that of what the filament displaces, g (1 - rho_b/rho)",
     source="Archimedes",
-    contribute=_contribute,
+    contribute=partial(replace, buoyant=True),
     applies=_applies,
     without_it="surroundings.density is zero",
     estimate=_estimate,

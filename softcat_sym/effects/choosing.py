@@ -5,8 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
-
-import sympy as sp
+from functools import cached_property
 
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
@@ -22,7 +21,7 @@ from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
@@ -62,9 +61,9 @@ def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
     """A scene may not leave out what it cannot do without: one fault a reason."""
-    left_out: dict[str, list[str]] = {}
+    left_out, names = dict[str, list[str]](), {effect.name for effect in chosen}
     for effect in REGISTRY:
-        if effect not in chosen and effect.applies(scene) and (why := effect.indispensable(scene)):
+        if effect.name not in names and effect.applies(scene) and (why := effect.indispensable(scene)):
             left_out.setdefault(why, []).append(effect.name)
     if left_out:
         named = ((why, _joined(names)) for why, names in left_out.items())
@@ -194,7 +193,7 @@ class Decision:
         return f"{self.reason} ({self.estimate})" if self.reason else f"worth {self.estimate}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Effects:
     """The physics of one run."""
 
@@ -228,6 +227,10 @@ class Effects:
 
     def terms(self) -> Terms:
         """The terms that these effects pick."""
+        return self._terms
+
+    @cached_property
+    def _terms(self) -> Terms:
         terms = self.bare
         for effect in self.in_force:
             terms = effect.added_to(terms, self.scene)
@@ -235,18 +238,18 @@ class Effects:
 
     def at_rest(self) -> Terms:
         """The terms of the same filament at rest under its whole weight: nothing that depends on a rate."""
-        bare = Terms()
+        found = self.terms()
         return replace(
-            self.terms(),
+            found,
             inertia=False,
             rotary_inertia=False,
             viscous=False,
             damped=False,
-            gravity=bare.gravity,
-            gravity_rate=bare.gravity_rate,
-            shaking=bare.shaking,
-            shaking_rate=bare.shaking_rate,
-            densities=tuple(replace(one, dissipation=sp.S.Zero, kinetic=sp.S.Zero) for one in self.terms().densities),
+            ramped=False,
+            shaken=False,
+            drag="",
+            added_mass=False,
+            densities=tuple(one.at_rest for one in found.densities),
         )
 
 
@@ -258,13 +261,14 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     """
     refuse_law(scene)
     refuse_tables(scene)
-    reasons = _reasons(scene, shown or {})
+    estimates = _estimates(scene)
+    reasons = _reasons(scene, estimates, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
     refuse_chains(scene, chosen)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
     refuse_unsound(scene, chosen)
-    decisions = tuple(_decision(effect, scene, reasons) for effect in REGISTRY)
+    decisions = tuple(_decision(effect, scene, estimates.get(effect.name), reasons) for effect in REGISTRY)
     return Effects(decisions, bare(scene), scene)
 
 
@@ -274,15 +278,22 @@ def bare(scene: Scene) -> Terms:
     return Terms(law=law_in(scene), curved=is_curved(scene), stretches=stretches)
 
 
-def estimated(effect: Effect, scene: Scene) -> Estimate:
-    """How much an effect should matter; of a material that changes the most of its beginning, middle and end."""
-    return max((effect.estimate(one, forecast(one)) for one in scene.stages()), key=lambda estimate: estimate.value)
+def _estimates(scene: Scene) -> dict[str, Estimate]:
+    """How much each effect that applies should matter, by its name.
+
+    Of a material that changes the most of its beginning, middle and end.
+    """
+    stages = [(one, forecast(one)) for one in scene.stages()]
+    return {
+        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda estimate: estimate.value)
+        for effect in REGISTRY
+        if effect.applies(scene)
+    }
 
 
-def _decision(effect: Effect, scene: Scene, reasons: Mapping[str, str]) -> Decision:
-    if not effect.applies(scene):
+def _decision(effect: Effect, scene: Scene, estimate: Estimate | None, reasons: Mapping[str, str]) -> Decision:
+    if estimate is None:
         return Decision(effect, False, None, f"cannot be had: {why_not(effect, scene)}")
-    estimate = estimated(effect, scene)
     if effect.name in reasons:
         return Decision(effect, True, estimate, reasons[effect.name])
     return Decision(effect, False, estimate, _why_not(effect, scene, estimate))
@@ -299,7 +310,7 @@ def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
     return effect.saved(scene)
 
 
-def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
+def _reasons(scene: Scene, estimates: Mapping[str, Estimate], shown: Mapping[str, str]) -> dict[str, str]:
     """Why each effect in force is; what is not in force is not among the keys."""
     asked = scene.run.effects
     if not isinstance(asked, str):
@@ -311,26 +322,26 @@ def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
         reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
         if asked == "auto" and scene.run.closure != "printed":
             # The small-deflection model takes the pull of the surface as one more tension.
-            reasons |= _called_for(scene, (SURFACE_TENSION,))
+            reasons |= _called_for(scene, estimates, (SURFACE_TENSION,))
         reasons |= {e.name: why for e in (GRAVITY_SHAKING,) if e.applies(scene) and (why := e.indispensable(scene))}
         return _implied(scene, reasons) | reasons
-    return _completed(scene, _called_for(scene) | dict(shown) | _implied(scene, ()))
+    return _completed(scene, _called_for(scene, estimates) | dict(shown) | _implied(scene, ()))
 
 
 def _is_published(scene: Scene) -> bool:
     return scene.run.effects == "paper" or scene.run.closure == "printed" or scene.model == "small-deflection"
 
 
-def _called_for(scene: Scene, among: Iterable[Effect] = REGISTRY) -> dict[str, str]:
+def _called_for(scene: Scene, estimates: Mapping[str, Estimate], among: Iterable[Effect] = REGISTRY) -> dict[str, str]:
     """What ``auto`` takes in: what the scene cannot do without, and what its estimate calls for."""
     reasons = {}
     for effect in among:
-        if not effect.applies(scene):
+        if effect.name not in estimates:
             continue
         needed = effect.indispensable(scene)
         if needed:
             reasons[effect.name] = needed
-        elif not effect.saved(scene) and estimated(effect, scene).value > SHARE * scene.run.accuracy:
+        elif not effect.saved(scene) and estimates[effect.name].value > SHARE * scene.run.accuracy:
             reasons[effect.name] = BY_ESTIMATE
     return reasons
 

@@ -10,40 +10,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.law import law_in
 from softcat_sym.effects.quasi_static import followed_sag
-from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.clocks import Clock
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.histories import varying
-from softcat_sym.physics.laws import Constant, growth_of
+from softcat_sym.physics.terms import Course, Terms
 from softcat_sym.scene.scene import Scene
-
-_SHARED = (Constant("youngs_modulus", sy.E), Constant("viscosity", sy.eta), Constant("yield_stress", sy.sigma_Y))
-"""Constants that several laws have; a law with others of these names has them among its own."""
-
-
-def clock_of(scene: Scene) -> Clock:
-    """What the histories of a scene's material are in symbols."""
-    law, replaces, constants, grows = law_in(scene), list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
-    symbols = {one.name: one.symbol for one in (*_SHARED, *law.constants)}
-    moduli = {branch.modulus for branch in law.branches}
-    for name, history in scene.material.histories().items():
-        symbol, found = symbols[name], varying(history, name)
-        replaces.append((symbol, found.value))
-        constants += found.constants
-        if symbol in moduli:
-            growth = growth_of(symbol)
-            replaces.append((growth, sp.Max(found.rate, 0) / found.value))
-            grows.append((symbol, growth))
-    return Clock("curing", tuple(replaces), tuple(constants), tuple(grows))
 
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    return replace(terms, clocks=(*terms.clocks, clock_of(scene)))
+    return replace(terms, curing=tuple(Course.of(*one) for one in scene.material.histories().items()))
 
 
 def _applies(scene: Scene) -> bool:

@@ -1,7 +1,6 @@
 """Drag: what surrounds the filament resists its motion, as a slender body or, of a bath with inertia, in cross-flow.
 
-Both laws derive from a Rayleigh potential of the velocity along and across the tangent, so that their loss is exact in
-the energy audit. The second holds the first as its limit: no speed has to be foreseen, and a fit may move across it.
+The second holds the first as its limit: no speed has to be foreseen, and a fit may move across it.
 """
 
 from __future__ import annotations
@@ -9,39 +8,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-import sympy as sp
-
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.scaling_estimates import weight_stress
-from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.laws import Constant
-from softcat_sym.physics.necking import aspect
-from softcat_sym.physics.symbols import L_0, h0, mu_b, rho_b, s, x_t, x_X, y_t, y_X
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
-
-# Of a body of half the mean of thickness and width as radius; of an ellipse that is exact.
-_slenderness = sp.log(8 * L_0 / (h0 * (1 + aspect)))
-across = 4 * sp.pi * mu_b / (_slenderness - sp.Rational(1, 2))
-along = 2 * sp.pi * mu_b / (_slenderness - sp.Rational(3, 2))
-"""Force per length and velocity across and along a slender body (Cox 1970, Batchelor 1970)."""
-
-_v_t = (x_X * x_t + y_X * y_t) / s
-_v_n = (x_X * y_t - y_X * x_t) / s
-_d = h0 * (1 + aspect) / 2 / sp.sqrt(s)
-
-SLENDER = s * (along * _v_t**2 + across * _v_n**2) / 2
-
-_inertial = sp.Abs(_v_n) ** 3 / 3
-_slow = across**3 / (125 * rho_b * _d * mu_b**2)  # Speed below which the slender body's force is the larger one
-_viscous = sp.Rational(30, 7) * (mu_b / (rho_b * _d)) ** sp.Rational(2, 3) * (_v_n**2 + _slow**2) ** sp.Rational(7, 6)
-CROSS_FLOW = s * (along * _v_t**2 + rho_b * _d * (_inertial + _viscous)) / 2
-"""Potential of (1/2) rho_b C_d d |v_n| v_n with C_d = 1 + 10 Re^(-2/3) (White 1991), and of a slender body along.
-
-Of a Reynolds number near 0.1 it passes into the slender body across too: Re^(-2/3) alone would have no slope at rest.
-"""
-
-_BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
 
 _FASTEST = 2e5
 """Reynolds number up to which White's law holds."""
@@ -58,8 +28,7 @@ def _diameter(scene: Scene) -> float:
 
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    law = CROSS_FLOW if scene.surroundings.density > 0 else SLENDER
-    return replace(terms, densities=(*terms.densities, Densities("drag", dissipation=law, constants=_BATH)))
+    return replace(terms, drag="cross-flow" if scene.surroundings.density > 0 else "slender")
 
 
 def _applies(scene: Scene) -> bool:

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-
-import sympy as sp
+from typing import TYPE_CHECKING
 
 from softcat_sym.errors import Fault
-from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import to_si_of_any
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from softcat_sym.physics.densities import Densities
+
+# SymPy is imported where densities are asked for: no effect of the package has any, and no run loads it for these.
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +143,8 @@ class EffectConstant:
     @property
     def symbol(self) -> sp.Symbol:
         """What stands for it in the densities of its effect."""
+        from softcat_sym.physics import symbols as sy
+
         kilogram, metre, second = (round(power) for power in self.dimension)
         return sy.enter(self.symbol_name, self.symbol_name, (kilogram, metre, second), self.meaning, "[effects]")
 
@@ -212,9 +217,9 @@ class Effect:
     observable: str = ""
     contribute: Callable[[Terms], Terms] | None = None
     adapt: Callable[[Scene, Terms], Terms] | None = None
-    stored: sp.Expr = sp.S.Zero
-    dissipation: sp.Expr = sp.S.Zero
-    kinetic: sp.Expr = sp.S.Zero
+    stored: sp.Expr | float = 0
+    dissipation: sp.Expr | float = 0
+    kinetic: sp.Expr | float = 0
     constants: tuple[EffectConstant, ...] = ()
     applies: Callable[[Scene], bool] = never
     without_it: str = ""
@@ -234,6 +239,11 @@ class Effect:
     @property
     def densities(self) -> Densities:
         """Its own densities, with the numbers that a run is given for its constants."""
+        import sympy as sp
+
+        from softcat_sym.physics.densities import Densities
+        from softcat_sym.physics.laws import Constant
+
         given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
         stored, dissipation, kinetic = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))
         return Densities(self.name, stored, dissipation, kinetic, given)

@@ -7,16 +7,13 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
-import sympy as sp
-
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor
-from softcat_sym.physics import regimes
-from softcat_sym.physics.reissner import SHEAR_CORRECTION
-from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics import beams
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import (
     Scene,
@@ -43,14 +40,6 @@ sigma_Y/eta at the end, of which :func:`hinge_pace` predicts 0.39: the limit is 
 
 HANGING = 1.0
 """G above which a filament with a free end never stops: hung up vertically, it carries rho g L at its end."""
-
-# First natural frequency of a uniform beam, (b L)^2 of omega = (b L)^2 sqrt(EI/(rho A L^4)).
-_FIRST_MODE = {
-    regimes.CLAMPED: 4.730041**2,
-    regimes.PROPPED: 3.926602**2,
-    regimes.PINNED: math.pi**2,
-    regimes.CANTILEVER: 1.875104**2,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,8 +96,7 @@ def worst_gravity_number(scene: Scene) -> float | None:
     plain = scales.gravity_number_of(scene)
     if plain is None:
         return None
-    filament = scene.filament
-    areas = [part ** SECTIONS[filament.section].area_power for part in filament.profile] or [1.0]
+    areas = [part ** scales.section_of(scene).area_power for part in scene.filament.profile] or [1.0]
     mean = sum(areas) / len(areas)
     return plain * (mean + load_factor(scene) - 1) / min(areas)
 
@@ -116,7 +104,7 @@ def worst_gravity_number(scene: Scene) -> float | None:
 def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
     """G from which a fibre yields: static (3.11) over what weight and shaking overshoot by, less what is stressed."""
     ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
-    overshot = 1 + (float(scales.beam_of(scene).overshoot_bound) - 1) * ringing + shaken_share(scene)
+    overshot = 1 + (scales.beam_of(scene).overshoot_bound - 1) * ringing + shaken_share(scene)
     limit, modulus, initial = scales.yield_stress_of(scene) or 0.0, scales.instant_modulus(scene) or 0.0, scene.initial
     there = max(map(abs, initial_strain(scene)), default=0.0) + max(map(abs, initial.C), default=0.0)
     there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
@@ -129,17 +117,19 @@ def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
 
 def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: float) -> ExpectedRegime:
     held = is_held(scene)
-    collapse = regimes.plastic_collapse(SECTIONS[scene.filament.section], scales.beam_of(scene))
-    paper, exact = (float(regimes.ARREST_THRESHOLD), _exact_threshold()) if held else (HANGING, HANGING)
+    collapse = beams.plastic_collapse(scales.section_of(scene), scales.beam_of(scene), groups_of(scene).delta)
+    paper, exact = (beams.ARREST_THRESHOLD, beams.ARREST_THRESHOLD_EXACT) if held else (HANGING, HANGING)
     found = functools.partial(
         ExpectedRegime,
         gravity_number=gravity_number,
         first_yield=first_yield_under_load(scene, effects),
-        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)) * scales.share_of_yield(scene),
+        collapse=collapse * scales.share_of_yield(scene),
         arrest_paper=paper,
         arrest_exact=exact,
-        stopping_depth_paper=_depth_paper(gravity_number) if held and 0 < gravity_number < paper else None,
-        stopping_depth_exact=_depth_exact(gravity_number) if held and 0 < gravity_number < exact else None,
+        stopping_depth_paper=beams.stopping_depth(gravity_number) if held and 0 < gravity_number < paper else None,
+        stopping_depth_exact=beams.stopping_depth_exact(gravity_number)
+        if held and 0 < gravity_number < exact
+        else None,
     )
     blank = found("no-yield", "")
     limit, pull = scales.yield_stress_of(scene) or 0.0, scales.pull_of_surface(scene)
@@ -228,23 +218,21 @@ def _ramp(scene: Scene, effects: Collection[str]) -> float:
 def _first_frequency(scene: Scene) -> float:
     """First natural frequency of the elastic beam, lowered by shear as its sag is raised, in sqrt(g/L)."""
     modulus, weight = scales.instant_modulus(scene) or 0.0, scales.weight_stress(scene)
-    gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
+    gyration = scales.section_of(scene).gyration
     speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
-    return _FIRST_MODE[scales.beam_of(scene)] * speed / math.sqrt(1 + _shear_sag(scene))
+    return scales.beam_of(scene).frequency * speed / math.sqrt(1 + _shear_sag(scene))
 
 
 def _shear_sag(scene: Scene) -> float:
     """Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam."""
-    shape = SECTIONS[scene.filament.section]
-    stiffness = 8 * float(SHEAR_CORRECTION[scene.filament.section]) / (2 * (1 + scene.material.poisson))
-    slender = float(regimes.gyration(shape) / scales.beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
-    return slender / stiffness
+    stiffness = 8 * scales.section_of(scene).shear_correction / (2 * (1 + scene.material.poisson))
+    return scales.bending_stiffness(scene) / stiffness
 
 
 def _static_first_yield(scene: Scene) -> float:
     """First yield under a slow load: between clamps with the tension of its sag, otherwise of the linear beam."""
     linear, strain = scales.first_yield_gravity_number(scene), groups_of(scene).eps_Y
-    if scales.beam_of(scene) != regimes.CLAMPED or not strain:
+    if scales.beam_of(scene) is not beams.CLAMPED or not strain:
         return linear
     stretched = _stretched_first_yield(scene.filament.section, groups_of(scene).delta, strain)
     return max(linear, stretched * scales.share_of_yield(scene))
@@ -252,30 +240,16 @@ def _static_first_yield(scene: Scene) -> float:
 
 @functools.cache
 def _stretched_first_yield(section: str, slenderness: float, yield_strain: float) -> float:
-    """G of :func:`regimes.first_yield_stretched` at a yield strain, by bisection in the logarithm of psi."""
-    curve = regimes.first_yield_stretched(SECTIONS[section])
-    strain, gravity_number = (
-        sp.lambdify(regimes.psi_T, side.subs(regimes.delta, slenderness), "math")
-        for side in (curve.yield_strain, curve.gravity_number)
-    )
+    """G of :func:`beams.stretched_first_yield` at a yield strain, by bisection in the logarithm of psi."""
+
+    def at(logarithm: float) -> tuple[float, float]:
+        gyration = CROSS_SECTIONS[section].gyration
+        return beams.stretched_first_yield(math.exp(logarithm), gyration, slenderness)
+
     low, high = math.log(0.05), math.log(300.0)
-    if yield_strain <= strain(math.exp(low)):
+    if yield_strain <= at(low)[0]:
         return 0.0
     for _ in range(60):
         middle = (low + high) / 2
-        low, high = (low, middle) if strain(math.exp(middle)) > yield_strain else (middle, high)
-    return float(gravity_number(math.exp(low)))
-
-
-@functools.cache
-def _exact_threshold() -> float:
-    return float(regimes.arrest_threshold_exact())
-
-
-def _depth_paper(gravity_number: float) -> float:
-    return float(regimes.STOPPING_DEPTH.right.subs(regimes.G, gravity_number))
-
-
-@functools.cache
-def _depth_exact(gravity_number: float) -> float:
-    return float(regimes.stopping_depth_exact(gravity_number))
+        low, high = (low, middle) if at(middle)[0] > yield_strain else (middle, high)
+    return at(low)[1]

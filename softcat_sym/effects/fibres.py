@@ -8,9 +8,8 @@ from functools import partial
 from softcat_sym.effects.bending import bending_share
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.law import flow_nonlinearity
+from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.physics.symbols import c
 from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene
 
@@ -21,8 +20,8 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # A linear profile carries M_Y at the most, M_p = M_Y <|zeta|>/<zeta^2> is what fibres that yield in turn can carry.
-    shape = SECTIONS[scene.filament.section]
-    reserve = float(2 * shape.overstress_mean.subs(c, 0) / shape.zeta_squared) - 1
+    section = section_of(scene)
+    reserve = section.mean_lever / section.zeta_squared - 1
     nonlinear = flow_nonlinearity(scene, motion.flowing_overstress)
     share = reserve * bending_share(scene, motion) * motion.relaxed * nonlinear
     meaning = "what fibres that yield one after another carry beyond a linear profile"

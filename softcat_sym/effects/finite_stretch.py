@@ -6,14 +6,13 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
-from softcat_sym.physics.kinematics import TRUE_STRAIN
 from softcat_sym.scene.dimensions import needed_in_space
 
 FINITE_STRETCH = Effect(
     name="finite-stretch",
     summary="true strain log s instead of s - 1",
     source="2.6",
-    contribute=partial(replace, strain=TRUE_STRAIN),
+    contribute=partial(replace, finite=True),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=OfMotion(

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.scaling_estimates import instant_modulus, surface_stress, yield_stress_of
-from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.section_response import PLANE_STRAIN, stiffness
-from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.effects.scaling_estimates import instant_modulus, section_of, surface_stress, yield_stress_of
+from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.scene import Scene, surface_stretch
 
 
@@ -20,10 +16,10 @@ def initial_strain(scene: Scene) -> tuple[float, ...]:
     limit, modulus = yield_stress_of(scene), instant_modulus(scene)
     if scene.initial.surface == "fresh" or is_solid(scene) or limit is None or modulus is None:
         return scene.initial.P
-    filament, shape = scene.filament, SECTIONS[scene.filament.section]
-    limit /= float(PLANE_STRAIN) if shape.plane_strain else 1.0
-    stiff = float(stiffness(shape, sp.Float(modulus)).subs(nu, scene.material.poisson))
-    pulls = [surface_stress(scene, relative) for relative in filament.profile or (1.0,)]
+    section = section_of(scene)
+    limit /= PLANE_STRAIN if section.plane_strain else 1.0
+    stiff = section.stiffness(modulus, scene.material.poisson)
+    pulls = [surface_stress(scene, relative) for relative in scene.filament.profile or (1.0,)]
     return tuple(min(pull, limit) / stiff for pull in pulls)
 
 

@@ -13,9 +13,7 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.effects.law import is_solid
-from softcat_sym.physics import regimes
-from softcat_sym.physics.reissner import SHEAR_CORRECTION
-from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, is_slack, rest_length, undeformed_area
 
@@ -28,14 +26,15 @@ def shaken_share(scene: Scene) -> float:
     besides the decay that resonance has the time of the run to build up, by one static deflection in 2/omega. What
     flows has nothing to spring back: r = 0.
     """
-    return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene)
+    return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene) if scene.load.shake > 0 else 0.0
 
 
 def steady_gain(scene: Scene) -> float:
     """Amplitude of the forced vibration over that of a filament in balance at every instant."""
-    ratio, rings = _ratio(scene), ringing(scene)
+    ratio = _ratio(scene)
     if ratio == 0:
         return 1.0
+    rings = ringing(scene)
     damping = rings.decay / rings.frequency + 1 / (rings.frequency * scene.run.duration)
     return 1 / math.hypot(1 - ratio**2, 2 * damping * ratio)
 
@@ -73,7 +72,7 @@ def ringing_share(frequency: float, ramp: float) -> float:
     number = frequency * ramp
     if number < 1e-2:
         return 1.0
-    return abs(float(regimes.ramp_gain().subs(regimes.k_on, number)))
+    return abs(float(ramp_gain(number)))
 
 
 def overshoot(gravity_number: float, viscous: float, ramp: float) -> float:
@@ -172,16 +171,13 @@ _HINGES = 0.7
 _BENT_ENDS = 5.0
 """Of a string in clamps: its bent ends, about h0/(6 H) long, are stiffened by less where they shear."""
 
-_SHEAR_SAG = {regimes.CLAMPED: 1 / 8, regimes.PROPPED: 1 / 8, regimes.PINNED: 1 / 8, regimes.CANTILEVER: 3 / 8}
-"""Midspan sag by shear alone over q L^2/(kappa mu A)."""
-
 
 def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
     """Change of the sag by shear, of it."""
     delta, beam = groups_of(scene).delta, scales.beam_of(scene)
-    shape, correction = SECTIONS[scene.filament.section], float(SHEAR_CORRECTION[scene.filament.section])
-    compliance = float(regimes.gyration(shape)) * 2 * (1 + scene.material.poisson) / correction * delta**2
-    bent = _SHEAR_SAG[beam] / float(beam.midspan_sag) * compliance * (1 - tension_share)
+    section = scales.section_of(scene)
+    compliance = section.gyration * 2 * (1 + scene.material.poisson) / section.shear_correction * delta**2
+    bent = beam.shear_sag / beam.midspan_sag * compliance * (1 - tension_share)
     clamped = "clamped" in (scene.ends.left, scene.ends.right)
     ends = _BENT_ENDS * delta * sag * tension_share if clamped else 0.0
     hinges = _HINGES * delta if clamped and scales.yield_stress_of(scene) is not None else 0.0
@@ -203,7 +199,7 @@ def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: np
     modulus = scales.instant_modulus(scene)
     if modulus is None:
         return 0.0
-    correction = float(SHEAR_CORRECTION[scene.filament.section])
+    correction = scales.section_of(scene).shear_correction
     stiffness = correction * modulus / (2 * (1 + scene.material.poisson)) * undeformed_area(scene)
     half = len(length) // 2
     return float(np.max(np.abs(shear_force[:, :half] @ length[:half]))) / stiffness / scene.filament.span

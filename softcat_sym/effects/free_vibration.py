@@ -20,9 +20,8 @@ from softcat_sym.effects.quasi_static import (
     solvent_lag,
     start_sag,
 )
-from softcat_sym.physics import regimes
-from softcat_sym.physics.section_response import PLANE_STRAIN
-from softcat_sym.physics.sections import SECTIONS, Section
+from softcat_sym.physics.beams import ARREST_THRESHOLD
+from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import (
     Scene,
@@ -124,9 +123,8 @@ def damping_note(scene: Scene) -> str:
 
 def _fibre_ratio(scene: Scene) -> float:
     """E over eta of a fibre, of those of the material: 1, but where the width is held (THEORY 3)."""
-    if not SECTIONS[scene.filament.section].plane_strain:
-        return 1.0
-    return float(PLANE_STRAIN**2) / (1 - scene.material.poisson**2)
+    section = scales.section_of(scene)
+    return section.stiffness(PLANE_STRAIN**2, scene.material.poisson) if section.plane_strain else 1.0
 
 
 @dataclass(frozen=True)
@@ -175,12 +173,12 @@ def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
 
 
 def _strand(scene: Scene, modulus: float) -> _Strand:
-    section, length = SECTIONS[scene.filament.section], distance(scene)
+    section, length = scales.section_of(scene), distance(scene)
     # What has a shape is longer than the distance, and not pressed together by it.
     drawn = 1.0 if has_shape(scene) else length / rest_length(scene)
     # A drawn strand is thinner: A0/s, I0/s^2.
-    area, stiff = undeformed_area(scene) / drawn, modulus / _held_width(section, scene.material.poisson)
-    gyration = float(regimes.gyration(section)) * scene.filament.thickness**2 / drawn
+    area, stiff = undeformed_area(scene) / drawn, section.stiffness(modulus, scene.material.poisson)
+    gyration = section.gyration * scene.filament.thickness**2 / drawn
     places = (np.arange(_ELEMENTS) + 0.5) / _ELEMENTS
     values = scene.filament.profile or (1.0,)
     relative = np.interp(places, np.linspace(0, 1, len(values)), values)
@@ -210,10 +208,6 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
         strain=math.log(length / relaxed) if held else 0.0,
         length=length,
     )
-
-
-def _held_width(section: Section, poisson: float) -> float:
-    return 1 - poisson**2 if section.plane_strain else 1.0
 
 
 def _free_places(kinds: tuple[str, str], size: int) -> list[int]:
@@ -322,7 +316,7 @@ def _decay(scene: Scene, frequency: float) -> float:
         scales.instant_modulus(scene),
         scales.gravity_number_of(scene),
     )
-    held = gravity_number is not None and gravity_number < float(regimes.ARREST_THRESHOLD)
+    held = gravity_number is not None and gravity_number < ARREST_THRESHOLD
     # What is held rings on, unless all of a section has flowed so slowly that it comes to rest without a swing; as long
     # as a part of it stays elastic, that rings.
     creeps = (scales.viscous_number(scene) or 0.0) > _OVERDAMPED and scales.yields_throughout(scene)

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.forecast import shaken_share
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.loads import shaking, shaking_rate
 from softcat_sym.scene.scene import Scene
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, shaking=shaking(), shaking_rate=shaking_rate())
 
 
 def _applies(scene: Scene) -> bool:
@@ -34,7 +29,7 @@ GRAVITY_SHAKING = Effect(
     name="gravity-shaking",
     summary="g(t) oscillates about its steady value",
     source="Rayleigh 1877",
-    contribute=_contribute,
+    contribute=partial(replace, shaken=True),
     applies=_applies,
     without_it="load.shake is zero: gravity is steady",
     estimate=_estimate,

@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
-from softcat_sym.physics.kinematics import LARGE_ROTATION as EXACT
 from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene, is_held
 
@@ -33,7 +32,7 @@ LARGE_ROTATION = Effect(
     name="large-rotation",
     summary="exact stretch and angle of the centreline",
     source="2.5",
-    contribute=partial(replace, centreline=EXACT),
+    contribute=partial(replace, large_rotation=True),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,

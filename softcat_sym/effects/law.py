@@ -1,21 +1,21 @@
-"""The constitutive law of a scene, as equations."""
+"""The constitutive law of a scene, and what it is like."""
 
 from __future__ import annotations
 
-from softcat_sym.physics.laws import Law, law_of
+from softcat_sym.physics.terms import Rheology
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 
 
-def law_in(scene: Scene) -> Law:
+def law_in(scene: Scene) -> Rheology:
     """The law that the scene names, with its modes or its own flow rule."""
-    material = scene.material
-    return law_of(
+    material, own = scene.material, scene.material.law == "custom"
+    return Rheology(
         material.law,
         modes=len(material.modes),
-        formula=material.formula,
-        yields=material.threshold > 0,
-        solvent=bool(material.solvent_viscosity),
+        flow=material.flow,
+        threshold=own and material.threshold > 0,
+        solvent=not material.has_chains or bool(material.solvent_viscosity),
     )
 
 

@@ -19,7 +19,7 @@ from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene
 
 Names = tuple[str, ...]

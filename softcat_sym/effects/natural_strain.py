@@ -8,37 +8,15 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-import sympy as sp
-
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
-from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.clocks import Clock
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.histories import varying
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.terms import Course, Terms
 from softcat_sym.scene.history import extremes_of
 from softcat_sym.scene.scene import Scene, groups_of, is_held
 
-# Of the strain at the top less that at the bottom the top has half, beyond the mean.
-_STRAINS = (("natural_strain", sy.n_0, sy.n_0_t, 1), ("natural_strain_difference", sy.n_1, sy.n_1_t, sp.Rational(1, 2)))
-
-
-def _clock(scene: Scene) -> Clock:
-    histories = scene.material.natural_strains()
-    replaces, constants = list[tuple[sp.Symbol, sp.Expr]](), list[Constant]()
-    for name, strain, rate, share in _STRAINS:
-        if name in histories:
-            found = varying(histories[name], name)
-            replaces += [(strain, share * found.value), (rate, share * found.rate)]
-            constants += found.constants
-        else:
-            replaces += [(strain, sp.S.Zero), (rate, sp.S.Zero)]
-    return Clock("natural-strain", tuple(replaces), tuple(constants))
-
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    return replace(terms, clocks=(*terms.clocks, _clock(scene)), shrinks=True)
+    return replace(terms, natural_strain=tuple(Course.of(*one) for one in scene.material.natural_strains().items()))
 
 
 def _applies(scene: Scene) -> bool:

@@ -6,9 +6,8 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
+from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.physics import regimes
-from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene, groups_of
 
@@ -23,8 +22,7 @@ at first it may be more."""
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # It slows the first mode by half of what turning adds to its kinetic energy.
-    gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
-    slower = _SLOPE / 2 * gyration * groups_of(scene).delta ** 2
+    slower = _SLOPE / 2 * section_of(scene).gyration * groups_of(scene).delta ** 2
     share = min(1.0, slower * (_SHAPE if motion.rings_on else motion.missed + motion.swings))
     return Estimate(share, "how much slower it swings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency, as far as it swings")
 

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 from softcat_sym.effects.law import has_chains, is_solid
-from softcat_sym.physics import regimes
-from softcat_sym.physics.loads import SURFACES, surface_tension
-from softcat_sym.physics.necking import NECKS, aspect
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.physics.symbols import h0
+from softcat_sym.physics.beams import Beam, beam_between, first_yield
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held
 
 _THROUGHOUT = 2.0
@@ -43,14 +39,8 @@ def surface_stress(scene: Scene, relative: float = 1.0) -> float:
 
     Where a profile has this relative thickness.
     """
-    filament, thickness = scene.filament, scene.filament.thickness * relative
-    per_tension = _surface_stress(filament.section, thickness, filament.width / thickness)
-    return scene.surroundings.surface_tension * per_tension
-
-
-@lru_cache(maxsize=256)
-def _surface_stress(section: str, thickness: float, ratio: float) -> float:
-    return float(SURFACES[section].pressure.subs({surface_tension: 1, h0: thickness, aspect: ratio}))
+    pull = section_of(scene).pull(scene.filament.thickness * relative, scene.filament.width)
+    return scene.surroundings.surface_tension * pull
 
 
 def pull_of_surface(scene: Scene) -> float:
@@ -77,20 +67,14 @@ def moment_left_by_surface(scene: Scene) -> float:
     modulus, pull = instant_modulus(scene), pull_of_surface(scene)
     if not modulus or not pull or not is_held(scene):
         return 1.0
-    gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
-    psi = math.sqrt(pull / (4 * modulus * gyration)) / groups_of(scene).delta
-    return _relief(beam_of(scene), psi)
+    psi = math.sqrt(pull / (4 * modulus * section_of(scene).gyration)) / groups_of(scene).delta
+    left = float(beam_of(scene).relief(min(psi, _STRONG))) if psi > _WEAK else 1.0
+    # A string between clamps: as 3/psi; between pins as 2/psi^2, which is small anyway.
+    return left * min(1.0, _STRONG / psi)
 
 
 _WEAK, _STRONG = 1e-3, 300.0
 """Below the former psi nothing is left to take, above the latter hyperbolic functions overflow."""
-
-
-@lru_cache(maxsize=256)
-def _relief(beam: regimes.Beam, psi: float) -> float:
-    least = float(beam.relief.subs(regimes.psi_T, min(psi, _STRONG))) if psi > _WEAK else 1.0
-    # A string between clamps: as 3/psi; between pins as 2/psi^2, which is small anyway.
-    return least * min(1.0, _STRONG / psi)
 
 
 def gravity_of(scene: Scene) -> float:
@@ -172,20 +156,19 @@ def duration_star(scene: Scene) -> float:
     return scene.run.duration / fall_time(scene)
 
 
-def beam_of(scene: Scene) -> regimes.Beam:
+def beam_of(scene: Scene) -> Beam:
     """The straight beam between the scene's ends; with a free one, the cantilever that the other must hold."""
-    first, second = sorted((scene.ends.left, scene.ends.right))
-    return regimes.CANTILEVER if "free" in (first, second) else regimes.BEAMS[first, second]
+    return beam_between(scene.ends.left, scene.ends.right)
+
+
+def section_of(scene: Scene) -> CrossSection:
+    """The scene's cross-section."""
+    return CROSS_SECTIONS[scene.filament.section]
 
 
 def bending_stiffness(scene: Scene) -> float:
     """K delta^2 over the sag factor C of the beam: the linear beam sags by 1/(this E*), or t*/(this V) (2.18)."""
-    return _stiffness_of(scene.filament.section, beam_of(scene)) * groups_of(scene).delta ** 2
-
-
-@lru_cache(maxsize=64)
-def _stiffness_of(section: str, beam: regimes.Beam) -> float:
-    return float(regimes.gyration(SECTIONS[section]) / beam.midspan_sag)
+    return section_of(scene).gyration / beam_of(scene).midspan_sag * groups_of(scene).delta ** 2
 
 
 def first_yield_gravity_number(scene: Scene) -> float:
@@ -193,7 +176,7 @@ def first_yield_gravity_number(scene: Scene) -> float:
 
     In the G of :func:`gravity_number_of`, and with what surface tension carries of the weight.
     """
-    plain = _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
+    plain = first_yield(section_of(scene), beam_of(scene), groups_of(scene).delta)
     return plain / moment_left_by_surface(scene) * share_of_yield(scene)
 
 
@@ -207,11 +190,6 @@ def share_of_yield(scene: Scene) -> float:
     """Yield stress over the holding stress: 1 without surface tension, which no bending fibre feels."""
     limit, holding = yield_stress_of(scene), holding_stress_of(scene)
     return limit / holding if limit and holding else 1.0
-
-
-@lru_cache(maxsize=256)
-def _first_yield(section: str, beam: regimes.Beam, delta: float) -> float:
-    return float(regimes.first_yield(SECTIONS[section], beam).subs(regimes.delta, delta))
 
 
 def smaller_of(bending: float, stretching: float) -> float:
@@ -231,8 +209,8 @@ def elastic_sag(scene: Scene) -> float:
 def neck_length(scene: Scene) -> float:
     """Half the shortest wavelength that grows, pi sqrt(beta) h0 [m]: a neck is not shorter than this."""
     filament = scene.filament
-    beta = NECKS[filament.section].beta.subs(aspect, filament.width / filament.thickness)
-    return math.pi * math.sqrt(float(beta)) * filament.thickness
+    beta = section_of(scene).neck(filament.width / filament.thickness)
+    return math.pi * math.sqrt(beta) * filament.thickness
 
 
 def neck_folds(scene: Scene, strain: float) -> float:

@@ -8,8 +8,8 @@ from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
+from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
-from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.scene.dimensions import is_spatial, needed_in_space
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
@@ -32,7 +32,7 @@ def stays_straight(scene: Scene) -> bool:
 
 
 def _limit(scene: Scene) -> float:
-    correction = float(SHEAR_CORRECTION[scene.filament.section])
+    correction = section_of(scene).shear_correction
     return math.exp(correction / (2 * (1 + scene.material.poisson)) / (1 - correction / 2))
 
 
@@ -55,8 +55,7 @@ def _faults(scene: Scene) -> list[Fault]:
 
 
 def _eases(scene: Scene) -> str:
-    flows = [branch.flow for branch in law_in(scene).branches if branch.flow is not None]
-    if all(flow.closed_means for flow in flows) or flow_nonlinearity(scene, math.inf) == 0:
+    if law_in(scene).has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
         return ""
     return "taken in because its flow rule is quicker to run with it"
 

@@ -9,8 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.structure import structure_clock
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene
 
 
@@ -22,8 +21,8 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
     structure = scene.material.structure
     if structure is None:
         return terms
-    clock = structure_clock(frozenset(structure.numbers), linear=structure.growth == "linear")
-    return replace(terms, clocks=(*terms.clocks, clock))
+    given, linear = tuple(sorted(structure.numbers)), structure.growth == "linear"
+    return replace(terms, structure=given, builds_up_without_limit=linear)
 
 
 def _share(scene: Scene, strain: float) -> float:

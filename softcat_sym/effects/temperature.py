@@ -9,20 +9,13 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-import sympy as sp
-
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
-from softcat_sym.effects.law import law_in
 from softcat_sym.effects.natural_strain import shrinking
 from softcat_sym.effects.scaling_estimates import gravity_of
-from softcat_sym.physics import heat as sy
-from softcat_sym.physics.filament import Terms
-from softcat_sym.physics.heat import CORRELATIONS, PREFIX, Heat
-from softcat_sym.physics.histories import varying
-from softcat_sym.physics.laws import Constant, Law
-from softcat_sym.physics.symbols import E, eta, g, h0, s, t
+from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.temperature import PREFIX
 
 _THICK = 0.1
 """Biot number above which the section is not of one temperature: the middle lags by a twentieth of the difference."""
@@ -33,57 +26,38 @@ def _applies(scene: Scene) -> bool:
 
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    heat, law = _heat_of(scene), law_in(scene)
-    factors = dict[sp.Symbol, sp.Expr]()
-    if heat.viscosity != 1:
-        # Of chains the modulus stays: the time in which they relax goes with their viscosity.
-        slows = (*_named(law, "viscosity", eta), *_named(law, "relaxation_time"))
-        factors |= dict.fromkeys(slows, heat.viscosity)
-    if heat.softens:
-        factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), heat.modulus)
-    heat = replace(heat, factors=tuple(factors.items()))
-    return replace(terms, heat=heat, shrinks=terms.shrinks or heat.expands)
-
-
-def _named(law: Law, name: str, *shared: sp.Symbol) -> tuple[sp.Symbol, ...]:
-    """Symbols of a law's constants of one sort: the one that several laws share, and its own."""
-    own = tuple(one.symbol for one in law.constants if one.name == name or one.name.endswith(f"_{name}"))
-    return (*shared, *own)
-
-
-def _heat_of(scene: Scene) -> Heat:
-    """The terms that the scene's table asks for."""
-    stated, numbers = scene.temperature, list[Constant]()
-    ambient, modulus = sy.ambient, sp.S.One
-    if isinstance(stated.ambient, History):
-        varies = varying(stated.ambient, f"{PREFIX}ambient")
-        ambient, numbers = varies.value, [*numbers, *varies.constants]
-    if stated.modulus is not None:
-        varies = varying(stated.modulus, f"{PREFIX}modulus")
-        modulus, numbers = varies.value.xreplace({t: sy.temperature}), [*numbers, *varies.constants]
-    coefficient = sy.transfer if stated.heat_transfer else sp.S.Zero
-    if stated.correlation in CORRELATIONS:
-        coefficient = CORRELATIONS[stated.correlation]()
-    return Heat(
-        coefficient=coefficient,
-        ambient=ambient,
-        viscosity=sy.shift(stated.law, by_reference=stated.reference is not None),
-        modulus=modulus,
+    stated = scene.temperature
+    exchange = "coefficient" if stated.heat_transfer else ""
+    heat = Warming(
+        law=stated.law,
+        by_reference=stated.law == "vft" and stated.reference is not None,
+        exchange=exchange if stated.correlation == "none" else stated.correlation,
+        ambient=Course.of(f"{PREFIX}ambient", stated.ambient) if isinstance(stated.ambient, History) else None,
+        modulus=Course.of(f"{PREFIX}modulus", stated.modulus) if stated.modulus is not None else None,
         conducts=stated.conductivity is not None,
         expands=stated.expansion != 0,
         partial=bool(stated.heated),
-        numbers=tuple(numbers),
     )
+    return replace(terms, heat=heat)
 
 
 def transfer_coefficient(scene: Scene) -> float:
     """Heat transfer coefficient [W/(m^2 K)]; of a correlation the largest that the scene's temperatures give."""
-    stated, filament = scene.temperature, scene.filament
-    if stated.correlation not in CORRELATIONS:
+    stated = scene.temperature
+    if stated.correlation == "none":
         return stated.heat_transfer or 0.0
     low, high = stated.extremes(scene.run.duration)
-    given = {sy.temperature: low, sy.around: high, s: 1.0, h0: filament.thickness, g: scene.load.gravity}
-    return float(CORRELATIONS[stated.correlation]().subs(given))
+    return cylinder_in_air(low, high, scene.filament.thickness, scene.load.gravity)
+
+
+def cylinder_in_air(kelvin: float, around: float, diameter: float, gravity: float) -> float:
+    """The correlation of Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat.cylinder_in_air`."""
+    film = (kelvin + around) / 2
+    conducts = 2.64638e-3 * math.pow(film, 1.5) / (film + 245.4 * math.pow(10, -12 / film))
+    viscosity = 1.458e-6 * math.pow(film, 1.5) / (film + 110.4) * 287.05287 * film / 101325
+    rayleigh = gravity * math.hypot(kelvin - around, 0.01) * diameter**3 * 0.7 / (film * viscosity**2)
+    slope = 0.387 / math.pow(1 + math.pow(0.559 / 0.7, 9 / 16), 8 / 27)
+    return math.pow(0.6 + slope * math.pow(rayleigh, 1 / 6), 2) * conducts / diameter
 
 
 def half_thickness(scene: Scene) -> float:

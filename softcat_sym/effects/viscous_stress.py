@@ -12,11 +12,11 @@ from softcat_sym.scene.scene import Scene
 
 def _indispensable(scene: Scene) -> str:
     law = law_in(scene)
-    return "" if law.branches or law.chains is not None else f"the law {scene.material.law!r} has no other stress"
+    return "" if law.has_springs or law.has_chains else f"the law {law.name!r} has no other stress"
 
 
 def _applies(scene: Scene) -> bool:
-    return scene.model == "filament" and law_in(scene).viscosity is not None
+    return scene.model == "filament" and law_in(scene).is_viscous
 
 
 VISCOUS_STRESS = Effect(

@@ -21,7 +21,7 @@ from softcat_sym.fitting.integration import (
     frozen_filament,
     timing_of,
 )
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.solution import watched

@@ -281,8 +281,8 @@ def _surface_tension(scene: Scene) -> Candidate:
 
 def _bath(scene: Scene, key: str, unit: str) -> Candidate:
     plain = replace(_positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key)), name=f"bath_{key}")
-    in_force = {one.name for density in choose_effects(scene).terms().densities for one in density.constants}
-    if plain.trouble or f"bath_{key}" in in_force:
+    terms = choose_effects(scene).terms()
+    if plain.trouble or terms.drag or (key == "density" and (terms.buoyant or terms.added_mass)):
         return plain
     found, remedy = "no effect in force depends on it", "an effect in run.effects that does"
     return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})

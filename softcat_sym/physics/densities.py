@@ -54,6 +54,12 @@ class Densities:
         return self.name.replace("-", "_")
 
     @property
+    def signature(self) -> tuple[str, ...]:
+        """All that its expressions depend on, as text."""
+        expressions = (self.stored, self.dissipation, self.kinetic)
+        return (self.name, *map(sp.srepr, expressions), *(one.name for one in self.constants))
+
+    @property
     def of_a_cell(self) -> bool:
         """Whether the tangent stands in them: they belong to a cell then, otherwise to a node."""
         return bool(self._symbols & {*_OF_A_CELL, sy.s})
@@ -74,6 +80,11 @@ class Densities:
         """Of small slope: what depends on the velocity sees a level, unstretched centreline."""
         flat = self._with({sy.s: sp.S.One, sy.x_X: sp.S.One, sy.y_X: sp.S.Zero})
         return replace(flat, stored=self.stored)
+
+    @property
+    def at_rest(self) -> Densities:
+        """Without what depends on rates."""
+        return replace(self, dissipation=sp.S.Zero, kinetic=sp.S.Zero)
 
     def _with(self, values: dict[sp.Symbol, sp.Expr]) -> Densities:
         return replace(

@@ -1,129 +1,43 @@
 """One section of the filament, assembled from the terms that the effects in force have picked.
 
-:class:`Terms` starts with nothing: an elastic filament at small slope and strain that neither stretches nor bends,
-without inertia, under gravity switched on at once. Each effect replaces what it is responsible for. :func:`derive`
-turns the terms into the expressions of one cell; the graph prints these same objects.
+:func:`derive` turns the terms into the expressions of one cell; the graph prints these same objects.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import sympy as sp
 
-from softcat_sym.physics import backstress, kinematics, sections
+from softcat_sym.physics import backstress, loads, sections
 from softcat_sym.physics import closures as closure
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.conformation import respond as respond_chains
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.heat import Heat, lateral_area
-from softcat_sym.physics.kinematics import InternalForce, internal_force
-from softcat_sym.physics.laws import ELASTIC, Constant, Law
+from softcat_sym.physics.heat import Heat, heat_of, lateral_area
+from softcat_sym.physics.histories import curing_clock, natural_clock
+from softcat_sym.physics.kinematics import (
+    LARGE_ROTATION,
+    SMALL_SLOPE,
+    SMALL_STRAIN,
+    TRUE_STRAIN,
+    InternalForce,
+    Kinematics,
+    StrainMeasure,
+    internal_force,
+)
+from softcat_sym.physics.laws import Constant, Law, law_of
 from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import SectionResponse, Shape, respond
-from softcat_sym.physics.symbols import eta_s, g, s, t
-
-
-@dataclass(frozen=True, slots=True)
-class Terms:
-    """What the equations are made of; every field has the value of the barest filament."""
-
-    centreline: kinematics.Kinematics = kinematics.SMALL_SLOPE  # Stretch and turning
-    strain: kinematics.StrainMeasure = kinematics.SMALL_STRAIN  # Axial strain
-    thins: bool = False  # Whether the section shrinks as its shape does
-    inertia: bool = False  # Whether momentum and moment are in the balance
-    bending: bool = False
-    # Whether the filament stretches; otherwise it is a beam of small slope with no other unknown than its height.
-    stretches: bool = False
-    law: Law = ELASTIC  # The law of the material, of which the effects pick what is in force
-    # Whether its branches flow, whether they do so only beyond the yield stress, and whether its viscous stress acts.
-    flows: bool = False
-    yields: bool = False
-    viscous: bool = False
-    damped: bool = False  # Whether a viscous stress acts beside a law that has none of its own
-    curved: bool = False  # Whether the relaxed filament is curved
-    shear: bool = False  # Whether the section turns by itself, and whether it takes a moment to turn it faster
-    rotary_inertia: bool = False
-    resolved: bool = False  # Whether the plastic strain has any profile through the thickness, instead of a linear one
-    necking_gradient: bool = False  # Whether a neck's slope stiffens it
-    surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
-    densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
-    clocks: tuple[Clock, ...] = ()  # What changes the constants of the material
-    heat: Heat | None = None  # What the temperature of the filament follows, if it has one
-    shrinks: bool = False  # Whether the material is without stress at another strain as time goes on
-    # Whether flow hardens kinematically; not in its representation, as for shaking below.
-    hardens: bool = field(default=False, repr=False)
-    gravity: sp.Expr = g  # Gravity and its rate where it does not shake
-    gravity_rate: sp.Expr = sp.S.Zero
-    # Not in its representation, from which a structure has its name: one that does not shake keeps it.
-    shaking: sp.Expr = field(default=sp.S.One, repr=False)  # Factor by which it shakes, and the rate of that
-    shaking_rate: sp.Expr = field(default=sp.S.Zero, repr=False)
-
-    @property
-    def finite(self) -> bool:
-        """Whether the strain is that of finite stretch."""
-        return self.strain is not kinematics.SMALL_STRAIN
-
-    @property
-    def ramped(self) -> bool:
-        """Whether gravity is switched on over a time."""
-        return bool(self.gravity.has(t))
-
-    @property
-    def turns(self) -> bool:
-        """Whether the angle of a section is an unknown of its own."""
-        return self.shear or self.resolved
-
-    @property
-    def resists(self) -> bool:
-        """Whether a stress or a force depends on the velocities."""
-        return self.viscous or self.drags
-
-    @property
-    def integrates(self) -> bool:
-        """Whether the filament is carried through time, rather than from equilibrium to equilibrium."""
-        return self.inertia or self.flows or self.resists or self.grows or self.heat is not None
-
-    @property
-    def grows(self) -> bool:
-        """Whether springs without stress join those that there are, so that every branch remembers its strain."""
-        return any(clock.grows for clock in self.clocks)
-
-    @property
-    def drags(self) -> bool:
-        """Whether something resists the motion of the centreline itself."""
-        return any(one.dissipation != 0 for one in self.densities)
-
-    @property
-    def adds_mass(self) -> bool:
-        """Whether something that moves with the filament has a kinetic energy of its own."""
-        return any(one.kinetic != 0 for one in self.densities)
-
-    @property
-    def load(self) -> sp.Expr:
-        """g(t): as it comes on, times its shaking."""
-        return self.gravity * self.shaking
-
-    @property
-    def load_rate(self) -> sp.Expr:
-        """dg/dt by the product rule."""
-        return self.gravity_rate * self.shaking + self.gravity * self.shaking_rate
-
-    def law_in_force(self) -> Law:
-        """The law with the flow rules and the viscous stress that the effects have left."""
-        growth = {modulus: rate for clock in self.clocks for modulus, rate in clock.grows}
-        branches = tuple(
-            replace(branch.in_force(flows=self.flows, yields=self.yields), growth=growth.get(branch.modulus))
-            for branch in self.law.branches
-        )
-        own = self.law.viscosity if self.viscous else None
-        chains = None if self.law.chains is None else replace(self.law.chains, relaxes=self.flows)
-        viscosity = eta_s if self.damped and own is None else own
-        return replace(self.law, branches=branches, viscosity=viscosity, chains=chains)
+from softcat_sym.physics.structure import structure_clock
+from softcat_sym.physics.surroundings import densities_of
+from softcat_sym.physics.symbols import eta_s, g
+from softcat_sym.physics.terms import Formulation, Rheology, Terms
+from softcat_sym.scene.formula import parse_formula
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +47,12 @@ class FilamentEquations:
     terms: Terms  # What the effects left
     shape: sections.Section  # Cross-section
     closure: str  # ``material`` or ``printed``
+    centreline: Kinematics  # Stretch and turning
+    strain: StrainMeasure  # Axial strain
     law: Law  # With the one flow rule of each branch that is in force
+    densities: tuple[Densities, ...]  # Energies and Rayleigh potentials of place and tangent that effects add
+    clocks: tuple[Clock, ...]  # What changes the constants of the material
+    heat: Heat | None  # What the temperature of the filament follows, if it has one
     response: SectionResponse  # The section of the paper: no shear, a plastic strain linear through the thickness
     # The section point by point, where shear or fibres are in force; it then replaces `response`.
     resolved: ResolvedSection | None
@@ -146,16 +65,77 @@ class FilamentEquations:
     @property
     def constants(self) -> tuple[Constant, ...]:
         """What the law asks the scene for, and what the densities and clocks of effects do."""
-        of_densities = (one for density in self.terms.densities for one in density.constants)
-        of_clocks = (one for clock in self.terms.clocks for one in clock.constants)
-        of_heat = () if self.terms.heat is None else self.terms.heat.constants
+        of_densities = (one for density in self.densities for one in density.constants)
+        of_clocks = (one for clock in self.clocks for one in clock.constants)
+        of_heat = () if self.heat is None else self.heat.constants
         of_hardening = backstress.CONSTANTS if self.terms.hardens else ()
         return (*self.law.constants, *of_densities, *of_clocks, *of_heat, *of_hardening)
 
     @property
+    def formulation(self) -> Formulation:
+        """What they are the equations of."""
+        return Formulation(self.terms, self.shape.name, self.closure)
+
+    @property
     def conserves_energy(self) -> bool:
         """Whether forces and stored energy belong together, so that the energy balance can be judged."""
-        return self.closure == "material" and s not in self.response.volume.free_symbols
+        return self.formulation.conserves_energy
+
+    @property
+    def gravity(self) -> sp.Expr:
+        """Gravity where it does not shake."""
+        return loads.ramped_gravity() if self.terms.ramped else g
+
+    @property
+    def load(self) -> sp.Expr:
+        """g(t): as it comes on, times its shaking."""
+        return self.gravity * loads.shaking() if self.terms.shaken else self.gravity
+
+    @property
+    def load_rate(self) -> sp.Expr:
+        """dg/dt by the product rule."""
+        rate = loads.ramp_rate() if self.terms.ramped else sp.S.Zero
+        if not self.terms.shaken:
+            return rate
+        return rate * loads.shaking() + self.gravity * loads.shaking_rate()
+
+
+def law_named(rheology: Rheology) -> Law:
+    """The law of the material with all that it has."""
+    return law_of(
+        rheology.name,
+        modes=rheology.modes,
+        formula=parse_formula(rheology.flow) if rheology.flow else None,
+        yields=rheology.threshold,
+        solvent=rheology.solvent,
+    )
+
+
+def law_in_force(terms: Terms, clocks: tuple[Clock, ...] = ()) -> Law:
+    """The law with the flow rules and the viscous stress that the effects have left."""
+    law = law_named(terms.law)
+    growth = {modulus: rate for clock in clocks for modulus, rate in clock.grows}
+    branches = tuple(
+        replace(branch.in_force(flows=terms.flows, yields=terms.yields), growth=growth.get(branch.modulus))
+        for branch in law.branches
+    )
+    own = law.viscosity if terms.viscous else None
+    chains = None if law.chains is None else replace(law.chains, relaxes=terms.flows)
+    viscosity = eta_s if terms.damped and own is None else own
+    return replace(law, branches=branches, viscosity=viscosity, chains=chains)
+
+
+def clocks_of(terms: Terms) -> tuple[Clock, ...]:
+    """What changes the constants of the material while it hangs."""
+    curing = (curing_clock(terms.curing, law_named(terms.law)),) if terms.curing else ()
+    built = (structure_clock(terms.structure, linear=terms.builds_up_without_limit),) if terms.structure else ()
+    natural = (natural_clock(terms.natural_strain),) if terms.natural_strain else ()
+    return (*curing, *built, *natural)
+
+
+def equations_of(formulation: Formulation) -> FilamentEquations:
+    """The equations of a cell, derived once a process."""
+    return derive(formulation.terms, sections.SECTIONS[formulation.section], formulation.closure)
 
 
 @lru_cache(maxsize=64)
@@ -164,12 +144,13 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     if not terms.stretches:
         _refuse_stretching(terms)
     contraction = shape.contraction if terms.thins else sections.NONE
-    law = terms.law_in_force()
-    closed = closure.CLOSURES[closure_name](terms.strain, contraction)
+    strain, clocks = TRUE_STRAIN if terms.finite else SMALL_STRAIN, clocks_of(terms)
+    centreline, law = LARGE_ROTATION if terms.large_rotation else SMALL_SLOPE, law_in_force(terms, clocks)
+    closed = closure.CLOSURES[closure_name](strain, contraction)
     outline = Shape(
         shape,
         contraction,
-        terms.strain,
+        strain,
         bends=terms.bending,
         stretches=terms.stretches,
         curved=terms.curved,
@@ -188,13 +169,18 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         terms=terms,
         shape=shape,
         closure=closure_name,
+        centreline=centreline,
+        strain=strain,
         law=law,
+        densities=densities_of(terms, shape.name),
+        clocks=clocks,
+        heat=None if terms.heat is None else heat_of(terms.heat, law),
         response=respond(outline, closed, law),
         resolved=resolved,
         chains=None if law.chains is None else respond_chains(shape, law.chains),
         neck=NECKS[shape.name] if terms.necking_gradient else None,
         surface=SURFACES[shape.name] if terms.surface_tension else None,
-        force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
+        force=internal_force(centreline, bending=terms.bending, stretches=terms.stretches),
         exchange=lateral_area(shape, thins=terms.thins),
     )
 
@@ -213,7 +199,7 @@ def _refuse_stretching(terms: Terms) -> None:
         raise ValueError("a filament that neither stretches nor bends carries no weight")
     present = {
         "finite strain": terms.finite,
-        "large rotation": terms.centreline is not kinematics.SMALL_SLOPE,
+        "large rotation": terms.large_rotation,
         "thinning": terms.thins,
         "shear": terms.shear,
         "a section resolved point by point": terms.resolved,

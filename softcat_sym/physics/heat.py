@@ -11,10 +11,13 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics.equation import Equation
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.histories import varying
+from softcat_sym.physics.laws import Constant, Law
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import A0, ONE, X, enter, enter_field, g, h0, rho, s, t
+from softcat_sym.physics.symbols import A0, ONE, E, X, enter, enter_field, eta, g, h0, rho, s, t
+from softcat_sym.physics.terms import Warming
+from softcat_sym.scene.temperature import PREFIX
 
 _SOURCE = "Incropera 2007"
 temperature = enter("theta_K", r"\vartheta", ONE, "temperature of a section, in kelvin", _SOURCE, positive=True)
@@ -65,8 +68,6 @@ _OF_C = {
     "activation_temperature": B_A,
     "expansion": alpha_T,
 }
-PREFIX = "temperature_"
-"""Of the names of these numbers in a run."""
 
 
 def shift(law: str, *, by_reference: bool) -> sp.Expr:
@@ -180,6 +181,41 @@ class Heat:
     def thick(self) -> Heat:
         """The same of a section that does not shrink."""
         return replace(self, coefficient=self.coefficient.subs(s, 1))
+
+
+def heat_of(warming: Warming, law: Law) -> Heat:
+    """The balance of heat, and what the temperature makes of the constants of a law."""
+    around, modulus, numbers = ambient, sp.S.One, tuple[Constant, ...]()
+    if warming.ambient is not None:
+        varies = varying(warming.ambient)
+        around, numbers = varies.value, varies.constants
+    if warming.modulus is not None:
+        varies = varying(warming.modulus)
+        modulus, numbers = varies.value.xreplace({t: temperature}), (*numbers, *varies.constants)
+    coefficient = CORRELATIONS[warming.exchange]() if warming.exchange in CORRELATIONS else transfer
+    viscosity, factors = shift(warming.law, by_reference=warming.by_reference), dict[sp.Symbol, sp.Expr]()
+    if viscosity != 1:
+        # Of chains the modulus stays: the time in which they relax goes with their viscosity.
+        factors |= dict.fromkeys((*_named(law, "viscosity", eta), *_named(law, "relaxation_time")), viscosity)
+    if modulus != 1:
+        factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), modulus)
+    return Heat(
+        coefficient=coefficient if warming.exchange else sp.S.Zero,
+        ambient=around,
+        viscosity=viscosity,
+        modulus=modulus,
+        conducts=warming.conducts,
+        expands=warming.expands,
+        partial=warming.partial,
+        factors=tuple(factors.items()),
+        numbers=numbers,
+    )
+
+
+def _named(law: Law, name: str, *shared: sp.Symbol) -> tuple[sp.Symbol, ...]:
+    """Symbols of a law's constants of one sort: the one that several laws share, and its own."""
+    own = tuple(one.symbol for one in law.constants if one.name == name or one.name.endswith(f"_{name}"))
+    return (*shared, *own)
 
 
 def lateral_area(shape: Section, *, thins: bool) -> sp.Expr:

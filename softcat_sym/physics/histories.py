@@ -7,10 +7,13 @@ from functools import lru_cache
 
 import sympy as sp
 
-from softcat_sym.physics.laws import OPERATIONS, Constant
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.clocks import Clock
+from softcat_sym.physics.laws import OPERATIONS, Constant, Law, growth_of
 from softcat_sym.physics.symbols import t
-from softcat_sym.scene.formula import Formula
-from softcat_sym.scene.history import TIME_NAME, History
+from softcat_sym.physics.terms import Course
+from softcat_sym.scene.formula import Formula, parse_formula
+from softcat_sym.scene.history import TIME_NAME
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,23 +25,11 @@ class Varying:
     constants: tuple[Constant, ...]  # By the names that `named_numbers` of the scene gives their values
 
 
-def varying(history: History, name: str) -> Varying:
-    """What a history is in symbols.
-
-    Parameters
-    ----------
-    history : History
-        Of a constant.
-    name : str
-        What its numbers are named by, such as ``yield_stress``.
-
-    Returns
-    -------
-    Varying
-        The same for every history of the same form: a table of so many times, or a formula of other quantities.
-    """
-    formula = history.formula
-    return _of_table(name, len(history.table)) if formula is None else _of_formula(name, formula, len(history.numbers))
+def varying(course: Course) -> Varying:
+    """What a quantity of this form is in symbols: of a table of times, or a formula of other quantities."""
+    if not course.formula:
+        return _of_table(course.name, course.rows)
+    return _of_formula(course.name, parse_formula(course.formula), course.numbers)
 
 
 def _constants(name: str, count: int) -> tuple[Constant, ...]:
@@ -78,3 +69,40 @@ def _of_formula(name: str, formula: Formula, count: int) -> Varying:
 
 def _number(value: float) -> sp.Expr:
     return sp.Integer(int(value)) if value.is_integer() else sp.Float(value, 17)
+
+
+_SHARED = (Constant("youngs_modulus", sy.E), Constant("viscosity", sy.eta), Constant("yield_stress", sy.sigma_Y))
+"""Constants that several laws have; a law with others of these names has them among its own."""
+
+
+def curing_clock(courses: tuple[Course, ...], law: Law) -> Clock:
+    """Constants of the material that change in time; a modulus that grows does so by springs without stress."""
+    replaces, constants, grows = list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
+    symbols = {one.name: one.symbol for one in (*_SHARED, *law.constants)}
+    moduli = {branch.modulus for branch in law.branches}
+    for course in courses:
+        symbol, found = symbols[course.name], varying(course)
+        replaces.append((symbol, found.value))
+        constants += found.constants
+        if symbol in moduli:
+            growth = growth_of(symbol)
+            replaces.append((growth, sp.Max(found.rate, 0) / found.value))
+            grows.append((symbol, growth))
+    return Clock("curing", tuple(replaces), tuple(constants), tuple(grows))
+
+
+# Of the strain at the top less that at the bottom the top has half, beyond the mean.
+_STRAINS = (("natural_strain", sy.n_0, sy.n_0_t, 1), ("natural_strain_difference", sy.n_1, sy.n_1_t, sp.Rational(1, 2)))
+
+
+def natural_clock(courses: tuple[Course, ...]) -> Clock:
+    """Strains without stress that change in time."""
+    given = {course.name: varying(course) for course in courses}
+    replaces, constants = list[tuple[sp.Symbol, sp.Expr]](), list[Constant]()
+    for name, strain, rate, share in _STRAINS:
+        if name in given:
+            replaces += [(strain, share * given[name].value), (rate, share * given[name].rate)]
+            constants += given[name].constants
+        else:
+            replaces += [(strain, sp.S.Zero), (rate, sp.S.Zero)]
+    return Clock("natural-strain", tuple(replaces), tuple(constants))

@@ -118,7 +118,7 @@ def _states(
     ]
     terms = equations.terms
     contraction = shape.contraction if terms.thins else NONE
-    closed = CLOSURES[equations.closure](terms.strain, contraction)
+    closed = CLOSURES[equations.closure](equations.strain, contraction)
     # A mean in closed form is written as such where one can read it.
     at_once = sp.count_ops(means.rate) <= _READABLE and sp.count_ops(means.bending_rate) <= _READABLE
     if terms.bending and not at_once:
@@ -389,7 +389,7 @@ h0_t = sy.enter("h0_t", r"h_0^n", sy.LENGTH, "thickness of the section that has 
 
 def _histories(equations: FilamentEquations) -> Iterator[Stated]:
     """What clocks put in the place of constants, their numbers as symbols: of a table its times, values and slopes."""
-    for clock in equations.terms.clocks:
+    for clock in equations.clocks:
         if clock.state is not None:
             yield stated(f"{clock.name}: of a fibre", clock.state.shown, clock.state.value, "as the scene states it")
             yield stated(f"{clock.name}: its rate", Rate(clock.state.shown, sy.t, 1), clock.state.rate, "Moore 1959")
@@ -405,15 +405,15 @@ def _histories(equations: FilamentEquations) -> Iterator[Stated]:
 def _kinematics(equations: FilamentEquations) -> Iterator[Stated]:
     terms = equations.terms
     if terms.stretches:
-        yield stated("stretch of the centreline", sy.s, terms.centreline.stretch, terms.centreline.source)
+        yield stated("stretch of the centreline", sy.s, equations.centreline.stretch, equations.centreline.source)
     if terms.bending:
-        angle = terms.centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0})
-        yield stated("angle of the tangent", sy.theta, angle, terms.centreline.source)
-        yield stated("turning", sy.theta_X, Rate(sy.theta, sy.X, 1), terms.centreline.source)
+        angle = equations.centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0})
+        yield stated("angle of the tangent", sy.theta, angle, equations.centreline.source)
+        yield stated("turning", sy.theta_X, Rate(sy.theta, sy.X, 1), equations.centreline.source)
 
 
 def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
-    elongation = equations.terms.centreline.stretch.subs(sy.x_X, 1) - 1
+    elongation = equations.centreline.stretch.subs(sy.x_X, 1) - 1
     if equations.terms.stretches:
         mean = sp.Integral(elongation, (sy.X, -sy.L_0 / 2, sy.L_0 / 2)) / sy.L_0
         yield stated("stretch, the same everywhere", sy.s, 1 + mean, "2.13, 2.17")
@@ -424,10 +424,10 @@ def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
 def _strain(equations: FilamentEquations) -> Iterator[Stated]:
     terms = equations.terms
     contraction = equations.shape.contraction if terms.thins else NONE
-    lever = CLOSURES[equations.closure](terms.strain, contraction).lever
-    along = terms.strain.strain if terms.stretches else sp.Integer(0)
+    lever = CLOSURES[equations.closure](equations.strain, contraction).lever
+    along = equations.strain.strain if terms.stretches else sp.Integer(0)
     across = lever * sy.theta_X * sy.zeta if terms.bending else sp.Integer(0)
-    yield stated("axial strain of the fibre zeta = 2z/h", axial_strain, along - across, terms.strain.source)
+    yield stated("axial strain of the fibre zeta = 2z/h", axial_strain, along - across, equations.strain.source)
     if terms.thins:
         yield stated("area", A, equations.response.area, contraction.source)
         if terms.bending:
@@ -467,15 +467,15 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:
         mass = sp.Integer(0)
-    densities = terms.densities if along else [one.level for one in terms.densities]
-    outer, inner = outer_force(densities, terms.centreline.stretch)
-    carried = [Rate(one, sy.t, 1) if one else one for one in outer_momentum(densities, terms.centreline.stretch)]
-    if terms.densities:
-        source += f"; {', '.join(one.name for one in terms.densities)}"
+    densities = equations.densities if along else [one.level for one in equations.densities]
+    outer, inner = outer_force(densities, equations.centreline.stretch)
+    carried = [Rate(one, sy.t, 1) if one else one for one in outer_momentum(densities, equations.centreline.stretch)]
+    if equations.densities:
+        source += f"; {', '.join(one.name for one in equations.densities)}"
     if along:
         pulled = Rate(F_x + inner[0], sy.X, 1) + outer[0]
         yield stated("balance of momentum, horizontal", mass * Rate(sy.x, sy.t, 2) + carried[0], pulled, source)
-    falling = sy.rho * sy.A0 * (sy.g_t if _changes(equations) else terms.load)
+    falling = sy.rho * sy.A0 * (sy.g_t if _changes(equations) else equations.load)
     held = Rate(F_y + inner[1], sy.X, 1) + outer[1] - falling
     yield stated("balance of momentum, vertical", mass * Rate(sy.y, sy.t, 2) + carried[1], held, source)
     if along:
@@ -487,11 +487,11 @@ def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
     if not _changes(equations):
         return
     terms = equations.terms
-    names = {"switched on smoothly": terms.gravity.has(sy.t), "shaken": terms.shaking.has(sy.t)}
-    sources = {"section 3": terms.gravity.has(sy.t), "Rayleigh 1877": terms.shaking.has(sy.t)}
+    names = {"switched on smoothly": terms.ramped, "shaken": terms.shaken}
+    sources = {"section 3": terms.ramped, "Rayleigh 1877": terms.shaken}
     how, source = ([what for what, there in found.items() if there] for found in (names, sources))
-    shares = {part for part in terms.gravity.atoms(sp.Min) if part.has(sy.t)}
-    load = terms.load.subs(dict.fromkeys(shares, progress))
+    shares = {part for part in equations.gravity.atoms(sp.Min) if part.has(sy.t)}
+    load = equations.load.subs(dict.fromkeys(shares, progress))
     yield stated(f"gravity, {' and '.join(how)}", sy.g_t, load, "; ".join(source))
     for share in shares:
         yield stated("time of switching on", progress, share, "section 3")
@@ -499,7 +499,7 @@ def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
 
 def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
     """The balance of heat of a filament that has a temperature, and what the temperature makes of the material."""
-    law = equations.terms.heat
+    law = equations.heat
     if law is None:
         return
     for symbol, value in law.factors:
@@ -535,4 +535,4 @@ def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
 
 
 def _changes(equations: FilamentEquations) -> bool:
-    return bool(equations.terms.load.has(sy.t))
+    return bool(equations.load.has(sy.t))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Protocol, TypeVar, cast
 
 import sympy as sp
@@ -131,14 +132,7 @@ class Law:
     branches: tuple[Branch, ...] = (Branch(),)
     viscosity: sp.Expr | None = None
     constants: tuple[Constant, ...] = ()
-    # Not in its representation where there are none, from which a structure has its name.
     chains: Chains | None = None
-
-    def __repr__(self) -> str:
-        shown = (self.name, self.branches, self.viscosity, self.constants)
-        names = zip(("name", "branches", "viscosity", "constants"), shown, strict=True)
-        chains = "" if self.chains is None else f", chains={self.chains!r}"
-        return f"Law({', '.join(f'{name}={value!r}' for name, value in names)}{chains})"
 
     @property
     def flows(self) -> bool:
@@ -190,19 +184,9 @@ def maxwell_means(section: Section, viscosity: sp.Expr = eta) -> SectionMeans:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _MaxwellMeans:
-    """:func:`maxwell_means` at a viscosity: not a closure, so that its representation names it in every process."""
-
-    viscosity: sp.Expr
-
-    def __call__(self, section: Section) -> SectionMeans:
-        return maxwell_means(section, self.viscosity)
-
-
 def linear_flow(viscosity: sp.Expr) -> Flow:
     """The flow rule of a dashpot of this tensile viscosity."""
-    return Flow(maxwell_rate(viscosity), closed_means=_MaxwellMeans(viscosity))
+    return Flow(maxwell_rate(viscosity), closed_means=partial(maxwell_means, viscosity=viscosity))
 
 
 MAXWELL_LAW = Law("maxwell", branches=(Branch(flow=linear_flow(eta)),))

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.physics import beams
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, Section
 from softcat_sym.physics.symbols import LENGTH, ONE, STRESS, E, L, c, enter, eta, g, h0, rho, sigma_Y
@@ -45,19 +46,11 @@ class Beam:
     relief: sp.Expr = sp.S.One
 
 
-# Of a clamped end that the other one answers by the carry-over of a beam in tension.
-_CLAMPED_RELIEF = 3 * (psi_T / sp.tanh(psi_T) - 1) / psi_T**2
-_carried_over = (sp.sinh(2 * psi_T) - 2 * psi_T) / (2 * psi_T * sp.cosh(2 * psi_T) - sp.sinh(2 * psi_T))
-
-CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16), _CLAMPED_RELIEF)
-PROPPED = Beam(
-    Rational(1, 8), Rational(1, 192), sp.Integer(2), 6 + 4 * sp.sqrt(2),
-    Rational(2, 3) * (1 + _carried_over) * _CLAMPED_RELIEF,
-)  # fmt: skip
+CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16), beams.clamped_relief(psi_T, sp))
+PROPPED = Beam(Rational(1, 8), Rational(1, 192), sp.Integer(2), 6 + 4 * sp.sqrt(2), beams.propped_relief(psi_T, sp))
 PINNED = Beam(
-    Rational(1, 8), Rational(5, 384), 1 + 28 * sp.zeta(3) / sp.pi**3, sp.Integer(8),
-    2 * (1 - 1 / sp.cosh(psi_T)) / psi_T**2,
-)  # fmt: skip
+    Rational(1, 8), Rational(5, 384), 1 + 28 * sp.zeta(3) / sp.pi**3, sp.Integer(8), beams.pinned_relief(psi_T, sp)
+)
 
 CANTILEVER = Beam(Rational(1, 2), Rational(17, 384), sp.Integer(2), sp.Integer(2))
 """One end clamped, the other free; the sag is that of the middle."""
@@ -67,6 +60,8 @@ BEAMS: dict[tuple[str, str], Beam] = {
     ("clamped", "pinned"): PROPPED,
     ("pinned", "pinned"): PINNED,
 }
+NAMED: dict[str, Beam] = {"clamped": CLAMPED, "propped": PROPPED, "pinned": PINNED, "cantilever": CANTILEVER}
+"""By the names that they have in numbers."""
 
 
 def gyration(section: Section) -> sp.Expr:
@@ -93,8 +88,8 @@ def ramp_gain() -> sp.Expr:
 
     Magnitude of the Fourier transform of the ramp's rate: 1 for a sudden load, 0 for a slow one; signed.
     """
-    half = k_on / 2
-    return 120 * ((12 - k_on**2) * sp.sin(half) - 6 * k_on * sp.cos(half)) / k_on**5
+    gain: sp.Expr = beams.ramp_gain(k_on, sp)
+    return gain
 
 
 def plastic_collapse(section: Section, beam: Beam = CLAMPED) -> sp.Expr:
@@ -121,12 +116,7 @@ def first_yield_stretched(section: Section) -> FirstYieldCurve:
     psi -> 0 is the linear beam (3.11); psi -> infinity a taut string with sharply bent ends, G ~ sqrt(eps_Y). Between
     them G dips by a per cent before it rises: the first tension adds more stress than it takes from the bending.
     """
-    K = gyration(section)
-    coth = sp.cosh(psi_T) / sp.sinh(psi_T)
-    slopes = Rational(2, 3) + 4 / psi_T**2 - 3 * coth / psi_T - 1 / sp.sinh(psi_T) ** 2
-    slope = 4 * delta * psi_T * sp.sqrt(K / slopes)
-    yield_strain = 4 * K * delta**2 * psi_T**2 + delta * slope * (psi_T * coth - 1)
-    return FirstYieldCurve(yield_strain, 8 * K * delta**2 * psi_T**2 * slope / yield_strain)
+    return FirstYieldCurve(*beams.stretched_first_yield(psi_T, gyration(section), delta, sp))
 
 
 # The catenary y = a (cosh(x/a) - cosh(L/2a)) between level supports; u = L/(2a).

@@ -7,6 +7,8 @@ yield stress and viscosity are linear in lambda (Houska 1981). Without a limit, 
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import sympy as sp
 
 from softcat_sym.physics.clocks import Clock, State
@@ -72,7 +74,7 @@ STRUCTURE_EQUATIONS: tuple[Equation, ...] = (
 )
 
 
-def structure_clock(given: frozenset[str], *, linear: bool) -> Clock:
+def structure_clock(given: Collection[str], *, linear: bool) -> Clock:
     """What the keys of ``[material.structure]`` that a scene gives make of its yield stress and viscosity."""
     high, low = (
         symbol if f"{end}_yield_stress" in given else sigma_Y

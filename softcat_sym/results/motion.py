@@ -32,7 +32,7 @@ from softcat_sym.effects.scaling_estimates import (
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.physics.loads import SURFACES
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
@@ -166,8 +166,8 @@ def _capillary(scene: Scene, depth: Floats, fields: Mapping[str, Floats], length
     load, pull = weight_stress(scene) * load_factor(scene), surface_stress(scene)
     if pull == 0 or load == 0 or not is_held(scene):
         return expected
-    shrinks = SURFACES[scene.filament.section].shrinks
-    surface = pull * (1 / np.sqrt(fields["stretch"]) if shrinks else np.ones_like(fields["stretch"]))
+    held = CROSS_SECTIONS[scene.filament.section].plane_strain
+    surface = pull * (np.ones_like(fields["stretch"]) if held else 1 / np.sqrt(fields["stretch"]))
     taut = np.maximum(fields["tension"], 0.0) / undeformed_area(scene)
     pulled, tension = (values @ length / np.sum(length) for values in (surface, taut))
     carried = np.minimum(1.0, 8 * (pulled + tension) * depth / load)

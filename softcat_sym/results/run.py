@@ -20,7 +20,7 @@ from softcat_sym.effects.first_stress import surface_note
 from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.errors import SoftcatError
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import Break, break_frame
 from softcat_sym.results.fields import (
     COORDINATES,

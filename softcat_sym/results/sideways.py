@@ -20,10 +20,8 @@ from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.free_vibration import solid_viscosity
 from softcat_sym.effects.law import has_chains
-from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.effects.scaling_estimates import instant_modulus, section_of
 from softcat_sym.errors import SceneError
-from softcat_sym.physics.reissner import SHEAR_CORRECTION
-from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene, undeformed_area
 
@@ -106,7 +104,7 @@ def seeded(scene: Scene) -> Scene | None:
 def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
     modulus = instant_modulus(scene)
-    if is_spatial(scene) or modulus is None or has_chains(scene) or SECTIONS[scene.filament.section].plane_strain:
+    if is_spatial(scene) or modulus is None or has_chains(scene) or section_of(scene).plane_strain:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None
@@ -154,7 +152,7 @@ class _Cells:
         stretch, middle = np.hypot(along, up), (psi[:, 1:] + psi[:, :-1]) / 2
         c, s = np.cos(middle), np.sin(middle)
         relative = fields["thickness"] * np.sqrt(stretch) / filament.thickness
-        size = area * relative ** (SECTIONS[filament.section].area_power)
+        size = area * relative ** section_of(scene).area_power
         h = filament.thickness * relative
         # Second moments over area, of bending about the second axis and of torsion.
         if filament.section == "circle":
@@ -164,7 +162,7 @@ class _Cells:
             points = warping_rule(4, 4, filament.width / filament.thickness)
             torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
         shear = size / (2 * (1 + scene.material.poisson))
-        correction = float(SHEAR_CORRECTION[filament.section])
+        correction = section_of(scene).shear_correction
         # n_1 of the tension (THEORY3D 4), in the plane.
         force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * fields.get("shear", 0 * stretch)
         force = force + 1.5 * fields["moment"] * fields["curvature"]

@@ -34,6 +34,9 @@ if TYPE_CHECKING:
 GAS_CONSTANT = 8.31446261815324
 """R [J/(mol K)], exact since 2019."""
 
+PREFIX = "temperature_"
+"""Of the names of the numbers of this table in a run."""
+
 _ZERO_CELSIUS = 273.15
 _CELSIUS = ("degC", "°C", "celsius", "degree_Celsius")
 _FAHRENHEIT = ("degF", "°F", "fahrenheit")

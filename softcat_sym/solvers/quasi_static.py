@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Floats
-from softcat_sym.physics.symbols import Expr, Symbol
 from softcat_sym.solvers.continuation import snapped
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Solution
+
+if TYPE_CHECKING:
+    from softcat_sym.physics.symbols import Expr, Symbol
 
 # Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
 _GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
@@ -41,6 +43,9 @@ def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Flo
     ndarray, shape (n, frames)
         f of each solution.
     """
+    # SymPy stands behind it, which no run through equilibria needs.
+    from softcat_sym.discretization.casadi_printer import CellFunction
+
     order = len(coefficients)
     t, state = ca.SX.sym("t"), ca.SX.sym("f", order)
     names = {f"c{k}": c for k, c in enumerate(coefficients)}

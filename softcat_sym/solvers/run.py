@@ -25,8 +25,7 @@ from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.physics.filament import FilamentEquations, derive
-from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
@@ -49,7 +48,7 @@ class Assembled:
 
     scene: Scene
     effects: Effects  # The physics in force
-    equations: FilamentEquations  # One cell
+    formulation: Formulation  # One cell
     theory: Theory  # The unknowns that the grid carries
     body: Body  # What is there beyond the equations
     structure: Structure  # What its C text depends on
@@ -62,9 +61,9 @@ class Assembled:
     @cached_property
     def _still(self) -> Assembled:
         scene = self.scene
-        still = derive(self.effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
+        still = Formulation(self.effects.at_rest(), scene.filament.section, scene.run.closure)
         # Nothing has flowed yet: few points hold what an elastic section does in three dimensions.
-        theory = elastic_theory(scene, still) if self.theory.is_spatial else choose_theory(scene, still)
+        theory = elastic_theory(scene) if self.theory.is_spatial else choose_theory(scene, still.terms)
         return _assembled(scene, self.effects, still, theory, self.graph.grid, self.body)
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
@@ -84,21 +83,21 @@ class Assembled:
 
 def assembled(scene: Scene, effects: Effects) -> Assembled:
     """Equations -> Graph of a scene with these effects."""
-    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    grid = choose_grid(scene, effects)
-    return _assembled(scene, effects, equations, choose_theory(scene, equations), grid, choose_body(scene, grid))
+    formulation = Formulation(effects.terms(), scene.filament.section, scene.run.closure)
+    grid, theory = choose_grid(scene, effects), choose_theory(scene, formulation.terms)
+    return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid))
 
 
 def _assembled(
-    scene: Scene, effects: Effects, equations: FilamentEquations, theory: Theory, grid: Grid, body: Body
+    scene: Scene, effects: Effects, formulation: Formulation, theory: Theory, grid: Grid, body: Body
 ) -> Assembled:
-    structure = structure_of(scene, effects, grid, equations, theory, body)
-    recorded = Recorded(equations, grid, theory, body)
+    structure = structure_of(effects, grid, formulation, theory, body)
+    recorded = Recorded(formulation, grid, theory, body)
     compiled = choose_backend(scene, effects).compiled and scene.numerics.solver in (None, "rosenbrock")
     found = model_for(structure).signature if compiled else signature_of(structure)
     signature = found or recorded.program.signature
-    graph = graph_of(grid, theory, body, effects.names, equations, signature, recorded)
-    return Assembled(scene, effects, equations, theory, body, structure, graph)
+    graph = graph_of(recorded, effects.names, signature)
+    return Assembled(scene, effects, formulation, theory, body, structure, graph)
 
 
 _INTERPRETED = Backend(False, "as asked")

@@ -14,7 +14,7 @@ import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import interrupts_go_to
-from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.terms import Terms
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 
 
@@ -76,7 +76,7 @@ Observe = Callable[[Floats, Floats, Floats], Mapping[str, Floats]]
 
 def _thread(terms: Terms) -> float:
     """Stretch beyond which a filament of this law is followed no further."""
-    return THREAD if terms.law.chains is None else POLYMER_THREAD
+    return POLYMER_THREAD if terms.law.has_chains else THREAD
 
 
 def is_torn(terms: Terms, observed: Mapping[str, Floats]) -> bool:

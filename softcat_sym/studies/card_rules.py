@@ -260,7 +260,8 @@ def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     if shape == "beam" and material.index != 1:
         return "its viscosity changes with the rate of flow"
     if shape == "beam":
-        return _value(closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam_of(scene)), scene, known)
+        beam = regimes.NAMED[beam_of(scene).name]
+        return _value(closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam), scene, known)
     string = closed_forms.viscous_string_sag() if material.index == 1 else closed_forms.power_law_string_sag()
     return _value(string, scene, known)
 
@@ -284,7 +285,8 @@ def _first_yield(scene: Scene, run: Run) -> Prediction:
     del run
     if yield_stress_of(scene) is None:
         return "no yield stress"
-    return _value(closed_forms.largest_bending_stress(SECTIONS[scene.filament.section], beam_of(scene)), scene)
+    beam = regimes.NAMED[beam_of(scene).name]
+    return _value(closed_forms.largest_bending_stress(SECTIONS[scene.filament.section], beam), scene)
 
 
 def _catenary(exact: bool, scene: Scene, run: Run) -> Prediction:

@@ -7,7 +7,7 @@ import math
 import re
 from collections import Counter
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import Effects, choose_effects
@@ -15,13 +15,14 @@ from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import damping_note, first_vibration, ringing
 from softcat_sym.effects.theory_limits import theory_limits
-from softcat_sym.physics.equation import Stated
-from softcat_sym.physics.in_force import equations_in_force
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, groups_of
 from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.settings import choose_backend, settings_for
+
+if TYPE_CHECKING:
+    from softcat_sym.physics.equation import Stated
 
 STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "damped": (20.0, 1.0, 0.35)}
 """Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of
@@ -164,6 +165,10 @@ def explain(scene: SceneLike) -> Explanation:
     SceneError
         If the scene names effects that it cannot have.
     """
+    # SymPy stands behind the equations: it is loaded when they are written out.
+    from softcat_sym.physics.filament import equations_of
+    from softcat_sym.physics.in_force import equations_in_force
+
     scene = as_scene(scene)
     effects = choose_effects(scene)
     filament = assembled(scene, effects)
@@ -216,7 +221,7 @@ def explain(scene: SceneLike) -> Explanation:
         sag=expected_sag(scene),
         strain=expected_strain(scene),
         effects=decisions,
-        equations=equations_in_force(filament.equations, reduced=scene.model == "small-deflection"),
+        equations=equations_in_force(equations_of(filament.formulation), reduced=scene.model == "small-deflection"),
         unknowns=unknowns,
         graph=size,
         integrator={

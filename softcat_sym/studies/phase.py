@@ -77,7 +77,7 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
     """The lines of a plane."""
     other = np.geomspace(plane.y.low, plane.y.high, points)
     places = [place_at(scene, plane, 1.0, float(value)) for value in other]
-    section, beam = SECTIONS[scene.filament.section], beam_of(scene)
+    section, beam = SECTIONS[scene.filament.section], regimes.NAMED[beam_of(scene).name]
 
     def line(name: str, kind: Kind, source: Source, equation: str, G: Callable[[Place], float]) -> PhaseLine:
         return PhaseLine(name, kind, source, equation, other, np.array([G(place) for place in places]))
@@ -146,7 +146,7 @@ def _ramped(scene: Scene, section: Section, static: Any, slow: Callable[[Place],
     A filament that swings is not relied on to have its tension when it bends most.
     """
     beam = beam_of(scene)
-    slope, bound = float(static.subs(regimes.delta, 1)), float(beam.overshoot_bound)
+    slope, bound = float(static.subs(regimes.delta, 1)), beam.overshoot_bound
     speed = _CLAMPED_BEAM * math.sqrt(float(regimes.gyration(section)) * modulus_number(scene))
     ramp = scene.load.ramp / gravity_time(scene)
 

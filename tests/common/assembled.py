@@ -63,7 +63,7 @@ def build(scene: Scene, grid: Grid = GRIDS["half"], absent: tuple[str, ...] = ()
     """Assemble the scene's filament, without some of its effects."""
     effects = choose_effects(without(scene, *absent) if absent else scene)
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    return assemble(equations, grid, effects.names, choose_theory(scene, equations))
+    return assemble(equations, grid, effects.names, choose_theory(scene, equations.terms))
 
 
 def graph_of(scene: Scene) -> Graph:

@@ -216,7 +216,7 @@ def line():
     effects = choose_effects(scene); mark("effects")
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure); mark("derive")
     grid = choose_grid(scene, effects)
-    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
+    theory, body = choose_theory(scene, equations.terms), choose_body(scene, grid)
     graph = assemble(equations, grid, effects.names, theory, body); mark("assemble")
     structure = structure_of(scene, effects, graph, equations, theory, body)
     model_for(structure); mark("C text")

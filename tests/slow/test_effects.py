@@ -264,7 +264,7 @@ def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
         raise ValueError(f"asked for {names}, got {effects.names}")
     equations = derive(effects.terms(), SECTIONS[asked.filament.section], asked.run.closure)
     grid = choose_grid(asked)
-    return assemble(equations, grid, names, choose_theory(asked, equations), choose_body(asked, grid))
+    return assemble(equations, grid, names, choose_theory(asked, equations.terms), choose_body(asked, grid))
 
 
 def unknowns(graph: Graph) -> int:

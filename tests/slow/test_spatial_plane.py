@@ -14,7 +14,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.discretization import assembly
 from softcat_sym.discretization.section_rule import SectionRule
-from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.terms import Terms
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -60,9 +60,9 @@ HEIGHTS, RINGS = 4, 15
 """Heights in a rectangle, with as many points beside each other in three dimensions; points of a circle, 3 x 5."""
 
 
-def heights_of_points(scene: sc.Scene, equations: FilamentEquations) -> SectionRule:
+def heights_of_points(scene: sc.Scene, terms: Terms) -> SectionRule:
     """Fibres of a planar section where the points in three dimensions are, some of them beside each other."""
-    points = assembly.choose_points(scene, equations)
+    points = assembly.choose_points(scene, terms)
     each = np.eye(points.points)
     return SectionRule(points.Y, points.weight, each, each)
 

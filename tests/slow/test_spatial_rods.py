@@ -97,7 +97,7 @@ def test_a_turn_of_the_whole_turns_the_forces() -> None:
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS["rectangle"], "material")
     grid = whole_span(6, End.FREE, End.FREE, 1.0)
-    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
+    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations.terms), choose_body(scene, grid))
     p = graph.vector(parameter_values(scene))
     out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], list(graph.symbolic.raw.rates))
     rng = np.random.default_rng(3)

@@ -1,0 +1,115 @@
+"""Straight beams and catenaries in numbers: first yield, plastic collapse and arrest (3.9)-(3.14).
+
+What takes an `m` is a formula of numbers, or with SymPy as `m` of symbols, as :mod:`softcat_sym.physics.regimes` has
+it; a test proves the plain numbers equal to the expressions there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from softcat_sym.physics.cross_sections import CrossSection
+
+
+def clamped_relief(psi: Any, m: Any = math) -> Any:
+    """Share of a clamp's static moment that a steady tension leaves, of psi = (L/2) sqrt(T/(E I))."""
+    return 3 * (psi / m.tanh(psi) - 1) / psi**2
+
+
+def propped_relief(psi: Any, m: Any = math) -> Any:
+    """The same of a beam with a clamp and a pin: the pin answers the clamp by the carry-over of a beam in tension."""
+    carried = (m.sinh(2 * psi) - 2 * psi) / (2 * psi * m.cosh(2 * psi) - m.sinh(2 * psi))
+    return 2 * (1 + carried) * clamped_relief(psi, m) / 3
+
+
+def pinned_relief(psi: Any, m: Any = math) -> Any:
+    """The same at midspan of a beam between pins."""
+    return 2 * (1 - 1 / m.cosh(psi)) / psi**2
+
+
+def no_relief(psi: Any, m: Any = math) -> Any:
+    """A free end carries no tension."""
+    del psi, m
+    return 1
+
+
+@dataclass(frozen=True, slots=True)
+class Beam:
+    """A straight beam of span L under its own weight q per length, by the way its ends are held."""
+
+    name: str
+    largest_moment: float  # Largest static bending moment over q L^2
+    midspan_sag: float  # Static elastic sag at midspan over q L^4/(E I)
+    overshoot_bound: float  # Bound on the largest moment over the static one, of a weight at once and undamped modes
+    collapse: float  # q L^2 over the fully plastic moment when enough hinges have formed for it to give way
+    shear_sag: float  # Midspan sag by shear alone over q L^2/(kappa_s mu A)
+    frequency: float  # First natural one, (b L)^2 of omega = (b L)^2 sqrt(E I/(rho A L^4))
+    relief: Callable[..., Any]  # Share of the largest static moment that a steady tension leaves, of psi
+
+
+CLAMPED = Beam("clamped", 1 / 12, 1 / 384, 2.0, 16.0, 1 / 8, 4.730041**2, clamped_relief)
+PROPPED = Beam("propped", 1 / 8, 1 / 192, 2.0, 6 + 4 * math.sqrt(2), 1 / 8, 3.926602**2, propped_relief)
+PINNED = Beam("pinned", 1 / 8, 5 / 384, 2.0855090288816704, 8.0, 1 / 8, math.pi**2, pinned_relief)
+CANTILEVER = Beam("cantilever", 1 / 2, 17 / 384, 2.0, 2.0, 3 / 8, 1.875104**2, no_relief)
+"""One end clamped, the other free; the sag is that of the middle."""
+
+
+def beam_between(left: str, right: str) -> Beam:
+    """The beam between two ends; with a free one, the cantilever that the other must hold."""
+    if "free" in (left, right):
+        return CANTILEVER
+    return PROPPED if left != right else CLAMPED if left == "clamped" else PINNED
+
+
+def first_yield(section: CrossSection, beam: Beam, slenderness: float) -> float:
+    """G at which the most stressed fibre yields under a slowly applied weight (3.11)."""
+    return 2 * section.gyration * slenderness / beam.largest_moment
+
+
+def plastic_collapse(section: CrossSection, beam: Beam, slenderness: float) -> float:
+    """G at which a straight perfectly plastic beam turns into a mechanism."""
+    return beam.collapse * section.mean_lever * slenderness / 2
+
+
+def stretched_first_yield(psi: Any, gyration: Any, slenderness: Any, m: Any = math) -> tuple[Any, Any]:
+    """(eps_Y, G) at first yield of a clamped filament with bending and tension in the balance, along psi."""
+    coth = m.cosh(psi) / m.sinh(psi)
+    slopes = (2 * psi**2 + 12) / (3 * psi**2) - 3 * coth / psi - 1 / m.sinh(psi) ** 2
+    slope = 4 * slenderness * psi * m.sqrt(gyration / slopes)
+    strain = 4 * gyration * slenderness**2 * psi**2 + slenderness * slope * (psi * coth - 1)
+    return strain, 8 * gyration * slenderness**2 * psi**2 * slope / strain
+
+
+def ramp_gain(k: Any, m: Any = math) -> Any:
+    """Share of a mode's ringing that is left when gravity is switched on by the quintic step, of omega g_on; signed."""
+    return 120 * ((12 - k**2) * m.sin(k / 2) - 6 * k * m.cos(k / 2)) / k**5
+
+
+ARREST_THRESHOLD = math.sqrt(2)
+"""G above which the shallow catenary of the paper finds no sag to rest at (3.12)."""
+
+_LIGHTEST = 1.1996786402577338
+"""The u of the lightest stressed catenary, u tanh u = 1."""
+
+ARREST_THRESHOLD_EXACT = 2 * math.sqrt(_LIGHTEST**2 - 1)
+"""G above which no catenary can be held: 1.3255."""
+
+
+def stopping_depth(gravity_number: float) -> float:
+    """H_stop/L of the shallow catenary (3.13)."""
+    return 1 / (2 * gravity_number) - math.sqrt((1 / (2 * gravity_number)) ** 2 - 1 / 8)
+
+
+def stopping_depth_exact(gravity_number: float) -> float:
+    """H_stop/L of the exact catenary, whose largest stress is the yield stress: G cosh u = 2 u, the smaller root."""
+    u = gravity_number / 2
+    for _ in range(100):
+        # From the left of a convex function's root no step goes too far.
+        step = (gravity_number * math.cosh(u) - 2 * u) / (2 - gravity_number * math.sinh(u))
+        u = min(u + step, _LIGHTEST)
+        if step < 1e-15 * u:
+            break
+    return (math.cosh(u) - 1) / (2 * u)

@@ -1,0 +1,52 @@
+"""Cross-sections as numbers, which a run and its estimates ask for.
+
+The expressions that they belong to are those of :mod:`softcat_sym.physics.sections`, ``reissner``, ``loads`` and
+``necking``; a test proves both equal.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+PLANE_STRAIN = math.sqrt(3) / 2
+"""Equivalent stress over axial stress in a section too wide to change its width."""
+
+
+@dataclass(frozen=True, slots=True)
+class CrossSection:
+    """Numbers of one shape of section."""
+
+    name: str  # As in the scene
+    zeta_squared: float  # <zeta^2>
+    mean_lever: float  # <|zeta|>: the fully plastic moment is sigma_Y A (h_0/2) of it
+    shear_correction: float  # kappa_s
+    area_power: int = 1  # The area goes with this power of a relative thickness that varies along the filament
+    plane_strain: bool = False  # Whether it is too wide to change its width
+
+    @property
+    def gyration(self) -> float:
+        """K = I/(A h_0^2) = <zeta^2>/4 (before 2.18)."""
+        return self.zeta_squared / 4
+
+    def stiffness(self, modulus: float, poisson: float) -> float:
+        """E, or E/(1 - nu^2) where the width is held."""
+        return modulus / (1 - poisson**2) if self.plane_strain else modulus
+
+    def pull(self, thickness: float, width: float) -> float:
+        """Axial force of a unit of surface tension over the area, P/(2 A); of a sheet, whose width stays, 2/h_0."""
+        return 1 / thickness + 1 / width if self.name == "rectangle" else 2 / thickness
+
+    def neck(self, aspect: float) -> float:
+        """Beta of the gradient term beta h_0^2 T/s^4, at a width over thickness."""
+        return {"rectangle": (1 + aspect**2) / 48, "circle": 1 / 32, "sheet": 1 / 12}[self.name]
+
+
+CROSS_SECTIONS: dict[str, CrossSection] = {
+    one.name: one
+    for one in (
+        CrossSection("rectangle", 1 / 3, 1 / 2, 5 / 6),
+        CrossSection("circle", 1 / 4, 4 / (3 * math.pi), 9 / 10, area_power=2),
+        CrossSection("sheet", 1 / 3, 1 / 2, 5 / 6, plane_strain=True),
+    )
+}

@@ -1,0 +1,152 @@
+"""What a run is asked before any equation is derived: known without SymPy, and the same as the equations say."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from typing import get_args
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from softcat_sym.discretization.point_rule import POINT_TABLES
+from softcat_sym.discretization.section_rule import polynomials
+from softcat_sym.effects.temperature import cylinder_in_air
+from softcat_sym.physics import beams, heat, regimes
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.closures import polynomial
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
+from softcat_sym.physics.densities import Densities
+from softcat_sym.physics.filament import clocks_of, derive, law_named
+from softcat_sym.physics.loads import SURFACES, surface_tension
+from softcat_sym.physics.necking import NECKS, aspect
+from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.physics.section_response import stiffness
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.spatial import POINT
+from softcat_sym.physics.surroundings import densities_of
+from softcat_sym.physics.symbols import c, g, h0, s, zeta
+from softcat_sym.physics.terms import Course, Rheology, Terms
+from softcat_sym.scene.material import CONSTANTS, Law
+
+SCENES = ("ink-bridge", "arrested-overdamped", "maxwell-slow", "glass-fibre", "polymer-thread", "coil-spring")
+OWN_LAW = """
+[filament]
+span = "0.2 m"
+thickness = "6 mm"
+density = "1900 kg/m^3"
+[material]
+law = "custom"
+youngs_modulus = "1 MPa"
+flow = "sinh(sigma/s0)/t0"
+parameters = {s0 = "9 kPa", t0 = "1 s"}
+[run]
+duration = "1 s"
+"""
+CHOOSE = f"""
+import sys, tomllib
+import softcat_sym as sc
+from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.solvers.settings import choose_backend, settings_for
+scenes = [sc.load_scene(name) for name in {SCENES}]
+for scene in [*scenes, sc.Scene.from_dict(tomllib.loads({OWN_LAW!r}))]:
+    effects = choose_effects(scene)
+    hash((effects.terms(), effects.at_rest()))
+    settings_for(scene, effects, compiled=choose_backend(scene, effects).compiled)
+    theory_limits(scene, expected_regime(scene, effects.names))
+    choose_body(scene, choose_grid(scene, effects)), choose_theory(scene, effects.terms()), parameter_values(scene)
+assert "sympy" not in sys.modules
+"""
+
+
+def test_a_run_is_prepared_without_sympy() -> None:
+    """Effects, tolerances, grid, theory, numbers; with heat, with chains, in space and with a law of its own."""
+    subprocess.run([sys.executable, "-c", CHOOSE], check=True)
+
+
+def test_a_law_is_what_its_equations_are() -> None:
+    own = {"custom": {"flow": "sigma/t0", "threshold": True}, "multimode-maxwell": {"modes": 2}}
+    for name in get_args(Law):
+        for solvent in (True, False):
+            rheology = Rheology(name, solvent=solvent, **own.get(name, {}))
+            law = law_named(rheology)
+            flows = [branch.flow for branch in law.branches if branch.flow is not None]
+            said = (rheology.flows, rheology.yields, rheology.is_viscous, rheology.has_chains, rheology.has_springs)
+            found = (law.flows, law.yields, law.viscosity is not None, law.chains is not None, bool(law.branches))
+            assert said == found, name
+            assert rheology.has_closed_means is all(flow.closed_means for flow in flows), name
+        for constant in (
+            ("mode_1_youngs_modulus", "mode_2_viscosity") if name == "multimode-maxwell" else CONSTANTS[name]
+        ):
+            if constant in ("youngs_modulus", "second_modulus", "viscosity", "yield_stress"):
+                terms = Terms(law=rheology, curing=(Course(constant, rows=2),))
+                (clock,) = clocks_of(terms)
+                assert terms.grows is bool(clock.grows), (name, constant)
+
+
+def test_the_tension_has_a_potential_where_the_volume_does_not_depend_on_the_stretch() -> None:
+    for finite in (True, False):
+        for thins in (True, False):
+            terms = Terms(bending=True, stretches=True, finite=finite, thins=thins)
+            found = derive(terms, SECTIONS["circle"], "material")
+            assert found.conserves_energy is (s not in found.response.volume.free_symbols)
+
+
+def test_what_surrounds_a_filament_leaves_it_symmetric() -> None:
+    """And belongs to a cell if it depends on the tangent."""
+    for terms in (Terms(buoyant=True), Terms(drag="slender"), Terms(drag="cross-flow"), Terms(added_mass=True)):
+        (found,) = densities_of(terms, "rectangle")
+        assert found.symmetric
+        assert terms.drags is (found.dissipation != 0)
+        assert terms.adds_mass is (found.kinetic != 0)
+    keys = {Densities("one", stored=one).signature for one in (g, g * h0, g * sp.Float(2), g * 2)}
+    assert len(keys) == 4
+
+
+def test_numbers_of_sections_are_those_of_their_expressions() -> None:
+    wide = 3.0
+    assert (*(symbol.name for symbol in POINT), "weight") == POINT_TABLES
+    for name, section in SECTIONS.items():
+        plain = CROSS_SECTIONS[name]
+        found = 2 * section.overstress_mean.subs(c, 0), regimes.gyration(section), SHEAR_CORRECTION[name]
+        assert (plain.mean_lever, plain.gyration, plain.shear_correction) == tuple(map(float, found))
+        assert plain.area_power == section.area_power
+        assert plain.plane_strain is section.plane_strain is not SURFACES[name].shrinks
+        assert plain.stiffness(7.0, 0.4) == pytest.approx(float(stiffness(section, sp.Float(7)).subs(nu, 0.4)))
+        assert plain.neck(wide) == pytest.approx(float(NECKS[name].beta.subs(aspect, wide)))
+        pull = SURFACES[name].pressure.subs({surface_tension: 1, h0: 0.2, aspect: wide})
+        assert plain.pull(0.2, 0.6) == pytest.approx(float(pull))
+        at = (-0.3, 0.8)
+        wanted = [[float(polynomial(section, n).subs(zeta, place)) for n in range(4)] for place in at]
+        np.testing.assert_allclose(polynomials(name, np.array(at), 3), wanted, rtol=1e-13)
+
+
+def test_numbers_of_beams_and_catenaries_are_those_of_their_expressions() -> None:
+    section, plain_section, delta = SECTIONS["circle"], CROSS_SECTIONS["circle"], regimes.delta
+    for name, beam in regimes.NAMED.items():
+        plain = getattr(beams, name.upper())
+        for field in ("largest_moment", "midspan_sag", "overshoot_bound", "collapse"):
+            assert getattr(plain, field) == pytest.approx(float(getattr(beam, field)), rel=1e-15), (name, field)
+        for psi in (0.3, 4.0):
+            assert float(plain.relief(psi)) == pytest.approx(float(beam.relief.subs(regimes.psi_T, psi)), rel=1e-13)
+        for number, expression in (
+            (beams.plastic_collapse, regimes.plastic_collapse),
+            (beams.first_yield, regimes.first_yield),
+        ):
+            held = float(expression(section, beam).subs(delta, 0.1))
+            assert number(plain_section, plain, 0.1) == pytest.approx(held, rel=1e-14)
+    assert pytest.approx(float(regimes.arrest_threshold_exact()), rel=1e-15) == beams.ARREST_THRESHOLD_EXACT
+    for number in (1e-3, 0.4, 1.2, 1.325):
+        exact, paper = regimes.stopping_depth_exact(number), regimes.STOPPING_DEPTH.right.subs(regimes.G, number)
+        assert beams.stopping_depth_exact(number) == pytest.approx(float(exact), rel=1e-9)
+        assert beams.stopping_depth(number) == pytest.approx(float(paper), rel=1e-9)
+
+
+def test_the_correlation_of_a_cylinder_in_air_is_that_of_its_expression() -> None:
+    given = {heat.temperature: 900.0, heat.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
+    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat.cylinder_in_air().subs(given)))
