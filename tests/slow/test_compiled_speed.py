@@ -200,29 +200,12 @@ marks = [("interpreter", time.perf_counter())]
 def mark(name): marks.append((name, time.perf_counter()))
 import softcat_sym as sc
 scene = sc.load_scene("continual-descent", json.loads(sys.argv[1])); mark("scene")
-import casadi; mark("import casadi")
-import sympy; mark("import sympy")
 from softcat_sym.single_run import build
-from softcat_sym.codegen.model import structure_of, model_for
-from softcat_sym.solvers.compiled import compile_filament
-from softcat_sym.solvers.run import prepare
-from softcat_sym.solvers.settings import choose_backend, compiled_settings
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
-mark("import the rest")
+mark("imports")
 def line():
     effects = choose_effects(scene); mark("effects")
-    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure); mark("derive")
-    grid = choose_grid(scene, effects)
-    theory, body = choose_theory(scene, equations.terms), choose_body(scene, grid)
-    graph = assemble(equations, grid, effects.names, theory, body); mark("assemble")
-    structure = structure_of(scene, effects, graph, equations, theory, body)
-    model_for(structure); mark("C text")
-    code = compile_filament(graph, structure); mark("library")
-    prepare(scene, graph, compiled_settings(scene, effects), None, (choose_backend(scene, effects), code))
-    mark("parameters, start")
+    build(scene, effects); mark("library, grid, parameters, start")
 line()
 first = {name: after - before for (_, before), (name, after) in zip(marks, marks[1:])}
 marks = [("", time.perf_counter())]
@@ -235,10 +218,7 @@ print(json.dumps([first, again]))
 @pytest.mark.slow
 @pytest.mark.parametrize("physics", ["paper", "fibres"])
 def test_seconds_before_a_solve_from_the_cache_starts(physics: str) -> None:
-    """Goal: 50 ms. Met by a further run of the same process (24 ms, 50 with fibres), missed by a new one.
-
-    A new process takes 1.2 to 1.4 s: 0.8 s of it imports, 0.4 s SymPy, graph and C text. The library takes 4 ms.
-    """
+    """Goal: 50 ms. Met by a further run of the same process, missed by a new one, which spends its time importing."""
     effects: dict[str, Any] = {"run.effects": "paper"} if physics == "paper" else {"numerics.fibres": 6}
     argument = json.dumps({**effects, "numerics.cells": 40})
     command = [sys.executable, "-c", _STAGES, argument]

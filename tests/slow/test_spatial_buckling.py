@@ -148,7 +148,7 @@ class Ring:
         self.cells, self.statics = cells, turned_by_its_end(cells)
         g = self.statics.graph
         self.X, self._near = g.grid.nodes + 0.5, np.zeros(3)
-        self._alg = ca.Function("alg", [g.t, g.x, g.z, g.p], [ca.densify(g.raw.rates[1])])
+        self._alg = ca.Function("alg", [g.t, g.x, g.z, g.p], [ca.densify(g.symbolic.raw.rates[1])])
 
     def p(self, turn: float) -> Floats:
         """Both ends at one place; once around is a quaternion of the other sign, as once about the normal is."""
