@@ -1,4 +1,4 @@
-"""What a run is asked before any equation is derived: known without SymPy, and the same as the equations say."""
+"""What a run asks is known without SymPy, and the same as the equations say; nor does it load CasADi."""
 
 from __future__ import annotations
 
@@ -29,6 +29,8 @@ from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import c, g, h0, s, zeta
 from softcat_sym.physics.terms import Course, Rheology, Terms
 from softcat_sym.scene.material import CONSTANTS, Law
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.simulate import simulated
 
 SCENES = ("ink-bridge", "arrested-overdamped", "maxwell-slow", "glass-fibre", "polymer-thread", "coil-spring")
 OWN_LAW = """
@@ -67,6 +69,22 @@ assert "sympy" not in sys.modules
 def test_a_run_is_prepared_without_sympy() -> None:
     """Effects, tolerances, grid, theory, numbers; with heat, with chains, in space and with a law of its own."""
     subprocess.run([sys.executable, "-c", CHOOSE], check=True)
+
+
+SHORT = ("numerics.cells=10", "run.duration=0.05 s", "run.frames=11")
+RUN = f"""
+import sys
+import softcat_sym as sc
+from softcat_sym.simulate import simulated
+assert simulated(sc.load_scene("no-yield", {SHORT})).outcome.is_success
+assert not {{"sympy", "casadi"}} & set(sys.modules)
+"""
+
+
+def test_a_run_whose_library_is_cached_loads_neither_sympy_nor_casadi() -> None:
+    """With its companions that estimate the error, and all that is judged of it."""
+    assert simulated(load_scene("no-yield", SHORT)).outcome.is_success
+    subprocess.run([sys.executable, "-c", RUN], check=True)
 
 
 def test_a_law_is_what_its_equations_are() -> None:

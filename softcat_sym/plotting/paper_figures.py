@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from softcat_sym.physics.regimes import arrest_threshold_exact
+from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
@@ -181,10 +181,9 @@ _PHASE_CAPTION = (
 def phase_caption(diagram: PhaseDiagram) -> str:
     """The caption, every number from the runs."""
     groups, first = groups_of(diagram.scene), diagram.sheets[0]
-    threshold = float(arrest_threshold_exact())
     clamps = [point.run for point in first.points if point.run.mark == CLAMPS_ONLY]
-    below = [run.span_rate for run in clamps if run.place.G < threshold]
-    above = [run.span_rate for run in clamps if run.place.G >= threshold]
+    below = [run.span_rate for run in clamps if run.place.G < ARREST_THRESHOLD_EXACT]
+    above = [run.span_rate for run in clamps if run.place.G >= ARREST_THRESHOLD_EXACT]
     return _PHASE_CAPTION.format(
         V=groups.V,
         delta=groups.delta,

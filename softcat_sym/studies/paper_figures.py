@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.physics import beams, closed_forms
 from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
@@ -237,12 +237,10 @@ RINGING_SINCE = 60.0
 
 def stopping_depth(gravity_number: float) -> dict[str, float | None]:
     """H_stop/L of (3.13) and of the exact catenary; None where there is none."""
-    depths: dict[str, float | None] = {"paper": None, "exact": None}
-    if gravity_number < float(regimes.ARREST_THRESHOLD):
-        depths["paper"] = float(evaluate(regimes.STOPPING_DEPTH.right, {regimes.G: gravity_number})[0])
-    if gravity_number < float(regimes.arrest_threshold_exact()):
-        depths["exact"] = float(regimes.stopping_depth_exact(gravity_number))
-    return depths
+    return {
+        "paper": beams.stopping_depth(gravity_number) if gravity_number < beams.ARREST_THRESHOLD else None,
+        "exact": beams.stopping_depth_exact(gravity_number) if gravity_number < beams.ARREST_THRESHOLD_EXACT else None,
+    }
 
 
 def scene_facts(filmed: FilmedScene) -> dict[str, Any]:

@@ -16,10 +16,10 @@ import numpy.typing as npt
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
-from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, weight_stress
+from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
 from softcat_sym.ensemble.executor import Executor, MembersProgress, executor
-from softcat_sym.physics import regimes
-from softcat_sym.physics.sections import SECTIONS, Section
+from softcat_sym.physics import beams
+from softcat_sym.physics.cross_sections import CrossSection
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
@@ -53,7 +53,6 @@ if TYPE_CHECKING:
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
 Source = Literal["paper", "exact", "estimate"]
 
-_CLAMPED_BEAM = 4.730041**2  # first natural frequency of a clamped beam, in sqrt(EI/(rho A L^4))
 _PSI, _PSI_POINTS = (0.1, 300.0), 160  # psi of first yield: linear beam to taut string
 
 
@@ -77,34 +76,34 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
     """The lines of a plane."""
     other = np.geomspace(plane.y.low, plane.y.high, points)
     places = [place_at(scene, plane, 1.0, float(value)) for value in other]
-    section, beam = SECTIONS[scene.filament.section], regimes.NAMED[beam_of(scene).name]
+    section, beam = section_of(scene), beam_of(scene)
 
     def line(name: str, kind: Kind, source: Source, equation: str, G: Callable[[Place], float]) -> PhaseLine:
         return PhaseLine(name, kind, source, equation, other, np.array([G(place) for place in places]))
 
-    def beam_line(expression: Any) -> Callable[[Place], float]:
-        slope = float(expression.subs(regimes.delta, 1))
-        return lambda place: slope * place.delta
-
-    static, sudden = regimes.first_yield(section, beam), regimes.first_yield_at_once(section, beam)
-    exact = float(regimes.arrest_threshold_exact())
+    static, exact = beams.first_yield(section, beam, 1.0), beams.ARREST_THRESHOLD_EXACT
+    sudden = static / beam.overshoot_bound
     # What counts as arrested may flow at this rate still: its stress is that much above the yield stress.
     at_rate = 1 + ARREST_RATE
     found = [
-        line("first yield of a beam", "first yield", "paper", "(3.11)", beam_line(static)),
+        line("first yield of a beam", "first yield", "paper", "(3.11)", lambda place: static * place.delta),
         line("arrest of a shallow catenary", "arrest", "paper", "(3.12)", lambda _: math.sqrt(2)),
-        line("sudden load, undamped beam", "first yield", "exact", "(3.11) over the bound", beam_line(sudden)),
+        line(
+            "sudden load, undamped beam",
+            "first yield",
+            "exact",
+            "(3.11) over the bound",
+            lambda place: sudden * place.delta,
+        ),
         line("arrest of the exact catenary", "arrest", "exact", "(3.12), exact", lambda _: exact),
         line("the same, of rate 0.5", "arrest of the span", "exact", "(3.12) at 1.5 σʏ", lambda _: exact * at_rate),
         line("spring-back of 5 %", "overdamping", "estimate", "one-mode fall", _overdamped(scene)),
     ]
-    if beam == regimes.CLAMPED:
+    if beam is beams.CLAMPED:
         slow = _slow_yield(scene, section)
         found += [
             line("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow),
-            line(
-                "this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, section, static, slow)
-            ),
+            line("this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, static, slow)),
         ]
     return tuple(found)
 
@@ -114,7 +113,7 @@ def modulus_number(scene: Scene) -> float:
     return (instant_modulus(scene) or math.inf) / weight_stress(scene)
 
 
-def _slow_yield(scene: Scene, section: Section) -> Callable[[Place], float]:
+def _slow_yield(scene: Scene, section: CrossSection) -> Callable[[Place], float]:
     """G of first yield under a slow load, from eps_Y G E* = 1 along the curve of psi; NaN beyond its end.
 
     eps_Y goes as delta^2 and G as delta at a given psi: one table of their product serves every filament.
@@ -130,24 +129,20 @@ def _slow_yield(scene: Scene, section: Section) -> Callable[[Place], float]:
 
 
 @cache
-def _yield_curve(section: Section) -> tuple[Floats, Floats]:
+def _yield_curve(section: CrossSection) -> tuple[Floats, Floats]:
     """Logarithms of eps_Y G and of G along the curve of first yield, of a filament as thick as long."""
-    curve = regimes.first_yield_stretched(section)
-    strain, gravity = (side.subs(regimes.delta, 1) for side in (curve.yield_strain, curve.gravity_number))
     points = np.geomspace(*_PSI, _PSI_POINTS)
-    values = [[float(side.subs(regimes.psi_T, psi)) for psi in points] for side in (strain, gravity)]
-    logarithms = np.log(np.array(values))
-    return logarithms[0] + logarithms[1], logarithms[1]
+    strain, gravity = np.log(beams.stretched_first_yield(points, section.gyration, 1.0, np))
+    return strain + gravity, gravity
 
 
-def _ramped(scene: Scene, section: Section, static: Any, slow: Callable[[Place], float]) -> Callable[[Place], float]:
+def _ramped(scene: Scene, slope: float, slow: Callable[[Place], float]) -> Callable[[Place], float]:
     """Static first yield over what the first mode of the beam overshoots by after the ramp.
 
     A filament that swings is not relied on to have its tension when it bends most.
     """
-    beam = beam_of(scene)
-    slope, bound = float(static.subs(regimes.delta, 1)), beam.overshoot_bound
-    speed = _CLAMPED_BEAM * math.sqrt(float(regimes.gyration(section)) * modulus_number(scene))
+    bound, frequency = beam_of(scene).overshoot_bound, beam_of(scene).frequency
+    speed = frequency * math.sqrt(section_of(scene).gyration * modulus_number(scene))
     ramp = scene.load.ramp / gravity_time(scene)
 
     def found(place: Place) -> float:
@@ -161,7 +156,7 @@ def _ramped(scene: Scene, section: Section, static: Any, slow: Callable[[Place],
 def _overdamped(scene: Scene) -> Callable[[Place], float]:
     """G at which the filament springs back by `TURNS_BACK` of its sag; NaN if at none between 0.1 and 1.3255."""
     ramp, modulus = scene.load.ramp / gravity_time(scene), modulus_number(scene)
-    G = np.geomspace(0.1, float(regimes.arrest_threshold_exact()), 60)
+    G = np.geomspace(0.1, beams.ARREST_THRESHOLD_EXACT, 60)
     left = [ringing_share(math.sqrt(10 / value), ramp) for value in G]
 
     def found(place: Place) -> float:
