@@ -197,30 +197,36 @@ lanes_mask lanes_linear_factorise(lanes_linear *linear, const real *entries, rea
 static void solve_band(const lanes_linear *linear)
 {
     const softcat_band *band = &linear->plan->band;
-    real *b = linear->right;
+    real *restrict b = linear->right;
     int n = band->size;
+    real value = b[0]; /* of row j: what is needed at once stays in a register */
     for (int j = 0; j < n; j++) {
-        const real *multipliers = linear->multipliers + (size_t)j * (size_t)band->below;
-        int end = j + band->lower < n - 1 ? j + band->lower : n - 1, p = linear->common[j];
-        if (p < 0)
-            for (int i = j + 1; i <= end; i++)
+        const real *restrict times = linear->multipliers + (size_t)j * (size_t)band->below;
+        int count = j + band->lower < n - 1 ? band->lower : n - 1 - j, p = linear->common[j];
+        b[j] = value;
+        if (p != j) {
+            for (int i = p < 0 ? j + 1 : p; i <= (p < 0 ? j + count : p); i++)
                 exchange(b + j, b + i, (lanes_mask)(linear->pivot[j] == (lanes_mask){0} + i), 1);
-        else if (p != j)
-            exchange(b + j, b + p, ~(lanes_mask){0}, 1);
-        real value = b[j];
-        for (int i = j + 1; i <= end; i++) b[i] -= value * multipliers[i - j - 1];
+            value = b[j];
+        }
+        real next = count > 0 ? b[j + 1] - value * times[0] : value;
+        for (int i = 1; i < count; i++) b[j + 1 + i] -= value * times[i];
+        value = next;
     }
+    value = REAL(0.0);
     for (int i = n - 1; i >= 0; i--) {
-        const real *row = linear->rows + (size_t)i * (size_t)band->width + band->lower + 1;
+        const real *restrict row = linear->rows + (size_t)i * (size_t)band->width + band->lower + 1;
         const real *known = b + i + 1;
         real even = b[i], odd = REAL(0.0);
-        int count = linear->last[i] - i, c = 0;
-        for (; c + 1 < count; c += 2) {
+        int c = linear->last[i] - i - 1;
+        for (; c > 1; c -= 2) {
             even -= row[c] * known[c];
-            odd -= row[c + 1] * known[c + 1];
+            odd -= row[c - 1] * known[c - 1];
         }
-        if (c < count) even -= row[c] * known[c];
-        b[i] = (even + odd) * linear->inverse[i];
+        if (c == 1) odd -= row[1] * known[1];
+        even += odd;
+        if (c >= 0) even -= row[0] * value;
+        b[i] = value = even * linear->inverse[i];
     }
 }
 
