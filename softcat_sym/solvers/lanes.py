@@ -106,6 +106,12 @@ class LanesModel:
                 self._one.integrate(run, room.status, stop, room)
 
 
+@lru_cache(maxsize=16)
+def lanes_of(model: CModel) -> LanesModel:
+    """The lanes of a model, loaded once a process."""
+    return LanesModel(model)
+
+
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     library = load(compile_library(runtime_sources() | lanes_sources(), flags=_RUNTIME), _INTEGRATE)

@@ -218,14 +218,16 @@ static void solve_band(const lanes_linear *linear)
         const real *restrict row = linear->rows + (size_t)i * (size_t)band->width + band->lower + 1;
         const real *known = b + i + 1;
         real even = b[i], odd = REAL(0.0);
+        /* Where a sum goes must not depend on how far the rows of other lanes reach. */
         int c = linear->last[i] - i - 1;
-        for (; c > 1; c -= 2) {
-            even -= row[c] * known[c];
-            odd -= row[c - 1] * known[c - 1];
+        if (c > 0 && c % 2 == 0) even -= row[c] * known[c];
+        for (c -= 1 - c % 2; c > 1; c -= 2) {
+            odd -= row[c] * known[c];
+            even -= row[c - 1] * known[c - 1];
         }
         if (c == 1) odd -= row[1] * known[1];
         even += odd;
-        if (c >= 0) even -= row[0] * value;
+        if (i < n - 1) even -= row[0] * value;
         b[i] = value = even * linear->inverse[i];
     }
 }
