@@ -20,18 +20,16 @@ int lanes_linear_new(lanes_linear *linear, const softcat_model *model, int sites
     const softcat_band *band = &plan->band;
     size_t n = (size_t)band->size, site = (size_t)sites, padded = (size_t)plan->padded;
     size_t answers = (size_t)plan->answer_columns * padded;
-    real **store[] = {&linear->rows,    &linear->multipliers, &linear->inverse,
-                      &linear->scale,   &linear->right,       &linear->blocks,
-                      &linear->answers, &linear->drags,       &linear->weights,
-                      &linear->coupling, &linear->gathered,   &linear->solved};
+    real **store[] = {&linear->rows,   &linear->multipliers, &linear->inverse, &linear->scale,
+                      &linear->right,  &linear->blocks,      &linear->answers, &linear->weights,
+                      &linear->coupling, &linear->gathered,  &linear->solved};
     size_t size[] = {n * (size_t)band->width,
-                     n * (size_t)band->below,
+                     n * (size_t)band->lower,
                      n,
                      n,
-                     n + (size_t)(band->below + band->width),
+                     n + (size_t)band->width,
                      site * (size_t)plan->block_doubles,
                      site * answers,
-                     site * (size_t)plan->drag_columns * padded,
                      site * (size_t)plan->group_count * padded,
                      answers,
                      padded,
@@ -155,7 +153,7 @@ static lanes_mask factorise_band(lanes_linear *linear)
         bad |= take_pivot(linear, j, end, &reach);
         linear->last[j] = reach;
         const real *restrict pivot = linear->rows + (size_t)j * width + (size_t)lower;
-        real *multipliers = linear->multipliers + (size_t)j * (size_t)band->below;
+        real *multipliers = linear->multipliers + (size_t)j * (size_t)band->lower;
         real inverse = linear->inverse[j] = 1.0 / pivot[0];
         for (int i = j + 1; i <= end; i++) {
             real *restrict row = linear->rows + (size_t)i * width + (size_t)(j - i + lower);
@@ -201,7 +199,7 @@ static void solve_band(const lanes_linear *linear)
     int n = band->size;
     real value = b[0]; /* of row j: what is needed at once stays in a register */
     for (int j = 0; j < n; j++) {
-        const real *restrict times = linear->multipliers + (size_t)j * (size_t)band->below;
+        const real *restrict times = linear->multipliers + (size_t)j * (size_t)band->lower;
         int count = j + band->lower < n - 1 ? band->lower : n - 1 - j, p = linear->common[j];
         b[j] = value;
         if (p != j) {
@@ -232,25 +230,18 @@ static void solve_band(const lanes_linear *linear)
     }
 }
 
-/* r_row += J_rx k_x, for the x that are already eliminated. */
-static void carry_over(const lanes_linear *linear, real *k)
+void lanes_carry_over(const lanes_linear *linear, const softcat_links *links, int site,
+                      const real *k, real *to, const int *place)
 {
     const softcat_linear *plan = linear->plan;
-    const softcat_link *links = plan->moved.links, *end = links + plan->moved.count;
-    for (int site = 0; site < plan->sites; site++) {
-        const real *entries = linear->entries + (size_t)site * (size_t)plan->model->entries;
-        const unsigned char *is_free = plan->free_unknowns + (ptrdiff_t)site * plan->slots;
-        real *here = k + (ptrdiff_t)site * plan->slots, sum = REAL(0.0);
-        int all = plain(plan, site);
-        for (const softcat_link *link = links; link < end; link++) {
-            int other = site + link->offset;
-            if (all || (other >= 0 && other < plan->sites && is_free[link->row]))
-                sum += entries[link->entry] * here[link->distance];
-            if (link + 1 == end || link[1].row != link->row) {
-                here[link->row] += sum;
-                sum = REAL(0.0);
-            }
-        }
+    const real *entries = linear->entries + (size_t)site * (size_t)plan->model->entries;
+    const unsigned char *is_free = plan->free_unknowns + (ptrdiff_t)site * plan->slots;
+    int all = plain(plan, site);
+    for (const softcat_link *link = links->links; link < links->links + links->count; link++) {
+        int other = site + link->offset;
+        if (all || (other >= 0 && other < plan->sites && is_free[link->row]))
+            to[place ? place[link->row] : link->row] +=
+                entries[link->entry] * k[(ptrdiff_t)other * plan->slots + link->column];
     }
 }
 
@@ -263,7 +254,8 @@ void lanes_linear_solve(const lanes_linear *linear, real *k)
     for (int e = 0; e < plan->eliminated; e++)
         for (int site = 0; site < plan->sites; site++)
             k[(size_t)site * slots + (size_t)plan->eliminated_slot[e]] *= linear->inverse_shift;
-    if (plan->moved.count > 0) carry_over(linear, k);
+    for (int site = 0; site < plan->sites; site++)
+        lanes_carry_over(linear, &plan->moved, site, k, k + (size_t)site * slots, NULL);
     if (plan->model->sections > 0) lanes_sections_first(linear, k);
     real *right = linear->right;
     for (int site = 0; site < plan->sites; site++)

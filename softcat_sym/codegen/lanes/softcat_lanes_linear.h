@@ -1,4 +1,5 @@
-/* softcat_linear.h for all lanes at once: one elimination plan, a pivot of its own for each lane. */
+/* softcat_linear.h for all lanes at once: one elimination plan, a pivot of its own for each lane. What
+ * depends on how softcat_linear.c keeps its numbers is only where the plan puts them. */
 #ifndef SOFTCAT_LANES_LINEAR_H
 #define SOFTCAT_LANES_LINEAR_H
 
@@ -13,7 +14,7 @@ typedef struct lanes_linear {
     lanes_mask *pivot;     /* [size] row exchanged with each, of each lane */
     int *common;           /* [size] the same if all lanes have the same, else -1 */
     int *last;             /* [size] last column of each row of U */
-    real *blocks, *answers, *drags, *weights, *coupling, *gathered, *solved; /* of softcat_plan.h */
+    real *blocks, *answers, *weights, *coupling, *gathered, *solved; /* as those of the plan */
     const real *entries;
     real inverse_shift;
     void *memory, *integers;
@@ -31,7 +32,12 @@ lanes_mask lanes_linear_factorise(lanes_linear *, const real *entries, real shif
 /* k [sites * slots]: in r, out k. */
 void lanes_linear_solve(const lanes_linear *, real *k);
 
-/* What lanes_sections.c does of it. */
+/* to += J_x k_x of a site, for the x that are already eliminated; `to` is numbered by `place`, or as
+ * the slots are if that is NULL. */
+void lanes_carry_over(const lanes_linear *, const softcat_links *, int site, const real *k, real *to,
+                      const int *place);
+
+/* What softcat_lanes_sections.c does of it. */
 lanes_mask lanes_sections_eliminate(lanes_linear *, int site, const real *entries, real shift);
 void lanes_sections_answer(const lanes_linear *, int site, real *rows);
 void lanes_sections_first(const lanes_linear *, real *k);

@@ -84,15 +84,13 @@ lanes_mask lanes_sections_eliminate(lanes_linear *linear, int site, const real *
     const softcat_linear *plan = linear->plan;
     const softcat_model *model = plan->model;
     size_t padded = (size_t)plan->padded, wide = (size_t)plan->answer_columns * padded;
-    size_t drags = (size_t)plan->drag_columns * padded, at = (size_t)site;
-    size_t weights = (size_t)plan->group_count * padded;
+    size_t weights = (size_t)plan->group_count * padded, at = (size_t)site;
     real *blocks = linear->blocks + at * (size_t)plan->block_doubles;
     real *answers = linear->answers + at * wide;
     const unsigned char *is_free = plan->free_unknowns + (ptrdiff_t)site * plan->slots;
     lanes_mask bad = {0};
     memset(blocks, 0, (size_t)plan->block_doubles * sizeof(real));
     memset(linear->coupling, 0, wide * sizeof(real));
-    memset(linear->drags + at * drags, 0, drags * sizeof(real));
     memset(linear->weights + at * weights, 0, weights * sizeof(real));
     for (int s = 0; s < model->sections; s++) {
         int slot = plan->section_slot[s];
@@ -101,7 +99,6 @@ lanes_mask lanes_sections_eliminate(lanes_linear *linear, int site, const real *
     }
     lanes_scatter(linear, &plan->within, site, entries, blocks);
     lanes_scatter(linear, &plan->driven, site, entries, linear->coupling);
-    lanes_scatter(linear, &plan->dragged, site, entries, linear->drags + at * drags);
     lanes_scatter(linear, &plan->seen, site, entries, linear->weights + at * weights);
     for (int b = 0; b < plan->block_count; b++) {
         const softcat_block *block = plan->block + b;
@@ -141,16 +138,10 @@ void lanes_sections_first(const lanes_linear *linear, real *k)
 {
     const softcat_linear *plan = linear->plan;
     int sections = plan->model->sections, padded = plan->padded, last = plan->sites - 1;
-    const real *drag = linear->drags;
     for (int site = 0; site <= last; site++) {
         real *here = k + (ptrdiff_t)site * plan->slots;
         for (int s = 0; s < sections; s++) linear->gathered[s] = here[plan->section_slot[s]];
-        for (int c = 0; c < plan->drag_columns; c++, drag += padded) {
-            int other = site + plan->drag_offset[c];
-            if (other < 0 || other > last) continue;
-            real x = k[(ptrdiff_t)other * plan->slots + plan->drag_slot[c]];
-            for (int s = 0; s < sections; s++) linear->gathered[s] -= x * drag[s];
-        }
+        lanes_carry_over(linear, &plan->dragged, site, k, linear->gathered, plan->place);
         apply(plan, linear->blocks + (size_t)site * (size_t)plan->block_doubles, linear->gathered,
               linear->solved);
         for (int s = 0; s < sections; s++) here[plan->section_slot[s]] = linear->solved[s];
