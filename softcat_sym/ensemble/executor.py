@@ -93,8 +93,10 @@ class Threads:
     def __init__(self, size: int, stop: Stop) -> None:
         self.size, self.stop = size, stop
         self._lanes = stop.pool if isinstance(stop, Meeting) else None
-        self._threads = self._lanes.threads if self._lanes else size
-        self._pool = futures.ThreadPoolExecutor(self._threads, thread_name_prefix="softcat-member")
+        # Every member that others may wait for has a thread.
+        self._most = self._lanes.threads if self._lanes else _AHEAD * size
+        threads = self._most if self._lanes else size
+        self._pool = futures.ThreadPoolExecutor(threads, thread_name_prefix="softcat-member")
 
     def __str__(self) -> str:
         return f"embedded, {self.size} thread{'s' if self.size > 1 else ''}"
@@ -106,7 +108,10 @@ class Threads:
         waiting = enumerate(members)
         running: dict[futures.Future[Result], int] = {}
         while True:
-            for number, member in islice(waiting, _AHEAD * self._threads - len(running)):
+            more = list(islice(waiting, self._most - len(running)))
+            if self._lanes:
+                self._lanes.expect(len(more))
+            for number, member in more:
                 running[self._pool.submit(self._run, function, member)] = number
             if not running:
                 return

@@ -51,15 +51,18 @@ class LanePool:
         self._flag = flag
         self._turns = threading.Semaphore(workers)
         self._lock, self._compiling = threading.Lock(), threading.Lock()
-        self._busy = 0  # Threads that may still ask
+        self._busy = 0  # Members that may still ask
         self._waiting: list[_Waiting] = []
         self._lanes: dict[int, LanesModel | None] = {}
 
+    def expect(self, members: int) -> None:
+        """Wait for so many more members, each of which has a thread, before few runs are integrated."""
+        with self._lock:
+            self._busy += members
+
     @contextmanager
     def member(self) -> Iterator[None]:
-        """What a thread does for one member, when it is its turn."""
-        with self._lock:
-            self._busy += 1
+        """What a thread does for one of them, when it is its turn."""
         with self._turns:
             try:
                 yield

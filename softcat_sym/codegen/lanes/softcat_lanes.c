@@ -326,7 +326,10 @@ int softcat_lanes_integrate(const softcat_lanes_model *model, softcat_member *me
         lanes_step_new(&run->step, model, method, members->filament.sites, members->work != NULL);
     run->absolute = lanes_new((size_t)model->one->slots, &run->memory);
     if (!run->absolute) code = SOFTCAT_MEMORY;
-    while (!code && prepare(run)) attempt(run);
+    while (!code) {
+        if (prepare(run)) attempt(run);
+        else if (run->waiting == run->beyond) break;
+    }
     lanes_step_free(&run->step);
     free(run->memory);
     free(memory);
