@@ -236,12 +236,18 @@ void lanes_carry_over(const lanes_linear *linear, const softcat_links *links, in
     const softcat_linear *plan = linear->plan;
     const real *entries = linear->entries + (size_t)site * (size_t)plan->model->entries;
     const unsigned char *is_free = plan->free_unknowns + (ptrdiff_t)site * plan->slots;
+    const real *here = k + (ptrdiff_t)site * plan->slots;
+    const softcat_link *link = links->links, *end = link + links->count;
     int all = plain(plan, site);
-    for (const softcat_link *link = links->links; link < links->links + links->count; link++) {
-        int other = site + link->offset;
-        if (all || (other >= 0 && other < plan->sites && is_free[link->row]))
-            to[place ? place[link->row] : link->row] +=
-                entries[link->entry] * k[(ptrdiff_t)other * plan->slots + link->column];
+    while (link < end) { /* links of a row stand together */
+        int row = link->row;
+        real sum = REAL(0.0);
+        for (; link < end && link->row == row; link++) {
+            int other = site + link->offset;
+            if (all || (other >= 0 && other < plan->sites && is_free[row]))
+                sum += entries[link->entry] * here[link->distance];
+        }
+        to[place ? place[row] : row] += sum;
     }
 }
 
