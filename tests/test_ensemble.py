@@ -16,17 +16,14 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import progress
-from softcat_sym.discretization.assembly import Theory, assemble
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Grid
-from softcat_sym.discretization.supports import Body
+from softcat_sym.effects.choosing import Effects
 from softcat_sym.ensemble.ensemble import Ensemble, MembersBar, Workshop, tolerances
 from softcat_sym.ensemble.members import Choosing, Row, constants_of, members_of, rows_of, written
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CModel
+from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import settings_for
 
 SHORT = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 11, "numerics.estimate": False}
@@ -229,13 +226,11 @@ def test_tolerances_are_those_of_a_single_run() -> None:
 def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[int] = []
 
-    def counting(
-        equations: FilamentEquations, grid: Grid, effects: tuple[str, ...], theory: Theory, body: Body
-    ) -> Graph:
-        made.append(grid.cells)
-        return assemble(equations, grid, effects, theory, body)
+    def counting(scene: sc.Scene, effects: Effects) -> Assembled:
+        made.append((found := assembled(scene, effects)).graph.grid.cells)
+        return found
 
-    monkeypatch.setattr("softcat_sym.solvers.run.assemble", counting)
+    monkeypatch.setattr("softcat_sym.ensemble.ensemble.assembled", counting)
     scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
     workshop = Workshop()
     for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):

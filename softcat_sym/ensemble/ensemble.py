@@ -409,9 +409,10 @@ def _simulated(
     begun = time.perf_counter()
     members = members_of(scene, rows, choosing)
     # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
-    threads = workers if all(member.parallel for member in members) else 1
+    parallel = all(member.parallel for member in members)
+    threads = workers if parallel else 1
     records: dict[int, Any] = {}
-    with executor(threads) as pool:
+    with executor(threads, members=len(members) if parallel else 0) as pool:
         run = partial(_record, workshop=Workshop(), stop=pool.stop)
         records.update(counted(pool.map_members(run, members), len(members), 0, progress))
     notes = {

@@ -10,12 +10,15 @@ import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent import futures
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Protocol, TypeVar
 
+from softcat_sym.ensemble.lane_pool import WORTHWHILE, LanePool
 from softcat_sym.errors import SoftcatError
+from softcat_sym.solvers.compiled import Answer, CModel, RunInput
+from softcat_sym.solvers.lanes import can_be_compiled
 from softcat_sym.solvers.solution import Silence
 
 Item = TypeVar("Item")
@@ -51,6 +54,10 @@ class Stop(Silence):
     def __init__(self) -> None:
         self.flag = ctypes.c_int(0)
 
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run by itself; the compiled solver looks at the flag."""
+        model.integrate(run, room.status, self.flag, room)
+
     def set(self) -> None:
         """Let no integration continue."""
         self.flag.value = 1
@@ -59,6 +66,18 @@ class Stop(Silence):
         """Look whether to stop."""
         if self.flag.value:
             raise KeyboardInterrupt
+
+
+class Meeting(Stop):
+    """Ends integrations, too, and lets those that wait at the same time share lanes."""
+
+    def __init__(self, workers: int) -> None:
+        super().__init__()
+        self.pool = LanePool(workers, self.flag)
+
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run beside others."""
+        self.pool.integrate(model, run, room)
 
 
 @dataclass(frozen=True)
@@ -73,7 +92,11 @@ class Threads:
 
     def __init__(self, size: int, stop: Stop) -> None:
         self.size, self.stop = size, stop
-        self._pool = futures.ThreadPoolExecutor(size, thread_name_prefix="softcat-member")
+        self._lanes = stop.pool if isinstance(stop, Meeting) else None
+        # Every member that others may wait for has a thread.
+        self._most = self._lanes.threads if self._lanes else _AHEAD * size
+        threads = self._most if self._lanes else size
+        self._pool = futures.ThreadPoolExecutor(threads, thread_name_prefix="softcat-member")
 
     def __str__(self) -> str:
         return f"embedded, {self.size} thread{'s' if self.size > 1 else ''}"
@@ -85,12 +108,19 @@ class Threads:
         waiting = enumerate(members)
         running: dict[futures.Future[Result], int] = {}
         while True:
-            for number, member in islice(waiting, _AHEAD * self.size - len(running)):
-                running[self._pool.submit(function, member)] = number
+            more = list(islice(waiting, self._most - len(running)))
+            if self._lanes:
+                self._lanes.expect(len(more))
+            for number, member in more:
+                running[self._pool.submit(self._run, function, member)] = number
             if not running:
                 return
             for future in futures.wait(running, return_when=futures.FIRST_COMPLETED).done:
                 yield running.pop(future), future.result()
+
+    def _run(self, function: Callable[[Item], Result], member: Item) -> Result:
+        with self._lanes.member() if self._lanes else nullcontext():
+            return function(member)
 
     def close(self) -> None:
         """End what runs, and wait for it."""
@@ -173,12 +203,17 @@ Executor = Threads | Cluster
 
 @contextmanager
 def executor(
-    workers: int | None = None, scheduler: str | None = None, local_cluster: int | None = None
+    workers: int | None = None, scheduler: str | None = None, local_cluster: int | None = None, members: int = 0
 ) -> Iterator[Executor]:
-    """The executor that is asked for; when the context ends, nothing of it runs any more."""
+    """The executor that is asked for; when the context ends, nothing of it runs any more.
+
+    Threads integrate in lanes where so many members at least are to come that these are worth compiling.
+    """
     check_executor(workers, scheduler, local_cluster)
     if scheduler is None and local_cluster is None:
-        threads = Threads(worker_count(workers), Stop())
+        size = worker_count(workers)
+        in_lanes = members >= WORTHWHILE and can_be_compiled()
+        threads = Threads(size, Meeting(size) if in_lanes else Stop())
         try:
             yield threads
         finally:

@@ -659,11 +659,11 @@ class Material(Part):
             check_own_law(parse_formula(self.flow), self.parameters, self.youngs_modulus)
         return self
 
-    def kinds(self) -> dict[str, Kind]:
+    def kinds(self) -> Mapping[str, Kind]:
         """Return how each value is written; a consistency in its own unit."""
         names = ("viscosity", "shear_consistency", "consistency")
         own = {name: kind_of_constant(name, self.law, self.index) for name in names}
-        return super().kinds() | own
+        return {**super().kinds(), **own}
 
     @property
     def has_loss(self) -> bool:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import pairwise
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import (
@@ -54,7 +55,7 @@ class Part(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
     table_name: ClassVar[str] = ""
 
-    def kinds(self) -> dict[str, Kind]:
+    def kinds(self) -> Mapping[str, Kind]:
         """Return how each value is written, by field name."""
         return kinds_of(type(self))
 
@@ -93,9 +94,11 @@ def dotted(*names: str) -> str:
     return ".".join(name for name in names if name)
 
 
-def kinds_of(part: type[BaseModel]) -> dict[str, Kind]:
+@cache
+def kinds_of(part: type[BaseModel]) -> Mapping[str, Kind]:
     """Return the kind of each field that holds a value (not a part)."""
-    return {name: kind for name, info in part.model_fields.items() for kind in info.metadata if isinstance(kind, Kind)}
+    found = ((name, kind) for name, info in part.model_fields.items() for kind in info.metadata)
+    return MappingProxyType({name: kind for name, kind in found if isinstance(kind, Kind)})
 
 
 def meanings_of(part: type[BaseModel]) -> dict[str, str]:

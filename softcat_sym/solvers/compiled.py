@@ -406,7 +406,7 @@ class CompiledIntegration:
         return found
 
     def _watched(self, run: RunInput, room: Answer, torn: Callable[[], bool], scale: float, progress: Progress) -> None:
-        """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; a flagged one needs none."""
+        """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; or as the listener does."""
         status, integrate = room.status, self.filament.model.integrate
 
         def report() -> None:
@@ -414,7 +414,7 @@ class CompiledIntegration:
             progress.update(reached, reached / status.steps if status.steps else None)
 
         if isinstance(progress, Flagged):
-            integrate(run, status, progress.flag, room)
+            progress.integrate(self.filament.model, run, room)
             report()
             return
         stop = ct.c_int(0)

@@ -123,7 +123,10 @@ def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene:
         run, fall = grown * math.cos(along), -grown * math.sin(along)
         middle, drop = (left + run / 2, fall) if ends.right == "free" else (-left - run / 2, 2 * drop - fall)
     lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
-    return np.array([lines[kind][n] if kind in lines else state[n] for n, kind in enumerate(kinds)], dtype=float)
+    result, names = np.array(state, dtype=float), np.array(kinds)
+    for name, line in lines.items():
+        result[names == name] = line[names == name]
+    return result
 
 
 def _moved(state: Floats, kinds: tuple[str, ...], where: Floats, rest: Graph, shape: Floats) -> Floats:

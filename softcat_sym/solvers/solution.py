@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import ctypes
 import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
-from typing import Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -16,6 +15,9 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.physics.terms import Terms
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
+
+if TYPE_CHECKING:
+    from softcat_sym.solvers.compiled import Answer, CModel, RunInput
 
 
 class Progress(Protocol):
@@ -40,11 +42,10 @@ class Progress(Protocol):
 
 @runtime_checkable
 class Flagged(Protocol):
-    """A listener that ends integrations by a flag the compiled solver itself looks at: no thread need watch it."""
+    """A listener that sees to compiled integrations, and ends them: no thread need watch it."""
 
-    @property
-    def flag(self) -> ctypes.c_int:
-        """Not zero once they are to end."""
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run into its room."""
         ...
 
 

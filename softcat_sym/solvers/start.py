@@ -36,8 +36,8 @@ def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> 
     )
     mean = mean + math.log(force_free_stretch(scene))
     result = np.array(x, dtype=float)
-    for n, kind in enumerate(graph.x_kinds):
-        if kind in graph.profiles:
-            weight = graph.profiles[kind]
-            result[n] = share * (weight[0] * mean[n] + weight[1] * bending[n])
+    kinds = np.array(graph.x_kinds)
+    for kind, weight in graph.profiles.items():
+        here = kinds == kind
+        result[here] = share * (weight[0] * mean[here] + weight[1] * bending[here])
     return result

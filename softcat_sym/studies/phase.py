@@ -461,7 +461,9 @@ def phase_diagram(
     """Regimes over one or more planes."""
     chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
-    with watched() as interrupts, executor(workers, scheduler, local_cluster) as pool:
+    # The lines between regimes are followed, each by some nodes a column.
+    members = 4 * cells * len(chosen)
+    with watched() as interrupts, executor(workers, scheduler, local_cluster, members) as pool:
         try:
             sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
             return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)

@@ -528,7 +528,7 @@ def run_sweep(
         place = "nothing left to run"
         try:
             if missing:
-                with executor(*where) as pool:
+                with executor(*where, members=plan.members - before) as pool:
                     place = str(pool)
                     _run_blocks(plan, blocks, missing, pool, before, progress)
         finally:

@@ -1,0 +1,119 @@
+"""Many filaments integrated at once, one in each lane of a vector: the C of :mod:`softcat_sym.codegen.lanes`, run."""
+
+from __future__ import annotations
+
+import ctypes as ct
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.lanes import SYMBOL, lanes_sources, lanes_text
+from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
+from softcat_sym.errors import SoftcatError
+from softcat_sym.solvers.compiled import (
+    SOLVED,
+    STOPPED,
+    Answer,
+    CModel,
+    Doubles,
+    Filament,
+    Options,
+    RunInput,
+    Status,
+    doubles,
+    runtime_sources,
+)
+
+# The binary stays on this machine. Sums and products become one operation where the processor has it.
+_NATIVE = ("-march=native", "-ffp-contract=fast", "-Wno-psabi")
+_MODEL = (*SOON, *_NATIVE)
+_RUNTIME = ("-O2", *OPTIMISED[1:], *_NATIVE)
+_INTEGRATE = "softcat_lanes_integrate"
+
+
+class Member(ct.Structure):
+    """softcat_member."""
+
+    _fields_ = (
+        ("filament", Filament),
+        ("options", Options),
+        ("state", Doubles),
+        ("times", Doubles),
+        ("count", ct.c_int),
+        ("states", Doubles),
+        ("work", Doubles),
+        ("status", Status),
+    )
+
+
+def can_be_compiled() -> bool:
+    """Whether there is a compiler that knows vectors and this processor."""
+    found = find_compiler()
+    return found is not None and found.name.startswith(("gcc", "clang")) and found.path.name != "zig"
+
+
+class LanesModel:
+    """The lanes of a compiled model, ready to integrate any number of runs, from any number of threads.
+
+    Parameters
+    ----------
+    model : CModel
+        The model for one filament, which has the last word on what fails in a lane.
+
+    Raises
+    ------
+    SoftcatError
+        If the compiler refuses; with its message.
+    """
+
+    def __init__(self, model: CModel) -> None:
+        self._one = model
+        headers = {name: text for name, text in (runtime_sources() | lanes_sources()).items() if name.endswith(".h")}
+        sources = headers | {"filament.c": lanes_text(model.model.text)}
+        self._library = load(compile_library(sources, flags=_MODEL), SYMBOL)
+        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, SYMBOL)))
+        self._runtime = _runtime()
+
+    def integrate(self, runs: Sequence[RunInput], rooms: Sequence[Answer], stop: ct.c_int | None = None) -> None:
+        """Integrate runs of equally many sites by one method into their rooms, as :meth:`CModel.integrate` does."""
+        members, kept = (Member * len(runs))(), []
+        for member, run, room in zip(members, runs, rooms, strict=True):
+            absolute = np.full(run.state.shape[1], run.absolute)
+            arrays = [np.ascontiguousarray(array) for array in (run.parameters, run.places, run.state, run.times)]
+            kept += [absolute, *arrays]
+            parameters, places, state, times = (doubles(array) for array in arrays)
+            member.filament = Filament(len(run.state), parameters, places)
+            member.options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
+            member.options.work_absolute, member.options.method = run.work_absolute, run.method
+            member.options.largest_step = run.max_step
+            if len(run.kinks):
+                member.options.kinks, member.options.kink_count = doubles(run.kinks), len(run.kinks)
+            if stop is not None:
+                member.options.stop = ct.pointer(stop)
+            member.state, member.times, member.count = state, times, len(run.times)
+            member.states = doubles(room.states)
+            member.work = doubles(room.work) if self._one.model.powers else None
+        code = self._runtime.softcat_lanes_integrate(self._address, members, len(runs))
+        if code != SOLVED:
+            raise SoftcatError(f"the lanes of the compiled solver refused to begin: {self._one.message(code)}")
+        for member, run, room in zip(members, runs, rooms, strict=True):
+            if member.status.code in (SOLVED, STOPPED):
+                ct.pointer(room.status)[0] = member.status
+            else:
+                room.states[...], room.work[...] = np.nan, 0.0
+                self._one.integrate(run, room.status, stop, room)
+
+
+@lru_cache(maxsize=16)
+def lanes_of(model: CModel) -> LanesModel:
+    """The lanes of a model, loaded once a process."""
+    return LanesModel(model)
+
+
+@lru_cache(maxsize=1)
+def _runtime() -> ct.CDLL:
+    library = load(compile_library(runtime_sources() | lanes_sources(), flags=_RUNTIME), _INTEGRATE)
+    library.softcat_lanes_integrate.argtypes = [ct.c_void_p, ct.POINTER(Member), ct.c_int]
+    return library
