@@ -31,7 +31,7 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.fitting.measurements import read_measurements
-from softcat_sym.plotting.run import write_run
+from softcat_sym.plotting import run as drawing
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
@@ -292,11 +292,25 @@ def test_an_interrupted_run_writes_nothing(tmp_path: Path) -> None:
     assert not output.exists()
 
 
+def test_whoever_stops_it_while_it_draws_has_the_numbers(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: object) -> None:
+        assert json.loads(Path("out/summary.json").read_text())["wall_s"]["write"] > 0
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(drawing, "pictures", stopped)
+    done = softcat("run", "cold-honey", "-q", "-o", "out", *sets("run.frames=3", "numerics.estimate=false"))
+    again = "its pictures are not: softcat draw out -o out\n"
+    assert (done.status, done.err) == (130, f"softcat: interrupted; the run is in out, {again}")
+    assert {path.name for path in Path("out").iterdir()} == FILES - PICTURES
+    assert sc.open_run("out").outcome.is_success
+
+
 @pytest.fixture(scope="module")
 def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
-    write_run(sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false"))), folder)
+    run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
+    drawing.draw_beside(run.written(folder), run, folder)
     return folder
 
 

@@ -25,7 +25,7 @@ from softcat_sym.cli.application import (
 
 if TYPE_CHECKING:
     from softcat_sym.plotting.animation import FilmOrder
-    from softcat_sym.results.run import Run, WrittenRun
+    from softcat_sym.results.run import Run
 
 RunOutputOption = Annotated[
     Path | None,
@@ -80,39 +80,39 @@ def run(
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = scene_and_directory(scene, changes, output, "run")
-    from softcat_sym.files import made, written_together
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
 
+    written = None
+    again = f"softcat draw {output} -o {output}"
     try:
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             trajectory = simulated(asked, progress)
-            progress.stage("writing" if no_pictures else "drawing pictures")
-            with made(output), written_together():
-                written = trajectory.written(output) if no_pictures else _drawn(trajectory, output, drawn, radius)
+            progress.stage("writing")
+            # The numbers first: whoever stops it while it draws has them.
+            written = trajectory.written(output)
+            if not no_pictures:
+                progress.stage("drawing pictures")
+                from softcat_sym.plotting.run import draw_beside
+
+                written = draw_beside(written, trajectory, output, drawn, radius)
     except KeyboardInterrupt:
-        print_error("interrupted; nothing was written")
+        left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
+        print_error(f"interrupted; {left}")
         raise typer.Exit(INTERRUPTED) from None
     films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
         except KeyboardInterrupt:
-            again = f"softcat draw {output} -o {output} --animate {order.name}"
-            print_error(f"interrupted; the run is in {output}, its film is not: {again}")
+            print_error(f"interrupted; the run is in {output}, its film is not: {again} --animate {order.name}")
             raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
-
-
-def _drawn(run: Run, output: Path, style: str, radius: float) -> WrittenRun:
-    from softcat_sym.plotting.run import write_run
-
-    return write_run(run, output, style, radius)
 
 
 @commands.command(rich_help_panel=EVERYDAY)

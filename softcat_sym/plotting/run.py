@@ -121,10 +121,11 @@ class Sheet:
     ) -> tuple[Figure, list[Axes]]:
         """A figure with axes of the given heights below each other, or as many side by side; all in inches.
 
-        Their margins are fixed: units are chosen so that numbers beside the axes are short. `above` them a legend has
-        its place.
+        Their margins are fixed, and the places of labels in them: units are chosen so that numbers beside the axes are
+        short. `above` them a legend has its place.
         """
         left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
+        beside, beneath = (0.5, 0.25) if self.on_screen else (0.42, 0.2)
         top = above + (style.HEADING if self.on_screen else 0.05)
         across, down = between
         tall = below + sum(heights) + down * (len(heights) - 1) + top
@@ -135,6 +136,9 @@ class Sheet:
             floor -= height
             places = [left + k * (width + across) for k in range(columns)]
             axes += [style.axes_in_inches(figure, place, floor, width, height) for place in places]
+            for made in axes[-columns:]:
+                made.yaxis.set_label_coords(-beside / width, 0.5)
+                made.xaxis.set_label_coords(0.5, -beneath / height)
             floor -= down
         if self.on_screen:
             style.head(figure, what, self.summary, self.scene, 0.2)
@@ -197,6 +201,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     share = share_unit(largest / span)
     right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
+    width, height = axes.get_window_extent().size / axes.figure.dpi
+    right.yaxis.set_label_coords(1 + 0.42 / width, 0.5, axes.transAxes)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
         unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
@@ -208,6 +214,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
     top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
     top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
+    top.xaxis.set_label_coords(0.5, 1 + 0.25 / height, axes.transAxes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -315,9 +322,9 @@ def shapes_figure(
             if stacked and np.ptp(bounds) * stretch * inch < _LOW:
                 axes.set_yticks((0.0,))
             words = ", ".join(shape.label.split("\n")) if stacked else shape.label
-            axes.set_title(words, loc="left", pad=2, fontsize=size, linespacing=1.3)
+            axes.set_title(words, loc="left", y=1.0, pad=2, fontsize=size, linespacing=1.3)
             if stacked and axes is not panels[-1]:
-                axes.tick_params(labelbottom=False, bottom=False)
+                axes.xaxis.set_visible(False)
                 axes.spines["bottom"].set_visible(False)
             if not stacked and axes is not panels[0]:
                 axes.tick_params(labelleft=False)
@@ -385,7 +392,7 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             panels[1].set_ylim(-room, room)
             panels[1].set_ylabel(f"imbalance [{share.symbol}]")
             panels[1].set_title(
-                f"largest imbalance {share.text(worst)} of the largest energy", loc="right", fontsize=8.0, pad=2
+                f"largest imbalance {share.text(worst)} of the largest energy", loc="right", y=1.0, fontsize=8.0, pad=2
             )
             panels[0].tick_params(labelbottom=False)
         for axes in panels:
@@ -465,7 +472,7 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
         )
         for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
             _draw_map(axes, sheet, shown, reached)
-            axes.set_title(text, loc="left", fontsize=7.5, pad=3)
+            axes.set_title(text, loc="left", y=1.0, fontsize=7.5, pad=3)
             axes.xaxis.set_major_locator(MaxNLocator(8 if sheet.on_screen else 5, steps=_STEPS))
         if columns == 1:
             panels[0].tick_params(labelbottom=False)
@@ -559,11 +566,8 @@ def write_pictures(
     return write_results(directory, pictures(data, summary, scene, name))
 
 
-def write_run(trajectory: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0) -> WrittenRun:
-    """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
-
-    The summary states how long all but itself took.
-    """
-    return trajectory.written(
-        directory, lambda: pictures(trajectory.fields, trajectory.summary, trajectory.scene, name, radius)
-    )
+def draw_beside(
+    written: WrittenRun, run: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0
+) -> WrittenRun:
+    """Write the pictures of a run and the table of its midpoint beside its numbers."""
+    return written.joined_by(directory, lambda: pictures(run.fields, run.summary, run.scene, name, radius))

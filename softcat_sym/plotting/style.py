@@ -298,6 +298,10 @@ def plain_log(axis: Axis, text: Callable[[float], str] = "{:g}".format, subs: Se
     axis.set_minor_formatter(NullFormatter())
 
 
+_PACKING: Final = {"compress_level": 2}
+"""Of PNG files: a little larger than by default, in a third of the time."""
+
+
 def png(figure: Figure, *, titled: bool = True) -> bytes:
     """Draw a figure; it is laid out once, as it is."""
     content = BytesIO()
@@ -309,7 +313,7 @@ def png(figure: Figure, *, titled: bool = True) -> bytes:
             engine.execute(figure)
             figure.set_layout_engine("none")
         shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
-        figure.savefig(content, format="png", bbox_inches=shown)
+        figure.savefig(content, format="png", bbox_inches=shown, pil_kwargs=_PACKING)
     return content.getvalue()
 
 

@@ -79,6 +79,18 @@ class WrittenRun:
     files: tuple[Path, ...]  # In the order of interest
     summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
+    def joined_by(self, directory: str | Path, contents: Callable[[], Mapping[str, object]]) -> WrittenRun:
+        """Write more beside it; the summary states how long all but itself took."""
+        from softcat_sym.plotting.files import write_results
+
+        began = perf_counter()
+        files = write_results(directory, contents())
+        spent, wall = perf_counter() - began, self.summary["wall_s"]
+        wall = {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}
+        summary = {**self.summary, "wall_s": wall}
+        write_results(directory, {"summary.json": summary})
+        return WrittenRun((*self.files, *files), summary)
+
 
 @dataclass(frozen=True, eq=False)
 class Run:
@@ -265,16 +277,9 @@ class Run:
 
         return write_results(directory, self.files())
 
-    def written(self, directory: str | Path, drawn: Callable[[], Mapping[str, object]] = dict) -> WrittenRun:
-        """Write as :meth:`save` does, with what is drawn besides; the summary states how long all but itself took."""
-        from softcat_sym.plotting.files import write_results
-
-        began = perf_counter()
-        files = write_results(directory, {**self.files(), **drawn()})
-        spent, wall = perf_counter() - began, self.summary["wall_s"]
-        summary = {**self.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
-        write_results(directory, {"summary.json": summary})
-        return WrittenRun(tuple(files), summary)
+    def written(self, directory: str | Path) -> WrittenRun:
+        """Write as :meth:`save` does; the summary states how long all but itself took."""
+        return WrittenRun((), self.summary).joined_by(directory, self.files)
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``."""

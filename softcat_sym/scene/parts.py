@@ -101,6 +101,7 @@ def kinds_of(part: type[BaseModel]) -> Mapping[str, Kind]:
     return MappingProxyType({name: kind for name, kind in found if isinstance(kind, Kind)})
 
 
+@cache
 def meanings_of(part: type[BaseModel]) -> dict[str, str]:
     """Return the sentence below each field of a part's source, which pydantic would parse at every start."""
     body = [
