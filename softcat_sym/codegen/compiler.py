@@ -34,6 +34,9 @@ ADVICE = "set SOFTCAT_CACHE to a folder of your own that can be written"
 COMPILERS = "compilers.json"
 """What is known of compilers, beside the libraries."""
 
+ZIG = "zig"
+"""What zig keeps, likewise."""
+
 _LOCK, _MOMENT = "lock", 5.0
 
 
@@ -118,8 +121,17 @@ def in_use(folder: Path) -> bool:
     return False
 
 
-def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
-    """Run a command to its end, and take what it says."""
+def _places(folder: Path) -> dict[str, str]:
+    """Where a compiler keeps its passing files, and zig what it needs again: beside the libraries.
+
+    Zig compiles the libraries of C for itself, once; a home that cannot be written would end it.
+    """
+    kept = os.environ.get("ZIG_GLOBAL_CACHE_DIR") or str(folder.parent / ZIG)
+    return {"TMPDIR": str(folder), "ZIG_GLOBAL_CACHE_DIR": kept}
+
+
+def run(command: Sequence[str], seconds: float, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end in a folder, and take what it says."""
     interrupt = _Interrupt()
     with (
         interrupts_go_to(interrupt.note),
@@ -127,7 +139,7 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
             command,
             cwd=folder,
             # In the C locale messages are in English, where the word "error" marks the lines that matter.
-            env={**os.environ, "LC_ALL": "C", **({} if folder is None else {"TMPDIR": str(folder)})},
+            env={**os.environ, "LC_ALL": "C", **_places(folder)},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -359,7 +371,10 @@ def _processor(compiler: Compiler, flags: tuple[str, ...]) -> str:
 def _output(*command: str) -> str | None:
     """What a command prints, or None where it fails."""
     try:
-        done = run(command, _PATIENCE)
+        with tempfile.TemporaryDirectory(prefix="softcat_sym-") as passing:
+            place = Path(passing) / "asked"
+            place.mkdir()
+            done = run(command, _PATIENCE, place)
     except (OSError, subprocess.TimeoutExpired):
         return None
     return done.stdout if done.returncode == 0 else None

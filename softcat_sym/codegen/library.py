@@ -274,7 +274,7 @@ def clear_cache() -> int:
         names = sorted(native.iterdir()) if native.is_dir() else []
         entries = [path for path in names if _NAME.fullmatch(path.name)]
         files = [path for path in (native / compiler.COMPILERS, *kept_texts()) if path.is_file()]
-        for path in (*entries, *_leftovers(native), *files):
+        for path in (*entries, *_leftovers(native), *files, native / compiler.ZIG):
             freed += _size(path)
             (_discard if path in entries else _remove)(path)
     except OSError as error:
@@ -307,7 +307,7 @@ def _used(place: Path) -> float:
 def _size(path: Path) -> int:
     total = 0
     with contextlib.suppress(FileNotFoundError, NotADirectoryError):  # another process is deleting it, too
-        for file in path.iterdir() if path.is_dir() else [path]:
+        for file in path.rglob("*") if path.is_dir() else [path]:
             total += file.stat().st_size if file.is_file() else 0
     return total
 

@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
 
 from softcat_sym.plotting import style
@@ -81,8 +81,8 @@ _SHAPES = {style.SCREEN: 5, "column": 4, "page": 4}
 @contextmanager
 def styled_for(name: str) -> Iterator[None]:
     """Put a style, ``screen``, ``column`` or ``page``, in force for the length of a ``with`` block."""
-    settings: Any = {} if name == style.SCREEN else _PRINT
-    with style.styled(), rc_context(settings):
+    settings: Any = style.RC if name == style.SCREEN else style.RC | _PRINT
+    with rc_context(settings):
         yield
 
 
@@ -201,8 +201,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     share = share_unit(largest / span)
     right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
-    width, height = axes.get_window_extent().size / axes.figure.dpi
-    right.yaxis.set_label_coords(1 + 0.42 / width, 0.5, axes.transAxes)
+    box, inch = axes.get_window_extent(), axes.figure.dpi
+    right.yaxis.set_label_coords(1 + 0.42 * inch / box.width, 0.5, axes.transAxes)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
         unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
@@ -214,7 +214,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
     top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
     top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
-    top.xaxis.set_label_coords(0.5, 1 + 0.25 / height, axes.transAxes)
+    top.xaxis.set_label_coords(0.5, 1 + 0.25 * inch / box.height, axes.transAxes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -345,14 +345,15 @@ def shapes_figure(
 def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     """Body, yielded zones, outline, the line between the ends."""
     body = ruler.of(shape.outline)
-    axes.fill(body[:, 0], body[:, 1], facecolor=style.FILAMENT, edgecolor="none", zorder=2)
+    # As artists: limits are set before, and looking for those of each patch takes as long as drawing it.
+    axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
     # Anti-aliasing would leave hairlines between neighbouring quads.
     quads = PolyCollection(
         list(ruler.of(shape.yielded)), facecolors=style.VERMILLION, edgecolors="none", antialiaseds=False,
         rasterized=True, zorder=3,
     )  # fmt: skip
     axes.add_collection(quads, autolim=False)
-    axes.fill(body[:, 0], body[:, 1], facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4)
+    axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
     style.lighten(axes)
 

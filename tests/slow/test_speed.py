@@ -1,14 +1,6 @@
-"""What a run costs: against the plain RK4 oracle in the same minute, and from a cold start to files on disk."""
+"""What a run costs against the plain RK4 oracle in the same minute."""
 
 from __future__ import annotations
-
-import os
-import resource
-import subprocess
-import sys
-import time
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,10 +11,6 @@ from tests.common.rk4_filament import run as oracle
 from tests.common.table import show
 
 REPEATS = 9
-
-FULL, EMPTY, HELP = "softcat run, compiled before", "softcat run, empty cache", "softcat --help"
-LIMITS = {FULL: 4.5, EMPTY: 10.0, HELP: 0.2}
-"""Processor seconds, over those of importing the libraries."""
 
 
 @pytest.mark.slow
@@ -61,58 +49,3 @@ def test_descent_against_the_rk4_oracle() -> None:
     assert abs(midpoint / rival.midpoint[-1] - 1) < 1e-3
     assert ours < 0.05
     assert ratio > 250
-
-
-LIBRARIES = "casadi, h5netcdf, matplotlib.figure, numpy, pydantic, rich, sympy, typer, xarray"
-"""What a run cannot do without: importing it is the measure of the machine, and of what else it does meanwhile."""
-
-
-@dataclass(frozen=True)
-class Spent:
-    """What a process took, those that it started included."""
-
-    wall: float
-    processor: float
-
-
-def _spent(command: list[str], cache: Path) -> Spent:
-    environment = {**os.environ, "SOFTCAT_CACHE": str(cache), "OMP_NUM_THREADS": "1"}
-    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True, env=environment)
-    wall, after = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return Spent(wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-
-
-@pytest.mark.tooling
-def test_cold_start(tmp_path: Path) -> None:
-    """The promise is 6 s from a cold start to files on disk, on a machine that does nothing else.
-
-    Beside other work seconds tell of that work, and processor seconds less so: they are judged in units of those that
-    importing the libraries takes, in the same minute. A limit is 1.5 to 2 times what was measured on one machine, as
-    machines differ in that, and a start that takes twice as long fails; seconds are only printed. With an empty cache a
-    run first writes two C texts, and compiles three.
-    """
-    softcat, cache, output = str(Path(sys.executable).with_name("softcat")), tmp_path / "cache", tmp_path / "run"
-    run = [softcat, "run", "arrested-overdamped", "-o", str(output)]
-    imports = [sys.executable, "-c", f"import {LIBRARIES}"]
-    spent: dict[str, list[Spent]] = {"": [], EMPTY: [_spent(run, cache)], FULL: [], HELP: []}
-    for _ in range(3):
-        spent[""].append(_spent(imports, cache))
-        spent[FULL].append(_spent(run, cache))
-        spent[HELP].append(_spent([softcat, "--help"], cache))
-    least = {
-        what: Spent(min(one.wall for one in taken), min(one.processor for one in taken))
-        for what, taken in spent.items()
-    }
-    unit = least.pop("").processor
-    times = {what: taken.processor / unit for what, taken in least.items()}
-    show(
-        f"cold start to files on disk; importing the libraries takes {unit:.2f} s of the processor",
-        ("", "seconds", "of the processor", "imports", "limit"),
-        [
-            [what, f"{taken.wall:.2f}", f"{taken.processor:.2f}", f"{times[what]:.2f}", LIMITS[what]]
-            for what, taken in least.items()
-        ],
-    )
-    assert (output / "trajectory.nc").exists()
-    assert {what for what, limit in LIMITS.items() if times[what] > limit} == set()
