@@ -32,7 +32,7 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
-_RUNTIME = ("-O2", *OPTIMISED[1:])  # as fast as at -O3, and compiled in two thirds of the time
+_RUNTIME = OPTIMISED
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 _OUTCOMES = {
