@@ -113,7 +113,7 @@ static double dot(const double *restrict a, const double *restrict b, size_t siz
 
 /* df/dt of second order from two points ahead: a support that changes pace where the step begins
  * is not looked at from the wrong side, and the step ends before the next change. */
-static int slope_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
+static int difference_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
                          const double *y)
 {
     volatile double ahead = t + 1e-4 * h; /* rounded as a time is */
@@ -128,6 +128,17 @@ static int slope_in_time(softcat_step *step, const softcat_filament *filament, d
             (4.0 * step->power_time[p] - step->power_looked[p] - 3.0 * step->power[p]) / (2.0 * d);
     for (size_t i = 0; i < step->size && !code; i++)
         step->slope[i] = (4.0 * step->slope[i] - step->point[i] - 3.0 * step->rates[i]) / (2.0 * d);
+    return code;
+}
+
+static int slope_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
+                         const double *y)
+{
+    const softcat_model *model = step->model;
+    if (!model->rates_in_time) return difference_in_time(step, filament, t, h, y);
+    int code = model->rates_in_time(filament, t, y, step->slope, step->scratch);
+    if (!code && step->powers)
+        code = model->work_in_time(filament, t, y, step->power_time, step->scratch);
     return code;
 }
 
