@@ -23,7 +23,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats, Shown
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.settings import Settings
+from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 
@@ -110,7 +110,7 @@ class RunInput:
     kinks: Floats  # Times that no step runs over
     max_steps: int
     max_step: float = 0.0  # 0 for none
-    method: int = 0  # 0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them
+    method: int = RODAS5P  # As softcat_rosenbrock.h numbers them
 
 
 @dataclass(frozen=True)
@@ -377,6 +377,7 @@ class CompiledIntegration:
             kinks=self.kinks,
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
+            method=self.settings.method,
         )
         room = model.room(run, status)
 
