@@ -100,6 +100,7 @@ class Chain:
 
     leaves: Leaves  # Symbols
     by_time: bool = False  # Whether the time counts as one more unknown
+    by_unknowns: bool = True
     # With respect to which unknowns each field has a derivative, at any of its sites.
     patterns: dict[str, list[Entry]] = field(default_factory=dict)
     # Those that are the same number at all sites.
@@ -123,7 +124,9 @@ class Chain:
     def _moves(self, leaf: Leaf) -> bool:
         if leaf.kind == TIME:
             return self.by_time
-        return leaf.kind in (UNKNOWN, SUM) or (leaf.kind == STAGED and bool(self.patterns.get(leaf.name)))
+        if leaf.kind == UNKNOWN:
+            return self.by_unknowns
+        return leaf.kind == SUM or (leaf.kind == STAGED and bool(self.patterns.get(leaf.name)))
 
     def _changes(self, leaf: Leaf) -> list[tuple[Entry, ca.SX]]:
         """What moves a leaf, and how much."""

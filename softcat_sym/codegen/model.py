@@ -42,7 +42,9 @@ def template_of(program: Program) -> Template:
     moves = writer.moves_in_time
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, program, chain, levels)
-    powers, work, slopes = _work(writer, program, chain, fields)
+    in_time = Chain(leaves, by_time=True, by_unknowns=False)
+    forced = _in_time(writer, in_time, "rates_in_time", levels, rate) if moves else []
+    powers, work, slopes, changing = _work(writer, program, chain, fields, in_time if moves else None)
     size, found = writer.slots.count, Row("ENTRIES", [entry_label(entry) for entry in entries])
     text = "\n\n".join(
         [
@@ -51,6 +53,8 @@ def template_of(program: Program) -> Template:
             _entry_point("jacobian", "e", changes, zero=f"n * {found.count}"),
             _entry_point("work", "q", work, zero=str(len(powers))) if powers else "",
             _entry_point("work_slope", "s", slopes, zero=f"n * {len(powers)} * {size}") if powers else "",
+            _entry_point("rates_in_time", "f", forced, zero=f"n * {size}") if moves else "",
+            _entry_point("work_in_time", "q", changing, zero=str(len(powers))) if moves and powers else "",
         ]
     )
     text = f"{helpers_of(text)}\n{text}"
@@ -138,6 +142,24 @@ def _derivatives(
     return calls
 
 
+def _in_time(
+    writer: Writer, chain: Chain, label: str, levels: Sequence[Sequence[Loop]], target: Callable[[str], Target]
+) -> list[str]:
+    """Calls of functions that compute derivatives in time at constant unknowns, of fields that are in the scratch."""
+    calls = []
+    for k, (loop, slopes) in enumerate(pair for level in levels for pair in differentiated(chain, level)):
+        targets: list[Target] = []
+        values: list[ca.SX] = []
+        for name in loop.names:
+            made = slopes[name]
+            entries = chain.stored(name) if writer.is_field(name) else list(made)
+            targets += [writer.field(entry_name(name, e)) if writer.is_field(name) else target(name) for e in entries]
+            values += [made.get(e, ca.SX(0)) for e in entries]
+        if values:
+            calls.append(writer.function(f"{label}_{k}", loop.where, values, targets))
+    return calls
+
+
 def _jacobian(
     writer: Writer, program: Program, chain: Chain, levels: Sequence[Sequence[Loop]]
 ) -> tuple[tuple[tuple[str, str, int], ...], list[str]]:
@@ -163,25 +185,27 @@ def _jacobian(
 
 
 def _work(
-    writer: Writer, program: Program, chain: Chain, fields: Sequence[Field]
-) -> tuple[tuple[str, ...], list[str], list[str]]:
-    """Powers of the whole filament and their derivatives: what their places give, summed.
+    writer: Writer, program: Program, chain: Chain, fields: Sequence[Field], in_time: Chain | None
+) -> tuple[tuple[str, ...], list[str], list[str], list[str]]:
+    """Powers of the whole filament and their derivatives, by unknowns and in time: what their places give, summed.
 
     The fields of the rates are in the scratch already, and their derivatives those of the Jacobian.
     """
     items = [item for power in program.powers.values() for item in power]
     if not items:
-        return (), [], []
+        return (), [], [], []
     known = {item.name for item in fields}
     others = [one for one in needed(program.leaves, program.fields, items) if one.name not in known]
     index = {item.name: k for k, power in enumerate(program.powers.values()) for item in power}
     levels, size = levels_of(program.leaves, [*others, *items]), writer.slots.count
     loops = [loop for level in levels for loop in level]
+
+    def power(name: str) -> Target:
+        return Target(f"q[{index[name]}]", adds=True)
+
     calls = []
     for k, loop in enumerate(loops):
-        targets = [
-            Target(f"q[{index[name]}]", adds=True) if name in index else writer.field(name) for name in loop.names
-        ]
+        targets = [power(name) if name in index else writer.field(name) for name in loop.names]
         calls.append(writer.function(f"work_{k}", loop.where, loop.values, targets))
 
     def entry(name: str, one: Entry) -> Target:
@@ -189,7 +213,8 @@ def _work(
         return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
     changes = _derivatives(writer, chain, levels, "work_slope", entry)
-    return tuple(program.powers), calls, changes
+    forced = _in_time(writer, in_time, "work_in_time", levels, power) if in_time else []
+    return tuple(program.powers), calls, changes, forced
 
 
 def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str:

@@ -130,12 +130,14 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
     sections, powers = sum(s.section for s in slots), len(template.powers)
     given = len(template.signature.parameters), len(template.signature.places)
     sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
+    functions = ["rates", "jacobian", *(["work", "work_slope"] if powers else ["0", "0"])]
+    functions += ["rates_in_time" if template.moves else "0", "work_in_time" if template.moves and powers else "0"]
     lines += [
         "",
         "const softcat_model softcat_filament_model = {",
         f"    {', '.join(map(str, sizes))},",
         "    rate, differential, held_first, held_last, row, offset, column,",
-        f"    rates, jacobian, {'work, work_slope' if powers else '0, 0'},",
+        f"    {', '.join(functions)},",
         "};",
     ]
     return "\n".join(lines)

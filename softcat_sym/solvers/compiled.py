@@ -23,7 +23,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats, Shown
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.settings import Settings
+from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 
@@ -32,7 +32,7 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
-_RUNTIME = ("-O2", *OPTIMISED[1:])  # as fast as at -O3, and compiled in two thirds of the time
+_RUNTIME = OPTIMISED
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 _OUTCOMES = {
@@ -110,7 +110,7 @@ class RunInput:
     kinks: Floats  # Times that no step runs over
     max_steps: int
     max_step: float = 0.0  # 0 for none
-    method: int = 0  # 0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them
+    method: int = RODAS5P  # As softcat_rosenbrock.h numbers them
 
 
 @dataclass(frozen=True)
@@ -377,6 +377,7 @@ class CompiledIntegration:
             kinks=self.kinks,
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
+            method=self.settings.method,
         )
         room = model.room(run, status)
 

@@ -30,6 +30,7 @@ class Model(c.Structure):
         ("moves_in_time", c.c_int),
         *((name, Integers) for name in ("rate", "differential", "held_first", "held_last", "row", "offset", "column")),
         *((name, c.c_void_p) for name in ("rates", "jacobian", "work", "work_slope")),
+        *((name, c.c_void_p) for name in ("rates_in_time", "work_in_time")),
     ]
 
 

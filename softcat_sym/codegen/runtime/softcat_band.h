@@ -1,4 +1,4 @@
-/* Factors of a band matrix by Gaussian elimination with scaled partial pivoting. */
+/* Factors of a band matrix by Gaussian elimination with scaled threshold pivoting. */
 #ifndef SOFTCAT_BAND_H
 #define SOFTCAT_BAND_H
 
@@ -7,12 +7,15 @@
 typedef struct softcat_band {
     int size, lower, upper; /* order, diagonals below and above the main one */
     int width;              /* stored columns of a row, a multiple of four */
-    int below;              /* stored multipliers of a column, a multiple of four */
-    double *rows;           /* [size * width] A(i, j) at rows[i * width + j - i + lower] */
-    double *multipliers;    /* [size * below] column by column */
+    int below, above;       /* lower and upper, rounded up to fours */
+    int exchanged;          /* whether the last factorisation exchanged rows */
+    double *rows;           /* [size * width] A(i, j) at rows[i * width + j - i + lower]; then L, U */
+    double *forward;        /* what four unknowns of L y = b do to themselves and those below */
+    double *backward;       /* what four unknowns of U x = y do to themselves and those above */
     double *inverse;        /* [size] one over the pivots */
     double *scale;          /* [size] one over the largest number of each row */
-    double *right;          /* [size + below + width] right-hand side, padded with zeros */
+    double *padded;         /* [above + size + below], zero outside of `right` */
+    double *right;          /* [size] right-hand side */
     int *pivot;             /* [size] row exchanged with each */
     int *last;              /* [size] last column of each row of U */
 } softcat_band;

@@ -70,9 +70,7 @@ int softcat_consistent(const softcat_model *model, const softcat_filament *filam
     if (!method || !(options->relative > 0.0)) return status->code = SOFTCAT_ARGUMENT;
     status->code = softcat_step_new(&step, model, method, filament->sites);
     if (status->code) return status->code;
-    int algebraic = 0;
-    for (int k = 0; k < model->slots; k++) algebraic |= !model->differential[k];
-    if (algebraic) status->code = softcat_newton(&step, filament, options, t, state, status);
+    if (step.algebraic) status->code = softcat_newton(&step, filament, options, t, state, status);
     status->evaluations = step.evaluations;
     status->factorisations = step.factorisations;
     softcat_step_free(&step);

@@ -76,9 +76,7 @@ void softcat_copies_free(softcat_run *r)
 /* Algebraic unknowns of the moved copies: two corrections from those of the run leave nothing. */
 int softcat_copies_correct(softcat_run *r, double start)
 {
-    int algebraic = 0;
-    for (int k = 0; k < r->model->slots; k++) algebraic |= !r->model->differential[k];
-    for (int c = 1; c < r->copy_count && algebraic; c++)
+    for (int c = 1; c < r->copy_count && r->step.algebraic; c++)
         for (int pass = 0; pass < 2; pass++) {
             softcat_copy *copy = r->copies + c;
             double h = 1e-3 * (r->last - r->t);

@@ -1,6 +1,7 @@
 #include "softcat_linear.h"
 
 #include "softcat_plan.h"
+#include "softcat_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,11 +34,13 @@ void softcat_linear_hold(softcat_linear *linear, int algebraic_only)
 {
     const softcat_model *model = linear->model;
     int last = linear->sites - 1;
+    linear->held_count = 0;
     for (int site = 0; site <= last; site++)
         for (int k = 0; k < linear->slots; k++) {
             int held = (site == 0 && model->held_first[k]) || (site == last && model->held_last[k])
                        || (algebraic_only && model->differential[k]);
             linear->free_unknowns[(size_t)site * (size_t)linear->slots + (size_t)k] = !held;
+            if (held) linear->held[linear->held_count++] = site * linear->slots + k;
         }
     linear->first_plain = linear->back + 1;
     linear->last_plain = algebraic_only ? -1 : last - linear->ahead - 1;
@@ -87,7 +90,7 @@ int softcat_linear_factorise(softcat_linear *linear, const double *entries, doub
     softcat_band *band = &linear->band;
     int code = SOFTCAT_SOLVED;
     size_t each = (size_t)model->entries;
-    linear->entries = entries;
+    size_t moves_each = (size_t)(linear->x_columns * linear->lanes);
     linear->inverse_shift = shift > 0.0 ? 1.0 / shift : 0.0;
     for (int site = 0; site < linear->sites && model->sections > 0 && !code; site++)
         code = softcat_sections_eliminate(linear, site, entries + (size_t)site * each, shift);
@@ -102,58 +105,53 @@ int softcat_linear_factorise(softcat_linear *linear, const double *entries, doub
             rows[i * band->width + band->lower] = is_free[slot] ? mass : 1.0;
         }
         softcat_linear_scatter(linear, &linear->direct, site, entries + (size_t)site * each, rows);
+        double *moves = linear->moves + (size_t)site * moves_each;
+        memset(moves, 0, moves_each * sizeof(double));
+        softcat_linear_scatter(linear, &linear->moved, site, entries + (size_t)site * each, moves);
         if (model->sections > 0) softcat_sections_answer(linear, site, rows);
     }
     return softcat_band_factorise(band);
 }
 
-/* r_row += J_rx k_x, for the x that are already eliminated. */
-static void carry_over(const softcat_linear *linear, double *k)
+/* The right-hand side of the band, to which J_rx k_x of the x already eliminated adds; -J stands in
+ * the moves. What is written beyond a site is written again by the next. */
+static void gather(const softcat_linear *linear, const double *k)
 {
-    const softcat_link *links = linear->moved.links, *end = links + linear->moved.count;
-    for (int site = 0; site < linear->sites; site++) {
-        const double *entries = linear->entries + (size_t)site * (size_t)linear->model->entries;
-        const unsigned char *is_free = linear->free_unknowns + (ptrdiff_t)site * linear->slots;
-        double *here = k + (ptrdiff_t)site * linear->slots, sum = 0.0;
-        int all = plain(linear, site);
-        for (const softcat_link *link = links; link < end; link++) {
-            int other = site + link->offset;
-            if (all || (other >= 0 && other < linear->sites && is_free[link->row]))
-                sum += entries[link->entry] * here[link->distance];
-            if (link + 1 == end || link[1].row != link->row) {
-                here[link->row] += sum;
-                sum = 0.0;
-            }
-        }
+    int remaining = linear->remaining, columns = linear->x_columns;
+    double *right = linear->band.right;
+    const double *panel = linear->moves, *x = linear->x;
+    for (int site = 0; site < linear->sites; site++, right += remaining, x += linear->eliminated) {
+        for (int i = 0; i < remaining; i++) right[i] = k[linear->remaining_slot[i]];
+        softcat_subtract(right, panel, linear->lanes, x, columns);
+        panel += columns * linear->lanes;
+        k += linear->slots;
     }
 }
 
 void softcat_linear_solve(const softcat_linear *linear, double *k)
 {
-    const softcat_band *band = &linear->band;
     size_t slots = (size_t)linear->slots;
-    size_t all = (size_t)linear->sites * slots;
-    for (size_t i = 0; i < all; i++)
-        if (!linear->free_unknowns[i]) k[i] = 0.0;
-    for (int e = 0; e < linear->eliminated; e++)
-        for (int site = 0; site < linear->sites; site++)
-            k[(size_t)site * slots + (size_t)linear->eliminated_slot[e]] *= linear->inverse_shift;
-    if (linear->moved.count > 0) carry_over(linear, k);
+    double over = linear->inverse_shift;
+    for (int i = 0; i < linear->held_count; i++) k[linear->held[i]] = 0.0;
+    for (int e = 0; e < linear->eliminated; e++) {
+        double *one = k + linear->eliminated_slot[e];
+        double *x = linear->x + linear->back * linear->eliminated + e;
+        for (int site = 0; site < linear->sites; site++, one += slots, x += linear->eliminated)
+            *x = *one *= over;
+    }
+    gather(linear, k);
     if (linear->model->sections > 0) softcat_sections_first(linear, k);
-    double *right = band->right;
-    for (int site = 0; site < linear->sites; site++)
-        for (int i = 0; i < linear->remaining; i++)
-            *right++ = k[(size_t)site * slots + (size_t)linear->remaining_slot[i]];
-    softcat_band_solve(band);
-    right = band->right;
+    softcat_band_solve(&linear->band);
+    const double *right = linear->band.right;
     for (int site = 0; site < linear->sites; site++)
         for (int i = 0; i < linear->remaining; i++)
             k[(size_t)site * slots + (size_t)linear->remaining_slot[i]] = *right++;
     if (linear->model->sections > 0) softcat_sections_last(linear, k);
     for (int e = 0; e < linear->eliminated; e++) {
-        size_t x = (size_t)linear->eliminated_slot[e], u = (size_t)linear->model->rate[x];
+        double *x = k + linear->eliminated_slot[e];
+        const double *u = k + linear->model->rate[linear->eliminated_slot[e]];
         for (int site = 0; site < linear->sites; site++)
-            if (linear->free_unknowns[(size_t)site * slots + x])
-                k[(size_t)site * slots + x] += k[(size_t)site * slots + u] * linear->inverse_shift;
+            x[(size_t)site * slots] += u[(size_t)site * slots] * over;
     }
+    for (int i = 0; i < linear->held_count; i++) k[linear->held[i]] = 0.0;
 }

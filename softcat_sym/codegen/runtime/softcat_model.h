@@ -60,6 +60,12 @@ typedef struct softcat_model {
                 double *scratch);
     int (*work_slope)(const softcat_filament *, double t, const double *y, double *slope,
                       double *scratch);
+    /* df/dt and d powers/dt at constant y. Called right after `rates`, right after `work` at the
+     * same t and y. NULL where f does not depend on t, or where differences shall do. */
+    int (*rates_in_time)(const softcat_filament *, double t, const double *y, double *slope,
+                         double *scratch);
+    int (*work_in_time)(const softcat_filament *, double t, const double *y, double *slope,
+                        double *scratch);
 } softcat_model;
 
 #ifdef __cplusplus

@@ -43,6 +43,7 @@ static int allocate(softcat_linear *linear)
         missing |= !lists[l]->links;
     }
     linear->free_unknowns = calloc((size_t)linear->sites * (size_t)slots, 1);
+    linear->held = integers(linear->sites * slots);
     linear->block = calloc((size_t)sections + 1, sizeof(softcat_block));
     linear->group = calloc((size_t)entries + 1, sizeof(softcat_group));
     linear->eliminated_slot = integers(slots);
@@ -52,16 +53,15 @@ static int allocate(softcat_linear *linear)
     linear->diagonal = integers(sections);
     linear->answer_offset = integers(entries);
     linear->answer_slot = integers(entries);
-    linear->drag_offset = integers(entries);
-    linear->drag_slot = integers(entries);
     linear->order = integers(sections);
     linear->gathered = doubles((size_t)linear->padded);
     linear->solved = doubles((size_t)linear->padded);
+    linear->known = doubles((size_t)entries);
     return missing || !(linear->free_unknowns && linear->block && linear->group
                         && linear->eliminated_slot && linear->remaining_slot && linear->place
                         && linear->section_slot && linear->diagonal && linear->answer_offset
-                        && linear->answer_slot && linear->drag_offset && linear->drag_slot
-                        && linear->order && linear->gathered && linear->solved);
+                        && linear->answer_slot && linear->held && linear->order
+                        && linear->gathered && linear->solved && linear->known);
 }
 
 /* x' = u is eliminated unless u is somebody's rate of change itself. */
@@ -148,6 +148,17 @@ static int find_or_add(int *count, int *offsets, int *slots, int offset, int slo
     return c;
 }
 
+/* Where the column of an eliminated x stands in a panel of so many rows. */
+static void place_by_x(const softcat_linear *linear, softcat_links *links, int rows)
+{
+    for (int l = 0; l < links->count; l++) {
+        softcat_link *link = links->links + l;
+        int c = (link->offset + linear->back) * linear->eliminated + linear->place[link->column];
+        link->target = c * rows + linear->place[link->row];
+        link->via = -1; /* x itself is meant */
+    }
+}
+
 /* Where the numbers of a section row go, and which kept unknowns such rows see. */
 static void place_sections(softcat_linear *linear)
 {
@@ -165,13 +176,7 @@ static void place_sections(softcat_linear *linear)
                             link->offset, slot);
         link->target = c * linear->padded + linear->place[link->row];
     }
-    for (int l = 0; l < linear->dragged.count; l++) {
-        softcat_link *link = linear->dragged.links + l;
-        int c = find_or_add(&linear->drag_columns, linear->drag_offset, linear->drag_slot,
-                            link->offset, link->column);
-        link->target = c * linear->padded + linear->place[link->row];
-        link->via = -1; /* x itself is meant */
-    }
+    place_by_x(linear, &linear->dragged, linear->padded);
 }
 
 /* Those with a rate last, then row by row. */
@@ -205,10 +210,11 @@ static void find_groups(softcat_linear *linear)
     }
 }
 
-/* Where everything goes in the rows of the band. */
+/* Where everything goes in the rows of the band, and beside it. */
 static void place_band(softcat_linear *linear)
 {
     const softcat_band *band = &linear->band;
+    place_by_x(linear, &linear->moved, linear->lanes);
     for (int l = 0; l < linear->direct.count; l++) {
         softcat_link *link = linear->direct.links + l;
         int slot = link->via >= 0 ? link->via : link->column, row = linear->place[link->row];
@@ -234,11 +240,16 @@ static int allocate_stores(softcat_linear *linear, int lower, int upper)
     linear->coupling = doubles(answers);
     linear->blocks = doubles(sites * (size_t)linear->block_doubles);
     linear->answers = doubles(sites * answers);
-    linear->drags = doubles(sites * (size_t)linear->drag_columns * padded);
+    linear->x_columns = (linear->back + linear->ahead + 1) * linear->eliminated;
+    size_t columns = (size_t)linear->x_columns;
+    linear->x = doubles(sites * (size_t)linear->eliminated + columns);
+    linear->drags = doubles(sites * columns * padded);
     linear->weights = doubles(sites * (size_t)linear->group_count * padded);
+    linear->moves = doubles(sites * columns * (size_t)linear->lanes);
     int missing = softcat_band_new(&linear->band, linear->sites * linear->remaining, lower, upper);
     return missing || !(linear->group_target && linear->coupling && linear->blocks
-                        && linear->answers && linear->drags && linear->weights);
+                        && linear->answers && linear->drags && linear->weights && linear->moves
+                        && linear->x);
 }
 
 int softcat_plan_make(softcat_linear *linear)
@@ -254,7 +265,8 @@ int softcat_plan_make(softcat_linear *linear)
         if (is_eliminated(linear, k)) linear->eliminated_slot[linear->eliminated++] = k;
         else linear->remaining_slot[linear->remaining++] = k;
     }
-    for (int k = 0; k < linear->eliminated; k++) linear->place[linear->eliminated_slot[k]] = -1;
+    linear->lanes = softcat_fours(linear->remaining);
+    for (int k = 0; k < linear->eliminated; k++) linear->place[linear->eliminated_slot[k]] = k;
     for (int k = 0; k < linear->remaining; k++) linear->place[linear->remaining_slot[k]] = k;
     find_blocks(linear);
     classify(linear);
@@ -279,10 +291,11 @@ void softcat_plan_free(softcat_linear *linear)
     for (int l = 0; l < 6; l++) free(lists[l]->links);
     int *ints[] = {linear->eliminated_slot, linear->remaining_slot, linear->place,
                    linear->section_slot,    linear->diagonal,       linear->answer_offset,
-                   linear->answer_slot,     linear->drag_offset,    linear->drag_slot,
-                   linear->order,           linear->group_target};
-    double *numbers[] = {linear->gathered, linear->solved, linear->coupling, linear->blocks,
-                         linear->answers,  linear->drags,  linear->weights};
+                   linear->answer_slot,     linear->order,          linear->group_target,
+                   linear->held};
+    double *numbers[] = {linear->gathered, linear->solved,  linear->coupling, linear->blocks,
+                         linear->answers,  linear->drags,   linear->weights,  linear->moves,
+                         linear->x,        linear->known};
     for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) free(ints[i]);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) free(numbers[i]);
     free(linear->free_unknowns);

@@ -33,13 +33,15 @@ struct softcat_linear {
     const softcat_model *model;
     int sites, slots, kept;
     unsigned char *free_unknowns;  /* [sites * slots] */
+    int held_count;
+    int *held;                     /* [held_count] unknowns that are not free */
     int first_plain, last_plain;   /* sites whose entries need no look at the ends */
     int back, ahead;               /* reach of the entries, in sites */
 
     int eliminated, remaining;     /* kept slots: those with a rate, and the others */
     int *eliminated_slot, *remaining_slot;
-    int *place;                    /* [slots] position of a remaining slot in its site, or -1;
-                                      of a section slot: in section_slot */
+    int *place;                    /* [slots] position of a remaining or eliminated slot among
+                                      those of its site; of a section slot: in section_slot */
 
     int *section_slot;             /* [sections] block by block */
     int *diagonal;                 /* [sections] where their diagonal stands in the blocks */
@@ -51,9 +53,12 @@ struct softcat_linear {
     int answer_columns;            /* kept unknowns that section states see, at which sites */
     int *answer_offset, *answer_slot;
     double *answers;               /* [sites * answer_columns * padded] (W_ss)^-1 W_sk */
-    int drag_columns;              /* eliminated x that section states see */
-    int *drag_offset, *drag_slot;
-    double *drags;                 /* [sites * drag_columns * padded] J_sx */
+    double *drags;                 /* [sites * x_columns * padded] J_sx */
+
+    int lanes;                     /* remaining slots, rounded up to fours */
+    int x_columns;                 /* eliminated x of a site and of those within reach */
+    double *x;                     /* [(back + sites + ahead) * eliminated], zero outside */
+    double *moves;                 /* [sites * x_columns * lanes] J of remaining rows by x */
 
     int group_count;
     softcat_group *group;
@@ -65,19 +70,19 @@ struct softcat_linear {
     softcat_links driven;          /* section row, kept column: into the coupling */
     softcat_links dragged;         /* section row, column of an eliminated x: into the drags */
     softcat_links seen;            /* kept row, section column: into the weights */
-    softcat_links moved;           /* kept row, column of an eliminated x */
+    softcat_links moved;           /* kept row, column of an eliminated x: into the moves */
 
     double *coupling;              /* [answer_columns * padded] of one site */
     double *gathered, *solved;     /* [padded] */
+    double *known;                 /* [answer_columns] */
     int *order;
     softcat_band band;
-    const double *entries;         /* of the last factorisation */
     double inverse_shift;
 };
 
 /* What softcat_sections.c does of softcat_linear.h: eliminate a site's section states, whose band
- * rows are `rows`; then, in a right-hand side, solve for them alone and, last, add what they
- * answer to the kept unknowns. */
+ * rows are `rows`; then, in a right-hand side, solve for them alone, take what the rows in the band
+ * see of them and, last, add what they answer to the kept unknowns. */
 int softcat_sections_eliminate(softcat_linear *, int site, const double *entries, double shift);
 void softcat_sections_answer(const softcat_linear *, int site, double *rows);
 void softcat_sections_first(const softcat_linear *, double *k);

@@ -187,10 +187,8 @@ static int advance(softcat_run *r, double *next)
 static int begin_anew(softcat_run *r)
 {
     softcat_status aside = *r->status;
-    int algebraic = 0, code = SOFTCAT_SOLVED;
-    for (int k = 0; k < r->model->slots; k++) algebraic |= !r->model->differential[k];
-    if (!algebraic) return code;
-    code = softcat_newton(&r->step, &r->copies[0].filament, r->options, inner_start(r),
+    if (!r->step.algebraic) return SOFTCAT_SOLVED;
+    int code = softcat_newton(&r->step, &r->copies[0].filament, r->options, inner_start(r),
                           r->copies[0].state, &aside);
     return code ? code : softcat_copies_correct(r, inner_start(r));
 }

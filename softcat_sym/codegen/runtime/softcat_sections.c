@@ -78,7 +78,7 @@ static void apply(const softcat_linear *linear, const double *inverse, const dou
 static void gather_couplings(softcat_linear *linear, int site, const double *entries)
 {
     const softcat_links *lists[] = {&linear->dragged, &linear->seen};
-    size_t drags = (size_t)linear->drag_columns * (size_t)linear->padded;
+    size_t drags = (size_t)linear->x_columns * (size_t)linear->padded;
     size_t weights = (size_t)linear->group_count * (size_t)linear->padded;
     double *stores[] = {linear->drags + (size_t)site * drags,
                         linear->weights + (size_t)site * weights};
@@ -132,31 +132,27 @@ void softcat_sections_answer(const softcat_linear *linear, int site, double *row
     }
 }
 
-/* Section states of their own right-hand side, which takes in the x; then what the kept rows see
- * of them. */
+/* Section states of their own right-hand side, which takes in the x; then what the rows in the band
+ * see of them. */
 void softcat_sections_first(const softcat_linear *linear, double *k)
 {
-    int sections = linear->model->sections, padded = linear->padded, last = linear->sites - 1;
-    const double *drag = linear->drags;
-    for (int site = 0; site <= last; site++) {
+    int sections = linear->model->sections, padded = linear->padded, columns = linear->x_columns;
+    const double *drag = linear->drags, *x = linear->x;
+    for (int site = 0; site < linear->sites; site++, x += linear->eliminated) {
         double *here = k + (ptrdiff_t)site * linear->slots;
         for (int s = 0; s < sections; s++) linear->gathered[s] = here[linear->section_slot[s]];
-        for (int c = 0; c < linear->drag_columns; c++, drag += padded) {
-            int other = site + linear->drag_offset[c];
-            if (other < 0 || other > last) continue;
-            double x = k[(ptrdiff_t)other * linear->slots + linear->drag_slot[c]];
-            softcat_add(linear->gathered, drag, -x, padded);
-        }
+        softcat_subtract(linear->gathered, drag, padded, x, columns);
+        drag += columns * padded;
         apply(linear, linear->blocks + (size_t)site * (size_t)linear->block_doubles,
               linear->gathered, linear->solved);
         for (int s = 0; s < sections; s++) here[linear->section_slot[s]] = linear->solved[s];
         for (int g = 0; g < linear->group_count; g++) {
             const softcat_group *group = linear->group + g;
             int seeing = site - group->offset;
-            if (seeing < 0 || seeing > last) continue;
+            if (seeing < 0 || seeing >= linear->sites) continue;
             size_t place = (size_t)seeing * (size_t)linear->group_count + (size_t)g;
             const double *weight = linear->weights + place * (size_t)padded;
-            k[(ptrdiff_t)seeing * linear->slots + group->row] -=
+            linear->band.right[seeing * linear->remaining + linear->place[group->row]] -=
                 softcat_dot(weight, linear->solved, padded);
         }
     }
@@ -165,16 +161,18 @@ void softcat_sections_first(const softcat_linear *linear, double *k)
 void softcat_sections_last(const softcat_linear *linear, double *k)
 {
     int sections = linear->model->sections, padded = linear->padded;
+    int columns = linear->answer_columns;
     const double *answer = linear->answers;
-    for (int site = 0; site < linear->sites; site++) {
+    for (int site = 0; site < linear->sites; site++, answer += columns * padded) {
         double *here = k + (ptrdiff_t)site * linear->slots;
         for (int s = 0; s < sections; s++) linear->gathered[s] = here[linear->section_slot[s]];
-        for (int c = 0; c < linear->answer_columns; c++, answer += padded) {
+        for (int c = 0; c < columns; c++) {
             int other = site + linear->answer_offset[c];
-            if (other < 0 || other >= linear->sites) continue;
-            double known = k[(ptrdiff_t)other * linear->slots + linear->answer_slot[c]];
-            softcat_add(linear->gathered, answer, -known, padded);
+            int known = other >= 0 && other < linear->sites;
+            int slot = linear->answer_offset[c] * linear->slots + linear->answer_slot[c];
+            linear->known[c] = known ? here[slot] : 0.0;
         }
+        softcat_subtract(linear->gathered, answer, padded, linear->known, columns);
         for (int s = 0; s < sections; s++) here[linear->section_slot[s]] = linear->gathered[s];
     }
 }

@@ -37,6 +37,7 @@ int softcat_step_new(softcat_step *step, const softcat_model *model, const softc
     step->power_stages = place;
     step->power_slope = place + powers * SOFTCAT_MOST_STAGES;
     const unsigned char *is_free = softcat_linear_free_unknowns(step->linear);
+    for (int k = 0; k < model->slots; k++) step->algebraic |= !model->differential[k];
     for (size_t i = 0; i < step->size; i++)
         step->mass[i] = is_free[i] && model->differential[i % (size_t)model->slots] ? 1.0 : 0.0;
     return SOFTCAT_SOLVED;
@@ -69,9 +70,50 @@ static void add(double *restrict to, const double *restrict what, double times, 
     for (size_t i = 0; i < size; i++) to[i] += times * what[i];
 }
 
+/* to += the sum of the first `count` stages, each times its weight and over h. Four at a time, so
+ * that the vector is loaded and stored less often. */
+static void add_stages(const softcat_step *step, double *restrict to, const double *weight,
+                       double h, int count)
+{
+    const double *stage[SOFTCAT_MOST_STAGES];
+    double times[SOFTCAT_MOST_STAGES];
+    int used = 0, j = 0;
+    for (int i = 0; i < count; i++)
+        if (weight[i] != 0.0) {
+            stage[used] = step->stages[i];
+            times[used++] = weight[i] / h;
+        }
+    for (; j + 4 <= used; j += 4) {
+        const double *a = stage[j], *b = stage[j + 1], *c = stage[j + 2], *d = stage[j + 3];
+        double ta = times[j], tb = times[j + 1], tc = times[j + 2], td = times[j + 3];
+        for (size_t n = 0; n < step->size; n++)
+            to[n] += (ta * a[n] + tb * b[n]) + (tc * c[n] + td * d[n]);
+    }
+    for (; j + 2 <= used; j += 2) {
+        const double *a = stage[j], *b = stage[j + 1];
+        double ta = times[j], tb = times[j + 1];
+        for (size_t n = 0; n < step->size; n++) to[n] += ta * a[n] + tb * b[n];
+    }
+    if (j < used) add(to, stage[j], times[j], step->size);
+}
+
+static double dot(const double *restrict a, const double *restrict b, size_t size)
+{
+    double s0 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
+    size_t n = 0;
+    for (; n + 4 <= size; n += 4) {
+        s0 += a[n] * b[n];
+        s1 += a[n + 1] * b[n + 1];
+        s2 += a[n + 2] * b[n + 2];
+        s3 += a[n + 3] * b[n + 3];
+    }
+    for (; n < size; n++) s0 += a[n] * b[n];
+    return (s0 + s1) + (s2 + s3);
+}
+
 /* df/dt of second order from two points ahead: a support that changes pace where the step begins
  * is not looked at from the wrong side, and the step ends before the next change. */
-static int slope_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
+static int difference_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
                          const double *y)
 {
     volatile double ahead = t + 1e-4 * h; /* rounded as a time is */
@@ -86,6 +128,17 @@ static int slope_in_time(softcat_step *step, const softcat_filament *filament, d
             (4.0 * step->power_time[p] - step->power_looked[p] - 3.0 * step->power[p]) / (2.0 * d);
     for (size_t i = 0; i < step->size && !code; i++)
         step->slope[i] = (4.0 * step->slope[i] - step->point[i] - 3.0 * step->rates[i]) / (2.0 * d);
+    return code;
+}
+
+static int slope_in_time(softcat_step *step, const softcat_filament *filament, double t, double h,
+                         const double *y)
+{
+    const softcat_model *model = step->model;
+    if (!model->rates_in_time) return difference_in_time(step, filament, t, h, y);
+    int code = model->rates_in_time(filament, t, y, step->slope, step->scratch);
+    if (!code && step->powers)
+        code = model->work_in_time(filament, t, y, step->power_time, step->scratch);
     return code;
 }
 
@@ -118,19 +171,20 @@ static void stage_point(softcat_step *step, const double *y, int i)
         return;
     }
     memcpy(step->point, y, step->size * sizeof(double));
-    for (int j = 0; j < i; j++)
-        if (a[j] != 0.0) add(step->point, step->stages[j], a[j], step->size);
+    add_stages(step, step->point, a, 1.0, i);
 }
 
-/* M sum_j (c_ij / h) k_j + h slope_i df/dt; `next` is free until the last stage. */
+/* M sum_j (c_ij / h) k_j + h slope_i df/dt; `next` is free until the last stage. Without algebraic
+ * unknowns M only leaves out those that are held, and these are not looked at. */
 static void add_history(softcat_step *step, double h, int i)
 {
     const softcat_method *method = step->method;
     double *k = step->stages[i], *sum = step->next;
-    if (i > 0) {
+    if (!step->algebraic) {
+        add_stages(step, k, method->c[i], h, i);
+    } else if (i > 0) {
         memset(sum, 0, step->size * sizeof(double));
-        for (int j = 0; j < i; j++)
-            if (method->c[i][j] != 0.0) add(sum, step->stages[j], method->c[i][j] / h, step->size);
+        add_stages(step, sum, method->c[i], h, i);
         for (size_t n = 0; n < step->size; n++) k[n] += step->mass[n] * sum[n];
     }
     if (step->model->moves_in_time && method->slope[i] != 0.0)
@@ -170,13 +224,12 @@ static void work_stage(softcat_step *step, double h, int i)
     size_t count = (size_t)step->powers;
     double *k = step->power_stages + (size_t)i * count;
     for (size_t p = 0; p < count; p++) {
-        const double *slope = step->power_slope + p * step->size, *stage = step->stages[i];
+        const double *slope = step->power_slope + p * step->size;
         double sum = step->power_looked[p];
         if (step->model->moves_in_time) sum += h * method->slope[i] * step->power_time[p];
         for (int j = 0; j < i; j++)
             sum += method->c[i][j] / h * step->power_stages[(size_t)j * count + p];
-        for (size_t n = 0; n < step->size; n++) sum += slope[n] * stage[n];
-        k[p] = h * method->gamma * sum;
+        k[p] = h * method->gamma * (sum + dot(slope, step->stages[i], step->size));
     }
 }
 
@@ -272,8 +325,7 @@ void softcat_step_between(const softcat_step *step, const double *y, double x, d
     double weight[SOFTCAT_MOST_STAGES];
     dense_weights(method, x, weight);
     for (size_t n = 0; n < step->size; n++) out[n] = (1.0 - x) * y[n] + x * step->next[n];
-    for (int j = 0; j < method->stages; j++)
-        if (weight[j] != 0.0) add(out, step->stages[j], weight[j], step->size);
+    add_stages(step, out, weight, 1.0, method->stages);
 }
 
 double softcat_step_norm(const softcat_step *step, const double *error, const double *y,

@@ -12,6 +12,7 @@ typedef struct softcat_step {
     const softcat_method *method;
     softcat_linear *linear;
     size_t size;              /* unknowns, sites * slots */
+    int algebraic;            /* whether there are rows 0 = f */
     double *memory;
     double *stages[SOFTCAT_MOST_STAGES];
     double *rates, *slope;    /* f and df/dt where the step begins */

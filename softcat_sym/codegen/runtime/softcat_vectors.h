@@ -31,4 +31,24 @@ static inline double softcat_dot(const double *restrict a, const double *restric
     return (s0 + s1) + (s2 + s3);
 }
 
+/* to -= panel * x, the panel column by column; to stays in registers meanwhile. */
+static inline void softcat_subtract(double *restrict to, const double *restrict panel, int rows,
+                                    const double *restrict x, int columns)
+{
+    for (int r = 0; r < rows; r += 4) {
+        double s0 = to[r], s1 = to[r + 1], s2 = to[r + 2], s3 = to[r + 3];
+        const double *a = panel + r;
+        for (int c = 0; c < columns; c++, a += rows) {
+            s0 -= a[0] * x[c];
+            s1 -= a[1] * x[c];
+            s2 -= a[2] * x[c];
+            s3 -= a[3] * x[c];
+        }
+        to[r] = s0;
+        to[r + 1] = s1;
+        to[r + 2] = s2;
+        to[r + 3] = s3;
+    }
+}
+
 #endif

@@ -15,7 +15,7 @@ static const int row3[] = {0, 0, 0, 1, 1, 1, 2, 2, 2}, column3[] = {0, 1, 2, 0, 
 #define PROBLEM(name, slots, parameters, powers, moves, differential, row, column, work, slope)   \
     const softcat_model name = {slots, 0, parameters, 0, 0, (int)(sizeof row / sizeof *row),      \
                                 powers, moves, none, differential, zero, zero, row, zero, column, \
-                                name##_rates, name##_jacobian, work, slope};
+                                name##_rates, name##_jacobian, work, slope, NULL, NULL};
 
 #define RATES(name) \
     static int name##_rates(const softcat_filament *filament, double t, const double *y, double *f, double *scratch)

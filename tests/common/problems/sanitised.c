@@ -37,7 +37,7 @@ static const int first[SLOTS] = {1, 1, 0, 0, 0, 0}, last[SLOTS] = {0, 0, 0, 1, 1
 static const softcat_model chain = {
     SLOTS, 3, 3 + 3 * ENTRIES, ENTRIES, 0, ENTRIES, 2, 0, rate, differential, first, last, row,
     offset, column, linear_rates, linear_jacobian, linear_work,
-    linear_work_slope};
+    linear_work_slope, NULL, NULL};
 
 static int run_chain(int method)
 {
