@@ -11,7 +11,7 @@ import resource
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -82,7 +82,12 @@ COMMANDS = {
     "phase, 10 cells": ("phase", "-q", "--fresh", "--resolution", "10"),
     "experiment": ("experiment", "arrested-overdamped", "-q", "--fresh", "--free", "viscosity", "--noise", "1 %"),
 }
-GOALS = {"--help": 0.1, "run --no-pictures": 0.4, "run": 1.0, "run, nothing cached": 4.0}
+FIRST = "run, nothing cached"
+GOALS = {"--help": 0.1, "run --no-pictures": 0.4, "run": 1.0, FIRST: 4.0}
+IMPORT = "import numpy, matplotlib.figure, matplotlib.backends.backend_agg"
+UNIT, MARGIN = 0.5, 1.5
+"""Seconds of that import where the goals are meant; how much longer than its goal a call may take, since machines
+differ in the ratio of loading files to calculating, and in what else they do meanwhile."""
 
 
 @dataclass(frozen=True)
@@ -91,11 +96,15 @@ class Checkout:
 
     folder: Path
     cache: Path
+    bytecode: Path
 
     def spent(self, *command: str) -> tuple[float, float, str]:
         """Wall and processor seconds of a Python process with all that it starts, and what it prints."""
         environment = {**os.environ, "PYTHONPATH": str(self.folder), "SOFTCAT_CACHE": str(self.cache)}
         environment |= {"OMP_NUM_THREADS": "1", "MPLBACKEND": "agg"}
+        # As an installed package has them, whatever the shell of who tests forbids.
+        environment |= {"PYTHONPYCACHEPREFIX": str(self.bytecode)}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
         self.cache.mkdir(parents=True, exist_ok=True)
         before, wall = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
         done = subprocess.run(
@@ -115,7 +124,8 @@ def checkouts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, Check
         other.mkdir()
         packed = subprocess.run(["git", "archive", BEFORE, "softcat_sym"], cwd=HERE, capture_output=True, check=True)
         subprocess.run(["tar", "-x", "-C", str(other)], input=packed.stdout, check=True)
-    return Checkout(other, folder / "old"), Checkout(HERE, folder / "new")
+    old, new = ((place, folder / name, folder / f"bytecode-{name}") for place, name in ((other, "old"), (HERE, "new")))
+    return Checkout(*old), Checkout(*new)
 
 
 def test_warm_runs(checkouts: tuple[Checkout, Checkout]) -> None:
@@ -137,26 +147,29 @@ def test_warm_runs(checkouts: tuple[Checkout, Checkout]) -> None:
 
 
 def test_commands(checkouts: tuple[Checkout, Checkout], tmp_path: Path) -> None:
-    """Goals: --help 0.1 s of the processor, a run 0.4 s and with pictures 1 s, the first of all 4 s."""
-    rows, missed = [], []
-    for label, command in {"run, nothing cached": COMMANDS["run"], **COMMANDS}.items():
-        least: list[tuple[float, float]] = []
-        for one in checkouts:
-            short = label in GOALS
-            if label == "run, nothing cached":
-                one = Checkout(one.folder, tmp_path / one.cache.name)
-            elif short:
-                one.spent("-c", SOFTCAT, *command)
-            spent = [one.spent("-c", SOFTCAT, *command)[:2] for _ in range(3 if short and label in COMMANDS else 1)]
-            least.append(min(spent, key=lambda pair: pair[1]))
+    """Goals: --help 0.1 s of the processor, a run 0.4 s and with pictures 1 s, the first of all 4 s.
+
+    On a machine that imports NumPy and Matplotlib in half a second, and does nothing else.
+    """
+    rows, late = [], []
+    unit = min(checkouts[1].spent("-c", IMPORT)[1] for _ in range(3)) / UNIT
+    for label, command in {FIRST: COMMANDS["run"], **COMMANDS}.items():
+        taken: tuple[list[tuple[float, float]], ...] = ([], [])
+        for k in range(4 if label in GOALS else 1):
+            # In turn, so that a busy neighbour slows both; the first call of a short one fills its caches.
+            for one, rows_of in zip(checkouts, taken, strict=True):
+                place = replace(one, cache=tmp_path / f"{one.cache.name} {k}") if label == FIRST else one
+                rows_of.append(place.spent("-c", SOFTCAT, *command)[:2])
+        (old_wall, old), (wall, now) = (min(rows_of, key=lambda pair: pair[1]) for rows_of in taken)
         goal = GOALS.get(label)
-        rows.append([label, *(f"{part:.2f}" for pair in least for part in pair), goal or ""])
-        rows[-1].append(f"{least[0][1] / least[1][1]:.1f}")
+        rows.append(
+            [label, *(f"{one:.2f}" for one in (old_wall, old, wall, now, now / unit)), goal or "", f"{old / now:.1f}"]
+        )
         print(*rows[-1], flush=True)
-        missed += [label] if goal and least[1][1] > BUSY * goal else []
-    head = ("softcat", "before: wall", "processor", "now: wall", "processor", "goal", "times faster")
-    show("seconds of a command, compilers included", head, rows)
-    assert not missed
+        late += [label] if goal and now / unit > MARGIN * goal else []
+    head = ("softcat", "before: wall", "processor", "now: wall", "processor", f"where importing takes {UNIT} s", "goal")
+    show("seconds of a command, compilers included", (*head, "times less"), rows)
+    assert not late
 
 
 def test_filaments_a_second(checkouts: tuple[Checkout, Checkout]) -> None:
