@@ -22,8 +22,8 @@ from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
 from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.continuation import sagging_guesses
 from softcat_sym.solvers.equilibrium import Equilibrium
-from softcat_sym.solvers.initial_state import sagging_guesses
 from tests.common.assembled import GRIDS, build, energy_of, parameters, place, random_state, rhs, scene_of, value
 
 STORED = ("energy_kinetic", "energy_elastic", "energy_potential")

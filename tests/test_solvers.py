@@ -30,11 +30,10 @@ from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
-from softcat_sym.solvers import compiled, continuation, interpreted, settings
+from softcat_sym.solvers import compiled, interpreted, settings, settling
 from softcat_sym.solvers.compiled import CModel, CompiledIntegration
-from softcat_sym.solvers.continuation import settled
+from softcat_sym.solvers.continuation import sagging_guesses, settled
 from softcat_sym.solvers.equilibrium import Equilibrium
-from softcat_sym.solvers.initial_state import sagging_guesses
 from softcat_sym.solvers.interpreted import External, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, prepare
@@ -601,7 +600,7 @@ def started(scene: Scene) -> tuple[Shape, Shape]:
         return settled(graph, x, p, z, straight)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(continuation, "settled", listen)
+        patch.setattr(settling, "settled", listen)
         start = build(scene, choose_effects(scene)).start
     assert start is not None
     return given[0], given[0].at(start.z)

@@ -1,10 +1,11 @@
-"""Equilibria that are not straight: followed from the straight filament, and settled where they are unstable."""
+"""Equilibria that are not straight, followed from the straight filament."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
-import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.graph import Graph
@@ -12,100 +13,55 @@ from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, S
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
-from softcat_sym.solvers.equilibrium import Equilibrium, Stiffness
-from softcat_sym.solvers.initial_state import sagging_guesses
-from softcat_sym.solvers.start import with_plastic_strain
-
-_NUDGE = 1e-3  # of a span
-_LARGEST = 0.05  # change of a position in one step, in spans
-_GROWTH, _SHRINKAGE = 2.0, 0.25
-_SETTLED = 1e-11
-_SETTLING_ITERATIONS = 400
-_SETTLING_ROUNDING = 1e-13
+from softcat_sym.solvers.start import Newton, with_plastic_strain
 
 _MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # of a continuation
 
 
-def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> Floats:
-    """The minimum of the energy that a nudged equilibrium creeps into; the same where it is one already.
+class Search(Protocol):
+    """Newton's method from several guesses."""
 
-    An arch that stands may be such a minimum, too: it is turned over first, so that what hangs is found.
-
-    Linearly implicit steps along dz/dtau = alg, the forces over the masses: each must lower the energy, so that none
-    steps back onto a saddle.
-    """
-    slope, nudge = _Slope(graph, x, p), _nudge(graph)
-
-    def turned_over(shape: Floats) -> Floats:
-        """The shape on the other side of the line between the supports."""
-        return np.where(np.isin(graph.z_kinds, ("y", "psi")), 2 * straight - shape, shape)
-
-    low = slope.descended(min((z, turned_over(z)), key=slope.energy) - nudge)
-    # What leaves a straight bar may rise as well as hang.
-    other = slope.descended(turned_over(low) - nudge)
-    return min((low, other), key=slope.energy)
+    def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
+        """Equilibrium reached from the first guess that leads to one; None if none does."""
+        ...
 
 
-def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Floats:
-    """The minimum of the energy that a shape out of balance, nudged, creeps into: beyond a fold of its equilibria."""
-    return _Slope(graph, x, p, time).descended(z - _nudge(graph))
+@dataclass(frozen=True)
+class _InC:
+    """Newton's method in C, at t = 0."""
+
+    graph: Graph
+    newton: Newton
+
+    def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
+        """As of `Search`."""
+        del time
+        return next((z for guess in guesses if (z := self.newton(self.graph, x, p, guess)) is not None), None)
 
 
-def _nudge(graph: Graph) -> Floats:
-    """Downwards, and a little more on one side."""
-    weight, size = np.abs(graph.z_where) / 0.5, np.where(np.isin(graph.z_kinds, "y"), _NUDGE, 0.0)
-    return np.asarray(size * (1 - weight**2) * (1 + 0.1 * np.sign(graph.z_where)))
+def balanced(
+    scene: Scene, graph: Graph, p: Floats, straight: Floats, newton: Newton | None, *, is_straight: bool
+) -> Floats | None:
+    """Algebraic positions in equilibrium at t = 0: in C if that leads there, else by CasADi, which knows folds, too."""
+    if newton is not None and graph.terms.bending and not is_slack(scene):
+        z = _balanced(scene, graph, p, straight, _InC(graph, newton), is_straight=is_straight)
+        if z is not None:
+            return z
+    # Imported here: what is found in C does without CasADi.
+    from softcat_sym.solvers.equilibrium import Equilibrium
+
+    return _balanced(scene, graph, p, straight, Equilibrium(graph), is_straight=is_straight)
 
 
-class _Slope:
-    """Energy of the filament, and implicit steps down its slope."""
-
-    def __init__(self, graph: Graph, x: Floats, p: Floats, time: float = 0.0) -> None:
-        self._x, self._p, self._time, self._observables = x, p, time, graph.symbolic.observables
-        pace = ca.SX.sym("pace")
-        matrix = ca.SX.eye(len(graph.straight)) / pace - ca.jacobian(graph.alg, graph.z)
-        self._system = ca.Function("system", [graph.t, graph.x, graph.z, graph.p, pace], [graph.alg, matrix])
-        self._stiffness = Stiffness(self._system.sparsity_out(1))
-
-    def energy(self, z: Floats) -> float:
-        """All stored energy per undeformed area."""
-        observed = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
-        names = (name for name in observed if name.startswith("energy_") and name != "energy_kinetic")
-        return sum(float(observed[name]) for name in names)
-
-    def descended(self, start: Floats) -> Floats:
-        """The minimum that a shape creeps into.
-
-        The first step is as short as that of an explicit method: what is stiff comes to rest before the steps are so
-        long that they would end on a saddle.
-        """
-        _, matrix = self._system(self._time, self._x, start, self._p, 1.0)
-        pace = 1 / float(np.max(np.abs(np.diag(np.asarray(matrix)))))
-        best, lowest = start, self.energy(start)
-        for _ in range(_SETTLING_ITERATIONS):
-            force, matrix = self._system(self._time, self._x, best, self._p, pace)
-            step = self._stiffness.factorise(matrix).step(force)
-            if step is None:
-                pace *= _SHRINKAGE
-                continue
-            size = float(np.max(np.abs(step)))
-            if size < _SETTLED and pace > 1:
-                return best + step
-            energy = self.energy(best + step)
-            if size > _LARGEST or not energy <= lowest + _SETTLING_ROUNDING * abs(lowest):
-                pace *= _SHRINKAGE
-                continue
-            best, lowest, pace = best + step, energy, pace * _GROWTH
-        return best
-
-
-def balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats, *, is_straight: bool) -> Floats | None:
-    """Algebraic positions in equilibrium at t = 0, followed from the straight filament where that is not one.
+def _balanced(
+    scene: Scene, graph: Graph, p: Floats, straight: Floats, equilibrium: Search, *, is_straight: bool
+) -> Floats | None:
+    """Algebraic positions in equilibrium, followed from the straight filament where that is not one.
 
     With its weight from the beginning; if that leads nowhere, with a weight that grows, which needs bending: a string
     without weight has no stiffness.
     """
-    equilibrium, bends = Equilibrium(graph), graph.terms.bending
+    bends = graph.terms.bending
     heavy = _Stage(scene, graph, p, weightless=False)
     if is_straight:
         x = with_plastic_strain(graph.start, graph, scene, 1.0)
@@ -117,14 +73,22 @@ def balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats, *, is_stra
     if z is None or not bends or not is_slack(scene) or not graph.conserves_energy:
         return z
     # A bar that its supports push together is in equilibrium while straight, but not at rest.
+    from softcat_sym.solvers.settling import settled
+
     x, constants = heavy.at(1.0)
     return equilibrium.search(0.0, x, constants, [settled(graph, x, constants, z, straight)])
 
 
-def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floats | None:
+def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
+    """Parabolas around the sag (over span) expected, and the straight filament."""
+    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
+    return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
+
+
+def _followed(stage: _Stage, equilibrium: Search, straight: Floats) -> Floats | None:
     """Equilibrium at the end of a continuation, or None where it breaks off."""
     graph = stage.graph
-    falls = graph.terms.bending and graph.conserves_energy
+    falls = graph.terms.bending and graph.conserves_energy and not isinstance(equilibrium, _InC)
     apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
     guesses = sagging_guesses(graph, apart, elastic_sag(stage.scene))
     z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
@@ -138,6 +102,8 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
             step /= 2
         elif falls:
             # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
+            from softcat_sym.solvers.settling import snapped
+
             reached, step, slope = min(1.0, reached + _MIN_STEP), _MAX_STEP, np.zeros_like(z)
             x, constants = stage.at(reached)
             z = stage.search(equilibrium, reached, [snapped(graph, 0.0, x, constants, z)])
@@ -175,7 +141,7 @@ class _Stage:
         x = with_plastic_strain(self.graph.start, self.graph, self.scene, share)
         return x, np.array([mixed[name] for name in self.graph.parameters])
 
-    def search(self, equilibrium: Equilibrium, share: float, guesses: list[Floats]) -> Floats | None:
+    def search(self, equilibrium: Search, share: float, guesses: list[Floats]) -> Floats | None:
         """Equilibrium at a share; of a string without bending only one that hangs, as it cannot be pushed."""
         x, constants = self.at(share)
         for guess in guesses:

@@ -9,7 +9,6 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
@@ -21,15 +20,10 @@ from softcat_sym.scene.scene import (
     rest_length,
     stress_free_length,
 )
+from softcat_sym.solvers.continuation import balanced
 from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
 _POSITIONS = ("x", "y", "psi")
-
-
-def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
-    """Parabolas around the sag (over span) expected, and the straight filament."""
-    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
-    return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
 def starting_state(
@@ -44,11 +38,11 @@ def starting_state(
     x = with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
     if graph.positions_are_algebraic:
-        z = _hung(scene, graph, x, p, straight, newton)
+        z = balanced(scene, graph, p, straight, newton, is_straight=is_straight(scene))
         return None if z is None else Start(x, z)
     if not is_straight(scene):
         rest = statics() if statics is not None else graph
-        shape = _shape_at_rest(scene, graph, rest, p)
+        shape = _shape_at_rest(scene, graph, rest, p, newton)
         if shape is None:
             return None
         x = _moved(x, graph.x_kinds, graph.x_where, rest, shape)
@@ -61,29 +55,15 @@ def starting_state(
     return None if found is None else Start(x, found)
 
 
-def _hung(scene: Scene, graph: Graph, x: Floats, p: Floats, straight: Floats, newton: Newton | None) -> Floats | None:
-    """Positions in equilibrium under the weight."""
-    if newton is not None and is_straight(scene):
-        hung = (newton(graph, x, p, guess) for guess in sagging_guesses(graph, straight, elastic_sag(scene)))
-        if (found := next((z for z in hung if z is not None), None)) is not None:
-            return found
-    # Imported here, and below: a run that begins straight does without CasADi.
-    from softcat_sym.solvers.continuation import balanced
-
-    return balanced(scene, graph, p, straight, is_straight=is_straight(scene))
-
-
-def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats) -> Floats | None:
+def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats, newton: Newton | None) -> Floats | None:
     """Positions in equilibrium of what begins bent or pulled; without weight, unless only that holds it in shape."""
     if not rest.positions_are_algebraic:
         return None
-    from softcat_sym.solvers.continuation import balanced
-
     values = dict(zip(graph.parameters, p.tolist(), strict=True))
     values["gravity"] = values["gravity"] if is_slack(scene) else 0.0
     constants = np.array([values[name] for name in rest.parameters])
     straight = _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene)
-    return balanced(scene, rest, constants, straight, is_straight=False)
+    return balanced(scene, rest, constants, straight, newton, is_straight=False)
 
 
 def _interpreted_newton() -> Newton:

@@ -11,9 +11,9 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Floats
-from softcat_sym.solvers.continuation import snapped
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.settling import snapped
 from softcat_sym.solvers.solution import Progress, Solution
 
 if TYPE_CHECKING:
