@@ -23,7 +23,7 @@ DEFAULT: Settings = {"run.effects": "paper"}
 FINE: Settings = {"run.effects": "paper", "numerics.cells": 320, "numerics.rtol": 1e-6}
 MEMBERS, BLOCKS, JUDGED = 1000, 5, 10
 A_SECOND, THREADS_GAIN = 250, 1.5
-LANES_GAIN = 2.0  # filaments in lanes over one by one, of processor time in the C of a batch
+LANES_GAIN = 1.5  # of processor time in C: filaments one by one over filaments in lanes
 QUIET = 0.3  # load below which the machine is ours
 
 

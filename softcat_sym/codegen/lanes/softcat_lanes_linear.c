@@ -3,6 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A row takes the place of another whose pivot is smaller by this factor, as in softcat_band.c: few
+ * are, so that rows reach less far. */
+static const double threshold = 0.01;
+
 real *lanes_new(size_t count, void **to_free)
 {
     size_t each = sizeof(real);
@@ -111,7 +115,8 @@ static void exchange(real *restrict a, real *restrict b, lanes_mask m, int count
     }
 }
 
-/* Row `j` and, lane by lane, the one below it with the largest number in its column. */
+/* Exchange row `j`, lane by lane, with the one below it that has the largest number in its column,
+ * unless its own will do. Lanes for which none will. */
 static lanes_mask take_pivot(lanes_linear *linear, int j, int end, int *reach)
 {
     const softcat_band *band = &linear->plan->band;
@@ -126,6 +131,8 @@ static lanes_mask take_pivot(lanes_linear *linear, int j, int end, int *reach)
         best = lanes_choose(larger, size, best);
         found = lanes_choose_integer(larger, (lanes_mask){0} + i, found);
     }
+    real own = lanes_fabs(linear->rows[(size_t)j * width + (size_t)lower]) * linear->scale[j];
+    found = lanes_choose_integer((lanes_mask)(own >= threshold * best), here, found);
     linear->pivot[j] = found;
     linear->common[j] = lanes_any((lanes_mask)(found != found[0])) ? -1 : (int)found[0];
     lanes_mask moved = (lanes_mask)(found != here);
