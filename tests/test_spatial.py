@@ -347,6 +347,7 @@ def test_a_strand_that_is_pressed_buckles_sideways_as_fast_as_its_law_lets_it() 
                 **{"x": np.tile(at - length / 2, (frames, 1)), "y": np.zeros((frames, nodes))},
                 **{"thickness": 4e-3 * cells, "tension": -force * cells, "moment": 1e-15 * cells},
                 **dict.fromkeys(("shear_force", "curvature"), 0 * cells),
+                "stretch": cells,
             }
             found, rates = sideways(scene, fields), [0.0]
             for k in np.arange(1, 9) * np.pi / length:

@@ -7,6 +7,7 @@ import contextlib
 import functools
 import hashlib
 import importlib.util
+import itertools
 import json
 import os
 import re
@@ -306,7 +307,7 @@ def find_compiler() -> Compiler | None:
     It is asked for its version once: as long as its file stays the same, what it said is read from the cache.
     """
     named = split_variable("CC")
-    for command in [named] if named else [*([name] for name in _USUAL), *_of_a_wheel()]:
+    for command in [named] if named else itertools.chain(([name] for name in _USUAL), _of_a_wheel()):
         path = shutil.which(command[0])
         if path is not None:
             # Absolute, since it will be called from another folder.
@@ -317,11 +318,11 @@ def find_compiler() -> Compiler | None:
     return None
 
 
-def _of_a_wheel() -> list[list[str]]:
+def _of_a_wheel() -> Iterator[list[str]]:
     """The C compiler of the package ziglang, for any processor of this kind; none where it is not installed."""
     found = importlib.util.find_spec("ziglang")
     folders = found.submodule_search_locations if found is not None else None
-    return [[str(Path(folder) / "zig"), "cc", "-mcpu=baseline"] for folder in folders or ()]
+    yield from ([str(Path(folder) / "zig"), "cc", "-mcpu=baseline"] for folder in folders or ())
 
 
 def build_identity() -> list[str]:

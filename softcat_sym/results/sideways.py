@@ -146,11 +146,9 @@ class _Cells:
     def of(cls, scene: Scene, fields: Mapping[str, Floats]) -> _Cells:
         """From what a planar run has stored."""
         filament, area = scene.filament, undeformed_area(scene)
-        x, y, length = fields["x"], fields["y"], np.diff(fields["X_node"])
-        psi = _section_angles(fields, length)
-        along, up = np.diff(x, axis=1) / length, np.diff(y, axis=1) / length
-        stretch, middle = np.hypot(along, up), (psi[:, 1:] + psi[:, :-1]) / 2
-        c, s = np.cos(middle), np.sin(middle)
+        length, stretch = np.diff(fields["X_node"]), fields["stretch"]
+        shears = fields.get("shear", np.zeros_like(stretch))
+        Lam = stretch / np.sqrt(1 + shears**2)
         relative = fields["thickness"] * np.sqrt(stretch) / filament.thickness
         size = area * relative ** section_of(scene).area_power
         h = filament.thickness * relative
@@ -164,10 +162,10 @@ class _Cells:
         shear = size / (2 * (1 + scene.material.poisson))
         correction = section_of(scene).shear_correction
         # n_1 of the tension (THEORY3D 4), in the plane.
-        force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * fields.get("shear", 0 * stretch)
+        force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * shears
         force = force + 1.5 * fields["moment"] * fields["curvature"]
         stiffness = correction * shear / stretch**2, shear * torsion / stretch**3, size * bending / stretch**3
-        strains = along * c + up * s, up * c - along * s, np.diff(psi, axis=1)
+        strains = Lam, shears * Lam, fields["curvature"] * Lam * length
         return cls(length, *strains, force, fields["shear_force"], fields["moment"], stiffness)
 
     def stay(self, modulus: float, ends: tuple[str, str]) -> bool:
@@ -246,18 +244,6 @@ class _Cells:
             of_nodes[:, axis, [axis, _FREE + axis]] = 0.5
             of_nodes[:, 2 + axis, axis], of_nodes[:, 2 + axis, _FREE + axis] = -0.5, 0.5
         return np.asarray(np.einsum("cki,fckl,clj->fcij", of_nodes, form, of_nodes, optimize=True))
-
-
-def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:
-    """Angle of the sections at the nodes: of the tangent less the shear, averaged from the cells; cells at the ends."""
-    theta = np.unwrap(np.arctan2(np.diff(fields["y"], axis=1), np.diff(fields["x"], axis=1)), axis=1)
-    theta = theta - np.arctan(fields.get("shear", 0 * theta))
-    inner = (theta[:, 1:] * length[:-1] + theta[:, :-1] * length[1:]) / (length[1:] + length[:-1])
-    ends = (
-        theta[:, 0] - (inner[:, 0] - theta[:, 0]) if inner.shape[1] else theta[:, 0],
-        theta[:, -1] + (theta[:, -1] - inner[:, -1]) if inner.shape[1] else theta[:, -1],
-    )
-    return np.column_stack([ends[0], inner, ends[1]])
 
 
 @dataclass(frozen=True)
