@@ -151,6 +151,9 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
     summary |= {"midpoint_settled_m": {"mean": -0.049, "amplitude": 2e-3}, "settled_s": None}
     words = dict(answer_rows(summary, scene))
     assert "49.0 mm" in words["sag"] and "swinging by 2.00 mm" in words["sag"] and words["settled"].startswith("no")
+    slow = summary | {"backend": "interpreted", "backend_reason": "there is no C compiler"}
+    assert ("interpreted", "there is no C compiler") in answer_rows(slow, scene)
+    assert "interpreted" not in dict(answer_rows(slow | {"backend": "compiled"}, scene))
     # What was left out is one number, shown where it exceeds the accuracy.
     summary |= {"left_out": {"shear": 0.021, "rotary-inertia": 1e-4}, "checked": {"shear": 0.03, "rotary-inertia": 0.0}}
     row = ("left out", "shear, rotary-inertia: together worth at most 3 % of the sag")

@@ -80,7 +80,7 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
         rows.append(("regime", regime_words(str(summary["regime"]))))
     if "settled_s" in summary and not refused and not summary.get("broken"):
         rows.append(("settled", _settled(summary)))
-    if summary.get("backend") == "interpreted" and scene.numerics.backend == "auto":
+    if summary.get("backend") == "interpreted" and summary.get("backend_reason"):
         rows.append(("interpreted", str(summary["backend_reason"])))
     if _left_out_worth(summary) > summary.get("accuracy", float("inf")):
         rows.append(_left_out(summary))
