@@ -147,6 +147,14 @@ class StudyDisplay(Display):
         """Hear how far an integration has come, which a command of many runs does not show."""
 
 
+def seconds_text(seconds: float) -> str:
+    """A time as people read it: ``4.2 ms``, ``1.3 s``, ``12 min``."""
+    for size, unit in ((3600.0, "h"), (60.0, "min"), (1.0, "s"), (1e-3, "ms")):
+        if seconds >= (2 if size > 1 else 1) * size:
+            return f"{seconds / size:.2g} {unit}" if seconds < 100 * size else f"{seconds / size:.0f} {unit}"
+    return f"{1e6 * seconds:.0f} us"
+
+
 _STAGES = ("build", "compile", "solve", "estimate", "write")
 
 

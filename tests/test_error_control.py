@@ -11,9 +11,20 @@ import pytest
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.error_control import control
-from softcat_sym.error_control.control import ROUNDS, controlled
-from softcat_sym.error_control.estimate import Before, Differences, Judge, Resolution, differences, with_more_fibres
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.error_control import control, refinement
+from softcat_sym.error_control.estimate import (
+    Before,
+    Differences,
+    Judge,
+    Resolution,
+    differences,
+    resolution_of,
+    with_more_fibres,
+)
+from softcat_sym.error_control.price import Timed, next_digit
+from softcat_sym.error_control.refinement import ROUNDS, Controlled, controlled
+from softcat_sym.plotting.terminal import answer_rows
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.compiled import CompiledIntegration
@@ -147,7 +158,7 @@ def test_what_falls_short_is_refined_and_nothing_else() -> None:
 
 
 def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
-    def run(known: Known, scene: Scene) -> control.Controlled:
+    def run(known: Known, scene: Scene) -> Controlled:
         return controlled(scene, FIRST, known, known, lambda cells: 400 / cells)
 
     for known, scene in (
@@ -165,6 +176,36 @@ def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
     # Finer grids are graded anew: at a hinge no cell may become much shorter than the thickness.
     finer = run(Known(space=5.0), scene_of(1e-4)).resolution
     assert finer.cells > FIRST.cells and finer.grading == 400 / finer.cells
+
+
+@pytest.mark.parametrize("accuracy", [1e-2, 1e-3])
+def test_the_next_digit_costs_what_was_foretold(accuracy: float) -> None:
+    """Of errors that fall by their orders, and of runs that take as long as they have unknowns and steps."""
+
+    def timed(at: Resolution, *, answer: bool) -> Timed:
+        steps = round(40 * at.rtol**-0.3)
+        return Timed(at, answer, steps, 1e-6 * at.cells * ((at.fibres or 0) + 6) * steps, 0.02)
+
+    def loop(scene: Scene) -> tuple[Controlled, list[Timed]]:
+        known, beside = (Known(space=5.0, time=20.0, section=0.01, order=1.6) for _ in range(2))
+        first = resolution_of(scene, effects, compiled=True)
+        ended = controlled(scene, first, known, beside, lambda cells: first.grading)
+        made = [timed(at, answer=False) for at in dict.fromkeys(beside.asked)]
+        return ended, made + [timed(at, answer=True) for at in known.asked]
+
+    scene = scene_of(accuracy)
+    effects = choose_effects(scene)
+    scene = scene.replace({"run.effects": list(effects.names)})
+    ended, made = loop(scene)
+    assert ended.found is not None
+    price = next_digit(scene, effects, (ended.resolution, ended.found), made, 0.5)
+    assert price.accuracy <= accuracy / 10 and price.seconds is not None
+    then = sum(run.solve + run.besides for run in loop(scene.replace({"run.accuracy": price.accuracy}))[1])
+    assert price.seconds == pytest.approx(0.5 + then, rel=0.1)
+    assert f"{100 * price.accuracy:g} % would take about" in price.text
+    fixed = scene.replace({"numerics.cells": ended.resolution.cells})
+    beyond = next_digit(fixed, effects, (ended.resolution, ended.found), made, 0.5)
+    assert beyond.seconds is None and f"out of reach of N = {ended.resolution.cells}" in beyond.text
 
 
 PERIODS = 200.0
@@ -251,6 +292,10 @@ def test_a_run_is_as_near_a_finer_one_as_its_estimate_says(accuracy: float) -> N
     assert wall["estimate"] > 0, "companions count there"
     assert wall["total"] == pytest.approx(sum(seconds for stage, seconds in wall.items() if stage != "total"))
     assert (best.summary["error_estimate"], best.summary["wall_s"]["estimate"]) == (None, 0)
+    digit = run.summary["next_digit"]
+    assert accuracy / 200 < digit["accuracy"] < run.summary["error_estimate"]["total"] and digit["seconds"] > 0
+    assert ("next digit", digit["text"]) in answer_rows(run.summary, run.scene)
+    assert best.summary["next_digit"] is None
 
 
 def test_what_the_user_fixed_stays_and_is_told() -> None:
@@ -261,7 +306,7 @@ def test_what_the_user_fixed_stays_and_is_told() -> None:
 
 def test_an_accuracy_missed_by_little_is_an_answer_and_by_more_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of what may have no more cells: with a warning up to twice the accuracy, and no advice that is no use."""
-    monkeypatch.setattr(control, "MAX_CELLS", 1)
+    monkeypatch.setattr(refinement, "MAX_CELLS", 1)
     error = simulate(beam(1e-4)).summary["error_estimate"]["total"]
     for times, outcome in ((0.9, "solved"), (1.5, "solved"), (2.5, "inaccurate")):
         run = simulate(beam(error / times))
@@ -271,7 +316,7 @@ def test_an_accuracy_missed_by_little_is_an_answer_and_by_more_is_not(monkeypatc
         assert not any("leave out" in text or "by hand" in text for text in (*texts, run.summary["advice"]))
         if times == 1.5:
             assert texts == [f"accuracy {error:.2g} instead of {error / times:g}"]
-    monkeypatch.setattr(control, "MAX_CELLS", 40)
+    monkeypatch.setattr(refinement, "MAX_CELLS", 40)
     run = simulate(load_scene("cold-honey", HONEY | {"run.accuracy": 1e-6}))
     assert (run.outcome.name, run.summary["regime"]) == ("inaccurate", None)
     assert "1e-06" in run.summary["message"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from pathlib import Path
 
 import numpy as np
@@ -18,18 +19,23 @@ from softcat_sym.single_run import build
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.work_precision import (
-    Plan,
+    TOLERANCES,
+    Answers,
+    Budget,
     Reference,
+    Worker,
     WorkPrecision,
-    measure_reference,
-    measured_rows,
+    extrapolated,
+    measured,
     record,
 )
 from softcat_sym.studies.work_precision_programs import (
     PROGRAMS,
+    THIS_PROGRAM,
     Bench,
     CompiledRates,
     Measured,
+    Program,
     Task,
     scene_of,
     stable_step,
@@ -38,7 +44,8 @@ from tests.common.in_process import Softcat
 
 compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 SHORT = {"run.effects": "paper", "run.duration": "0.05 s", "run.frames": 6, "numerics.estimate": False}
-REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, 2e-6, ("Rosenbrock", "BDF"), "made up")
+REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, (20, 40, 80), 2e-6, "IDAS")
+OWN = Program(THIS_PROGRAM, "softcat", "own", "compiled", "rosenbrock")
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +56,7 @@ def short() -> sc.Scene:
 
 @pytest.fixture(scope="module")
 def prepared(short: sc.Scene) -> Prepared:
-    scene = scene_of(short, Task("compiled-rodas5p", 12, 1.0, rtol=1e-9), PROGRAMS[0])
+    scene = scene_of(short, Task("compiled-rodas5p", 12, 1.0, rtol=1e-9))
     return build(scene, choose_effects(scene))
 
 
@@ -81,7 +88,7 @@ def test_stable_step_of_a_spring_and_of_a_decay() -> None:
 
 @compiled
 def test_rk4_agrees_below_its_limit_and_is_lost_above_it(short: sc.Scene) -> None:
-    bench = Bench(short, 60.0)
+    bench = Bench(short)
     exact = bench.ready(Task("compiled-rodas5p", 12, 1.0, rtol=1e-9))().midpoint
     for program in ("compiled-rk4", "numpy-rk4"):
         found = bench.ready(Task(program, 12, 1.0, rtol=0.95))().midpoint
@@ -94,62 +101,93 @@ def test_rk4_agrees_below_its_limit_and_is_lost_above_it(short: sc.Scene) -> Non
         else:
             assert np.abs(lost - exact).max() > 1e-4 * np.abs(exact).max(), program
     with pytest.raises(SoftcatError, match="steps would take"):
-        Bench(short, 1e-4).ready(Task("compiled-rk4", 40, 4.0, rtol=0.95))
+        bench.ready(Task("compiled-rk4", 40, 4.0, rtol=0.95), 1e-4)
 
 
 @compiled
 def test_programs_solve_the_same_equations(short: sc.Scene) -> None:
-    bench = Bench(short, 60.0)
+    bench = Bench(short)
     exact = bench.ready(Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint
     for program in ("compiled-rodas4", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvodes-5"):
         found = bench.ready(Task(program, 12, 4.0, rtol=1e-6))().midpoint
         assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max(), program
-    sheared = Bench(short.replace({"run.effects": [*short.run.effects, "shear"]}), 60.0)
-    for program in ("compiled-rk4", "scipy-radau"):
-        with pytest.raises(SceneError, match="algebraic unknowns"):
-            sheared.ready(Task(program, 12, 1.0, section=2))
+    # Section angles without inertia have no rate: an explicit method has no answer, a stiffly accurate one has.
+    sheared = Bench(short.replace({"run.effects": [*short.run.effects, "shear"]}))
+    with pytest.raises(SceneError, match="algebraic unknowns"):
+        sheared.ready(Task("compiled-rk4", 12, 1.0, section=4))
+    exact = sheared.ready(Task("compiled-rodas5p", 12, 4.0, 4, 1e-9))().midpoint
+    found = sheared.ready(Task("scipy-radau", 12, 4.0, 4, 1e-6))().midpoint
+    assert np.abs(found - exact).max() < 1e-5 * np.abs(exact).max()
 
 
-def test_reference_of_a_known_order_is_extrapolated_to_the_limit() -> None:
-    """Errors of 3 h^2 + 30 h^4: Richardson's rule leaves those of h^4, and the stated uncertainty covers them."""
+def ladder(number: int) -> Answers:
+    """Errors of 3 h^2 + 30 h^4 on one grid after another."""
+    answers: Answers = []
+    for cells in (20, 40, 80, 160)[:number]:
+        h = 1 / cells
+        midpoint = (0.0, -2.0 * (1 + 3 * h**2 + 30 * h**4))
+        answers.append((OWN, Task(THIS_PROGRAM, cells, 1.0), Measured(1.0, midpoint=midpoint)))
+    return answers
 
-    def measure(task: Task) -> Measured:
-        h, shift = 1 / task.cells, 1e-5 if task.program == "idas" else 0.0
-        return Measured(1.0, midpoint=(0.0, -2.0 * (1 + 3 * h**2 + 30 * h**4) + shift))
 
-    found = measure_reference(measure, 1.0, 8, compiled=True)
+def test_reference_of_a_known_order_is_extrapolated_to_the_limit_and_confirmed_by_another_family() -> None:
+    """Richardson's rule leaves errors of h^4, and the stated uncertainty covers them."""
+    answers = ladder(4)
+    found = extrapolated(answers)
     assert 0 < abs(found.midpoint[-1] + 2.0) / 2.0 <= found.space < 1e-5
-    assert found.time == pytest.approx(5e-6, rel=1e-3)
-
-    def without_bdf(task: Task) -> Measured:
-        return Measured(1.0, message="gave up") if task.program == "idas" else Measured(1.0, midpoint=(0.0, -1.0))
-
-    found = measure_reference(without_bdf, 1.0, 0, compiled=True)
-    assert math.isnan(found.time) and "gave no answer (gave up)" in found.note
-    with pytest.raises(SoftcatError, match="no reference"):
-        measure_reference(lambda task: Measured(1.0, message="bad"), 1.0, 0, compiled=True)
+    assert found.cells == (40, 80, 160) and math.isnan(found.confirmed(answers).time)
+    rivals = {program.key: program for program in PROGRAMS}
+    for key, cells, shift in (("idas", 40, 1e-3), ("idas", 80, 1e-5), ("compiled-rodas5p", 160, 0.0)):
+        midpoint = next(run.midpoint for _, task, run in ladder(4) if task.cells == cells)
+        answers.append((rivals[key], Task(key, cells, 1.0), Measured(1.0, midpoint=(0.0, midpoint[1] + shift))))
+    confirmed = found.confirmed(answers)
+    assert confirmed.time == pytest.approx(5e-6, rel=1e-2) and "IDAS (order 2), on 80 cells" in confirmed.note
+    with pytest.raises(SoftcatError, match="2 of the three grids"):
+        extrapolated(ladder(2))
+    still = [(OWN, Task(THIS_PROGRAM, n, 1.0), Measured(1.0, midpoint=(0.0, 0.0))) for n in (10, 20, 40)]
     with pytest.raises(SoftcatError, match="does not move"):
-        measure_reference(lambda task: Measured(1.0, midpoint=(0.0, 0.0)), 1.0, 0, compiled=True)
+        extrapolated(still)
+
+
+class Known(Worker):
+    """Measures nothing: errors by tolerance, and what has none takes too long."""
+
+    def __init__(self, errors: dict[float, float]) -> None:
+        self.errors = errors
+
+    def measure(self, task: Task, seconds: float) -> Measured:
+        if task.rtol not in self.errors:
+            return Measured(10.0, message="stopped", stopped=True)
+        return Measured(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + self.errors[task.rtol])))
 
 
 def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
     """Stopped at a loose tolerance it is tried at the next; stopped there too it gets no finer grid."""
-    plan = Plan(cells=(10, 20), tolerances=(1e-2, 1e-3, 1e-4, 1e-5))
+    budget = Budget(1e9, lambda what, share: None)
 
     def rows(errors: dict[float, float]) -> list[tuple[int, float]]:
-        def measure(task: Task) -> Measured:
-            if task.rtol not in errors:
-                return Measured(10.0, message="stopped", stopped=True)
-            return Measured(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + errors[task.rtol])))
-
         program = next(program for program in PROGRAMS if program.key == "cvodes")
-        found = measured_rows(program, plan, (1.0, 0), REFERENCE, measure, lambda what: None)
-        return [(row["cells"], row["tolerance"]) for row in found]
+        found = measured(program, [(10, 1.0, 0), (20, 1.0, 0)], REFERENCE, Known(errors), budget, budget.end)
+        return [(task.cells, task.rtol) for _, task, _ in found]
 
     assert rows({}) == [(10, 1e-2), (10, 1e-3)]
-    assert rows({1e-3: 1e-3, 1e-4: 1e-5}) == [(n, rtol) for n in (10, 20) for rtol in plan.tolerances]
+    # The finer grid begins at what was good enough on the coarser.
+    every = {1e-3: 1e-3, 1e-4: 1e-5, 1e-5: 1e-7, 1e-6: 1e-9}
+    assert rows(every) == [*((10, rtol) for rtol in TOLERANCES), (20, 1e-6)]
     # 3e-4 cannot get better on this grid: one tolerance more shows it, and is the last.
-    assert rows(dict.fromkeys(plan.tolerances, 3e-4)) == [(n, rtol) for n in (10, 20) for rtol in (1e-2, 1e-3, 1e-4)]
+    assert rows(dict.fromkeys(TOLERANCES, 3e-4)) == [(n, rtol) for n in (10, 20) for rtol in (1e-2, 1e-3, 1e-4)]
+
+
+def test_time_left_never_jumps_up_and_what_has_none_is_not_begun() -> None:
+    told: list[float] = []
+    budget = Budget(0.2, lambda what, share: told.append(share))
+    for what in ("one", "two", "three"):
+        budget.doing(what)
+        time.sleep(0.05)
+        budget.tick()
+    assert told == sorted(told) and 0 <= told[0] < told[-1] <= 1
+    found = Worker(sc.load_scene("cold-honey"), budget).measure(Task("cvodes", 10, 1.0), budget.left - 1.0)
+    assert found.stopped and not found.midpoint
 
 
 def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
@@ -158,7 +196,7 @@ def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> No
     rows = [record(own, task, Measured(seconds), error) for seconds, error in pairs]
     rows.append(record(rival, task, Measured(5.0), 1e-5))
     runs = pd.DataFrame(rows, dtype=object)
-    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 1.0, 10.0, REFERENCE, runs, {})
+    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 10.0, REFERENCE, runs)
     best, other = found.knee(1e-4), found.knee(1e-4, "kind == 'rival'")
     assert best is not None and (best["program"], best["seconds"]) == (own.name, 2.0)
     assert other is not None and (other["program"], other["seconds"]) == (rival.name, 5.0)
@@ -187,11 +225,6 @@ def test_faults_are_said_and_nothing_is_written(
     monkeypatch.setenv("COLUMNS", "200")
     softcat = Softcat(monkeypatch, capsys)
     for options, named in (
-        (("--cells", "ten"), "--cells"),
-        (("--cells", "10.5"), "whole numbers"),
-        (("--cells", "2"), "from 4 to 2000"),
-        (("--rtol", "1e-3,2"), "--rtol"),
-        (("--program", "euler"), "compiled-rodas5p"),
         (("--limit", "0"), "--limit"),
         (("--set", "material.colour=red"), "material.colour"),
     ):

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 
 import numpy as np
 
@@ -13,17 +11,9 @@ from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
-from softcat_sym.error_control.estimate import (
-    FIBRE_NUMBERS,
-    SECTION_ORDER,
-    Before,
-    Differences,
-    Judge,
-    Resolution,
-    Runner,
-    differences,
-    resolution_of,
-)
+from softcat_sym.error_control.estimate import Differences, Judge, Resolution, resolution_of
+from softcat_sym.error_control.price import Timed, next_digit
+from softcat_sym.error_control.refinement import controlled
 from softcat_sym.progress import Clock
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import MIN_PERIODS
@@ -33,35 +23,6 @@ from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build, run_once
 from softcat_sym.solvers.settings import choose_backend
 from softcat_sym.solvers.solution import Progress, Silence
-
-AIM = 0.8
-"""Share of the accuracy that the estimated error is to come down to: extrapolated, it is a little wrong."""
-
-WORTH = 0.9
-"""Share of the error that must be left at most, where the accuracy is out of reach, for another run to be worth it."""
-
-MAX_CELLS, MAX_FIBRES, MIN_RTOL = 1280, 64, 1e-11
-
-MAX_POINTS = 32_000
-"""Cells times fibres: what a filament of so many points takes is a matter of minutes, and is not begun unasked."""
-
-_EXPECTED_ORDER = 1.6
-"""Of the grid, as an estimated error falls with more cells: one that is far from its order falls more slowly."""
-
-_LEAP, _TIGHTEST = 8, 64
-"""At most so many times as many cells, and so much tighter, at once: an error far from its order foretells badly."""
-
-_STEPS = 0.2
-"""The number of steps goes with the tolerance to minus this power, of a method of fifth order."""
-
-_STATES = 6
-"""Unknowns of a cell that are no fibre's, counted in fibres: there are two of each."""
-
-_COMPILING = 1000.0
-"""Time in which the library for another number of fibres is compiled, a second whatever their number."""
-
-ROUNDS = 4
-"""Runs that are tried, the first included."""
 
 MISSED_BY_LITTLE = 2.0
 """Times the accuracy asked: an estimated error up to there is an answer with its error bar, beyond it a failure."""
@@ -80,86 +41,6 @@ _STATES_PER_CELL = 10
 """Unknowns of a cell that are no fibre's, or more."""
 
 
-def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[[int], float]) -> Resolution:
-    """What to run next: of all that should be accurate enough, by the order of each error, the cheapest.
-
-    The same resolution where nothing that the program may choose would help.
-    """
-    numerics = scene.numerics
-    cells, fibres, tolerances = [at.cells], [at.fibres], [at.rtol]
-    if numerics.cells is None:
-        # An eighth of an octave apart.
-        more = {min(MAX_CELLS, math.ceil(at.cells * 2 ** (k / 8))) for k in range(1, 8 * round(math.log2(_LEAP)) + 1)}
-        cells += sorted(n for n in more if n > at.cells)
-    if at.fibres is not None and numerics.fibres is None and numerics.order is None:
-        fibres += [n for n in FIBRE_NUMBERS if at.fibres < n <= MAX_FIBRES]
-    if numerics.rtol is None:
-        tighter = (at.rtol / 2**k for k in range(1, round(math.log2(_TIGHTEST)) + 1))
-        tolerances += [rtol for rtol in tighter if rtol >= MIN_RTOL]
-    tried = [
-        replace(at, cells=n, fibres=through, rtol=rtol)
-        for n, through, rtol in itertools.product(cells, fibres, tolerances)
-        if through is None or n == at.cells or n * through <= MAX_POINTS
-    ]
-    space, time, section = (part or 0.0 for part in (found.space, found.time, found.section))
-
-    def expected(other: Resolution) -> float:
-        coarser, fewer = at.cells / other.cells, (at.fibres or 1) / (other.fibres or 1)
-        return float(space * coarser**_EXPECTED_ORDER + time * other.rtol / at.rtol + section * fewer**SECTION_ORDER)
-
-    def cost(other: Resolution) -> float:
-        """Time that a resolution takes, in that of a cell with one fibre."""
-        steps = float((at.rtol / other.rtol) ** _STEPS)
-        compiling = _COMPILING if other.fibres != at.fibres else 0.0
-        return float(other.cells * ((other.fibres or 0) + _STATES) * steps + compiling)
-
-    best = min(map(expected, tried))
-    if best > WORTH * found.total:
-        return at
-    enough = max(AIM * scene.run.accuracy, best / WORTH)
-    now = min((other for other in tried if expected(other) <= enough), key=cost)
-    return now if now.cells == at.cells else replace(now, grading=grading(now.cells))
-
-
-@dataclass(frozen=True)
-class Controlled:
-    """How the loop ended."""
-
-    resolution: Resolution  # Of the answer
-    found: Differences | None  # Its estimated errors; None if the answer itself is not to be trusted
-    refinements: tuple[str, ...]  # What was made finer, and why, run by run
-
-
-def controlled(
-    scene: Scene,
-    first: Resolution,
-    answer: Runner,
-    companion: Runner,
-    grading: Callable[[int], float],
-    periods: float = 0.0,
-) -> Controlled:
-    """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help."""
-    at, refinements, before = first, list[str](), None
-    for left in reversed(range(ROUNDS)):
-        midpoint = answer(at)
-        if midpoint is None:
-            return Controlled(at, None, tuple(refinements))
-        judge = Judge.of(midpoint, periods, scene.run.accuracy)
-        found = differences(midpoint, at, companion, judge, scene.run.accuracy, before)
-        following = refined(at, found, scene, grading)
-        if found.total <= scene.run.accuracy or following == at or not left:
-            break
-        changes = (
-            ("cells", at.cells, following.cells),
-            ("fibres", at.fibres, following.fibres),
-            ("rtol", f"{at.rtol:.2g}", f"{following.rtol:.2g}"),
-        )
-        finer = ", ".join(f"{old} -> {new} {name}" for name, old, new in changes if old != new)
-        refinements.append(f"{finer}: estimated error {found.total:.2g} against {scene.run.accuracy:g}")
-        at, before = following, Before(at, found)
-    return Controlled(at, found, tuple(refinements))
-
-
 def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: Progress | None = None) -> Run:
     """Estimate the error of a run, and refine grid, fibres or steps until it is small enough."""
     scene, periods = first.scene, periods_of(first)
@@ -170,7 +51,11 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
         return scene.numerics.grading or choose_grading(scene, cells, effects)
 
     start = replace(guess, rtol=first.summary["rtol"])
-    found = controlled(scene, start, runs.answer, runs.companion, grading, periods)
+
+    def judged(midpoint: Floats) -> Judge:
+        return Judge.of(midpoint, periods, scene.run.accuracy)
+
+    found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")
     answer, errors = runs.last, found.found
     summary: dict[str, object] = {
@@ -184,6 +69,10 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
     warnings = [f"the error is not fully estimated: the run with {what} has no answer" for what in errors.failed]
     short = shortest_hinge_cell(scene, effects, answer.fields["X_node"], answer.fields["yielded_fraction"])
     missed, warning = _missed(answer.scene, errors, undecided=short is not None)
+    if answer.outcome.is_success and not missed:
+        laps = clock.laps()
+        besides = laps["total"] - laps["compile"] - runs.compiling - sum(run.solve + run.besides for run in runs.made)
+        summary["next_digit"] = asdict(next_digit(scene, effects, (found.resolution, errors), runs.made, besides))
     return answer.estimated(summary, [*warnings, *filter(None, [warning])], missed)
 
 
@@ -194,17 +83,25 @@ class _Runs:
         self.last, self._waiting, self._beside = first, True, 0
         self._effects, self._clock, self._progress, self._frames = effects, clock, progress, frames
         self._known: dict[str, Floats | None] = {}
+        self.made: list[Timed] = []
+        self.compiling = 0.0  # Of the runs beside [s]
 
     def answer(self, at: Resolution) -> Floats | None:
         """Run for good; the first answer is there already."""
+        clock = self._clock
         if not self._waiting:
-            self._clock.lap("estimate")
-            self._clock.set_aside()
-            scene = self.last.scene
+            clock.lap("estimate")
+            clock.set_aside()
+        before, scene = clock.laps()["estimate"], self.last.scene
+        if not self._waiting:
             self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
             self._beside = 0
-            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress, self._frames)
+            self.last = run_once(scene, at.of(scene), self._effects, clock, self._progress, self._frames)
         self._waiting = False
+        clock.lap("estimate")
+        laps = clock.laps()
+        besides = laps["build"] + laps["estimate"] - before
+        self.made.append(Timed(at, True, self.last.summary["steps"], laps["solve"], besides))
         if not self.last.outcome.is_success:
             return None
         if self._frames == self.last.scene.run.frames:
@@ -220,9 +117,15 @@ class _Runs:
             self._beside += 1
             usual = 3 if at.fibres or at.order else 2
             self._progress.stage(f"estimating {self._beside} of {max(usual, self._beside)}")
-            prepared = build(scene, self._effects, progress=self._progress)
+            clock = Clock()
+            prepared = build(scene, self._effects, clock, self._progress)
+            clock.lap("build")
             self._progress.doing("solving")
             solution = prepared.solve(self._progress)
+            clock.lap("solve")
+            laps = clock.laps()
+            self.compiling += laps["compile"]
+            self.made.append(Timed(at, False, solution.steps, laps["solve"], laps["build"]))
             sound = solution.outcome.is_success
             self._known[key] = midpoint_heights(prepared.graph, solution) * rest_length(scene) if sound else None
         return self._known[key]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,8 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import legend, plain_log, printable
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.work_precision import LEVELS, WorkPrecision, seconds_text
+from softcat_sym.progress import seconds_text
+from softcat_sym.studies.work_precision import LEVELS, WorkPrecision
 
 _COLOURS = (
     *(style.BLUE, style.VERMILLION, style.ORANGE, style.GREEN, style.PURPLE),
@@ -68,7 +68,7 @@ def work_precision_figure(runs: pd.DataFrame, title: str, caption: str = "", flo
         first.set_ylim(min(lowest, floor or lowest) / 1.6, highest)
         for axis in (first.xaxis, first.yaxis):
             plain_log(axis)
-        body.supxlabel("seconds", fontsize=9)
+        body.supxlabel("seconds of the processor", fontsize=9)
         body.supylabel("relative error", fontsize=9)
         legend(body, "upper left", handles=first.get_legend_handles_labels()[0], ncols=4)
     return figure
@@ -76,81 +76,49 @@ def work_precision_figure(runs: pd.DataFrame, title: str, caption: str = "", flo
 
 def _refusals(found: WorkPrecision) -> list[str]:
     """Why programs have no answer at all."""
-    names = found.runs.drop_duplicates("key").set_index("key")["program"]
-    return [f"{names[key]}: {why}" for key, why in found.refusals.items()]
+    return [f"{found.names[key]}: {why}" for key, why in found.refusals.items()]
 
 
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
     runs = found.runs[~found.runs["key"].isin(found.refusals)].assign(problem=found.scene.title or found.name)
-    caption = f"{found.sentence}. {_reference(found)} Shaded: below what the reference can tell."
+    caption = f"{found.sentence} Reference: {found.reference.note}. Shaded: below what it can tell."
     if found.refusals:
         caption += f" Without an answer: {'; '.join(_refusals(found))}."
-    title = "What accuracy costs: error of the midpoint, warm solves"
     runs = runs.astype({"seconds": float, "error": float})
-    return work_precision_figure(runs, title, caption, found.reference.floor)
+    return work_precision_figure(runs, "What accuracy costs: error of the midpoint", caption, found.reference.floor)
 
 
 def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
-    """For each program: its best time at each error, one step, how it starts cold, and how often it failed."""
+    """For each program: its best time at each error, one step, and whether it was cut off."""
     rows: list[tuple[str, ...]] = []
     for key, runs in found.runs.groupby("key", sort=False):
-        name = runs["program"].iloc[0]
-        if key in found.refusals:
-            rows.append((name, *["–"] * len(LEVELS), "", "", "no answer"))
-            continue
         best = [found.knee(level, f"key == '{key}'") for level in LEVELS]
-        failed, cold = int(runs["error"].isna().sum()), found.cold.get(str(key))
         # Of a step on the grid of 40 cells, or on the nearest.
         counted = runs.dropna(subset=["error", "us_per_step"]).sort_values(
             "cells", key=lambda cells: abs(cells - 40), kind="stable"
         )
+        cut = "no answer" if key in found.refusals else "cut off" if key in found.cut else ""
         rows.append(
             (
-                name,
+                found.names[str(key)],
                 *("–" if run is None else seconds_text(run["seconds"]) for run in best),
                 "" if counted.empty else f"{counted['us_per_step'].iloc[0]:.3g}",
-                "" if cold is None or cold.message else f"{seconds_text(cold.build)} + {seconds_text(cold.first)}",
-                f"{failed} failed" if failed else "",
+                cut,
             )
         )
     return rows
 
 
-def knee_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
-    """For each error: the quickest run, its settings, time, and how many times longer the best rival takes."""
-    rows: list[tuple[str, ...]] = []
-    for level in LEVELS:
-        best, rival = found.knee(level), found.knee(level, "kind == 'rival'")
-        if best is None or level < found.reference.floor:
-            rows.append((f"{level:.0e}", "–", "", "", ""))
-            continue
-        ratio = "no rival reached it"
-        if rival is not None:
-            ratio = f"{rival['seconds'] / best['seconds']:.3g} ({rival['program']})"
-        rows.append((f"{level:.0e}", best["program"], best["task"].text, seconds_text(best["seconds"]), ratio))
-    return rows
-
-
 def print_accuracy(found: WorkPrecision, console: Console | None = None) -> None:
-    """Print the knee, the programs, and what the reference is worth."""
+    """Print what each program takes to which error, and what the reference is worth."""
     terminal = console or Console()
-    header = ("program", *(f"{level:.0e}" for level in LEVELS), "us/step", "cold: build + solve", "")
+    header = ("program", *(f"{100 * level:g} %" for level in LEVELS), "us/step", "")
     title = f"{found.scene.title or found.name}: quickest warm solve with at most this error"
     terminal.print(text_table(header, program_rows(found), title=title))
-    header = ("error", "quickest", "with", "time", "best rival, times as long")
-    terminal.print(text_table(header, knee_rows(found), title="The knee"))
-    for line in _refusals(found):
-        terminal.print(f"No answer: {line}", markup=False, highlight=False)
-    terminal.print(f"{found.sentence}\n{_reference(found)}", markup=False, highlight=False)
-
-
-def _reference(found: WorkPrecision) -> str:
-    reference = found.reference
-    apart = "the second family gave no answer"
-    if isfinite(reference.time):
-        apart = f"{' and '.join(reference.families)} differ by {reference.time:.1e} on one grid"
-    return f"Reference: {reference.note}; {apart}, and {reference.space:.1e} may be left of space."
+    lines = [f"No answer: {line}" for line in _refusals(found)]
+    lines += [found.sentence, f"Reference: {found.reference.note}."]
+    terminal.print("\n".join(lines), markup=False, highlight=False)
 
 
 def write_accuracy(found: WorkPrecision, directory: str | Path) -> list[Path]:

@@ -76,6 +76,8 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
         rows.append(("breaks", str(summary["message"])))
     if summary.get("midpoint_final_m") is not None:
         rows.append(_place(summary, scene, refused=refused))
+    if summary.get("next_digit") and not refused:
+        rows.append(("next digit", str(summary["next_digit"]["text"])))
     if summary.get("regime"):
         rows.append(("regime", regime_words(str(summary["regime"]))))
     if "settled_s" in summary and not refused and not summary.get("broken"):

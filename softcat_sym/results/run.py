@@ -183,7 +183,7 @@ class Run:
         Parameters
         ----------
         errors : mapping
-            ``error_estimate``, ``resolution``, ``refinements`` and ``wall_s`` of the summary.
+            ``error_estimate``, ``next_digit``, ``resolution``, ``refinements`` and ``wall_s`` of the summary.
         warnings : sequence of str
             What could not be estimated, and what the user fixed that misses the accuracy.
         missed : str
@@ -338,6 +338,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "settled_s": None,
         "broken": None,
         "error_estimate": None,
+        "next_digit": None,
         "resolution": None,
         "refinements": [],
         "energy_residual": residual,

@@ -1,16 +1,14 @@
-"""What accuracy costs in time: every program at every grid and tolerance, against one converged answer."""
+"""What accuracy costs in time: this program from coarse to fine, and rivals, against one converged answer."""
 
 from __future__ import annotations
 
-import functools
 import os
 import signal
-import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, suppress
-from dataclasses import dataclass, field, replace
-from math import inf, isfinite, log10, nan
+from dataclasses import dataclass, replace
+from math import inf, isfinite, nan
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
@@ -19,16 +17,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.discretization.assembly import DEFAULT_FIBRES, choose_grid
+from softcat_sym.discretization.assembly import choose_fibres, choose_grid
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.progress import LOOK, seconds_text
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.studies.work_precision_programs import (
     EXPECTED,
-    PROGRAMS,
+    OTHER_FAMILIES,
+    RIVALS,
     STEPPED,
+    THIS_PROGRAM,
     Bench,
     Measured,
     Program,
@@ -40,14 +42,34 @@ from softcat_sym.studies.work_precision_programs import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_GRIDS = (40, 80, 160)
-_MIDDLE = 1
-_TIGHT = 1e-7
-_BDF_TOLERANCES = (1e-7, 1e-6, 1e-5)
+CELLS = (10, 20, 40, 80, 160)
+"""Grids of this program, each with a quarter of the error of the one before."""
+
+TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+"""Of the other programs."""
+
+LEVELS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
+"""Errors at which programs are compared."""
+
+LIMIT, LIMIT_OF_ALL = 45.0, 600.0
+"""Seconds that a study takes at most, of two rivals and of all programs."""
+
+_FIRST, _LOOSEST = 40, 1e-3
+"""The grid on which the tolerance is the one that the program chooses, and the loosest of all grids."""
+
+_SHARE, _GROWTH = 0.45, 4.0
+"""Share of the time that this program may take, and by how much a grid takes longer than the one before, or more."""
+
+_EXTRAPOLATED = 3
 _REMAINDER = 7
 """What is left of an extrapolated answer falls at least as the third power: by 8 from grid to grid."""
 
-Measure = Callable[[Task], Measured]
+_GRADINGS = (1.0, 4.0)  # of RK4, whose step the shortest cell rules
+_STEPS = (0.95,)  # of the stable step: the time error of RK4 there is far below that of any grid
+_GAIN, _NEARLY = 0.8, 2.0
+_TWICE = 2
+
+Answers = list[tuple[Program, Task, Measured]]
 
 
 @dataclass(frozen=True)
@@ -56,90 +78,126 @@ class Reference:
 
     midpoint: Floats  # shape (frames,); In rest lengths
     space: float  # How much the answer may still change with the grid, of its largest
-    time: float  # How far the two families are apart on one grid, of the largest; NaN if the second gave no answer
-    families: tuple[str, str]
-    note: str  # What was run
+    cells: tuple[int, ...]  # Grids from which it is extrapolated
+    time: float = nan  # How far a rival is from this program on one grid, of the largest; NaN where none answered
+    rival: str = ""  # Which one, and on which grid
 
     @property
     def floor(self) -> float:
         """The error below which nothing can be read off."""
-        return max(self.space, self.time if np.isfinite(self.time) else 0.0)
+        return max(self.space, self.time if isfinite(self.time) else 0.0)
+
+    @property
+    def note(self) -> str:
+        """Where it comes from, and what it is worth."""
+        text = (
+            f"softcat on {', '.join(map(str, self.cells))} cells, extrapolated to none; its error is {self.space:.1e} "
+            "by two extrapolations"
+        )
+        if isfinite(self.time):
+            return f"{text}; {self.rival} differs from softcat by {self.time:.1e}"
+        return f"{text}; no rival had the time to confirm it"
 
     def error(self, midpoint: Sequence[float]) -> float:
         """Largest difference from it over the largest it has; infinite where the midpoint is not finite."""
         if len(midpoint) != len(self.midpoint):
             return inf
-        difference = np.max(np.abs(np.array(midpoint) - self.midpoint)) / np.max(np.abs(self.midpoint))
-        return float(difference) if np.isfinite(difference) else inf
+        difference = _apart(midpoint, self.midpoint)
+        return difference if isfinite(difference) else inf
+
+    def confirmed(self, answers: Answers) -> Reference:
+        """The same with the nearest answer of a rival on the finest grid that both have."""
+        own = {_grid(task): found.midpoint for program, task, found in answers if program.key == THIS_PROGRAM}
+        beside = [
+            (-task.cells, _apart(found.midpoint, own[_grid(task)]), f"{program.name}, on {task.cells} cells,")
+            for program, task, found in answers
+            if program.key in OTHER_FAMILIES and found.midpoint and own.get(_grid(task))
+        ]
+        if not beside:
+            return self
+        _, apart, rival = min(beside)
+        return replace(self, time=apart, rival=rival)
 
 
-def measure_reference(measure: Measure, grading: float, section: int, *, compiled: bool) -> Reference:
-    """Rosenbrock on three grids, extrapolated; BDF on the middle one as a second family."""
-    program = "compiled-rodas5p" if compiled else "rosenbrock"
+def _apart(midpoint: Sequence[float], other: Sequence[float] | Floats) -> float:
+    return float(np.max(np.abs(np.array(midpoint) - other)) / np.max(np.abs(other)))
 
-    def midpoint(cells: int, fibres: int) -> Floats:
-        task = Task(program, cells, grading, fibres, rtol=_TIGHT)
-        found = measure(task)
-        if found.message:
-            raise SoftcatError(f"no reference: {program}, {task.text}: {found.message}")
-        return np.array(found.midpoint)
 
-    coarse, middle, fine = (midpoint(cells, section * cells // _GRIDS[0]) for cells in _GRIDS)
+def _grid(task: Task) -> tuple[int, float, int]:
+    return task.cells, task.grading, task.section
+
+
+def extrapolated(answers: Answers) -> Reference:
+    """By Richardson's rule from the last three grids, cells and fibres doubled together and steps with them."""
+    sound = [(task, np.array(found.midpoint)) for _, task, found in answers if not found.message][-_EXTRAPOLATED:]
+    if len(sound) < _EXTRAPOLATED:
+        why = next((found.message for _, _, found in answers if found.message), "")
+        raise SoftcatError(f"no reference: {len(sound)} of the three grids that it needs were solved ({why})")
+    coarse, middle, fine = (midpoint for _, midpoint in sound)
     scale = float(np.max(np.abs(fine)))
     if scale == 0:
         raise SoftcatError("the midpoint does not move: there is no error to measure")
     finer, coarser = fine + (fine - middle) / 3, middle + (middle - coarse) / 3
     space = float(np.max(np.abs(finer - coarser)) / _REMAINDER / scale)
-    own, apart, second = midpoint(_GRIDS[_MIDDLE], section), nan, ""
-    for rtol in _BDF_TOLERANCES:
-        other = measure(Task("idas", _GRIDS[_MIDDLE], grading, section, rtol=rtol))
-        second = f"IDAS gave no answer ({other.message})"
-        if not other.message:
-            apart = float(np.max(np.abs(np.array(other.midpoint) - own)) / scale)
-            second = f"IDAS at rtol {rtol:.0e}"
-            break
-    grids = ", ".join(map(str, _GRIDS))
-    note = f"{program} at rtol {_TIGHT:.0e} on {grids} cells, extrapolated; {second} on {_GRIDS[_MIDDLE]} cells"
-    return Reference(finer, space, apart, ("Rosenbrock", "BDF"), note)
+    return Reference(finer, space, tuple(task.cells for task, _ in sound))
 
 
-_BUILDING = 600.0  # s; compiling a large filament takes seconds
-_GRACE = 3.0  # s that repeated runs may take beyond the limit of one
+class Budget:
+    """What is left of the time of a study, told while it passes."""
+
+    def __init__(self, seconds: float, on_progress: Callable[[str, float], None]) -> None:
+        self.seconds, self.end = seconds, time.monotonic() + seconds
+        self._tell, self._doing = on_progress, ""
+
+    def doing(self, what: str) -> None:
+        """Something begins."""
+        self._doing = what
+        self.tick()
+
+    def tick(self) -> None:
+        """Time has passed."""
+        self._tell(f"{self._doing}, at most {self.left:.0f} s left", 1 - self.left / self.seconds)
+
+    @property
+    def left(self) -> float:
+        """Seconds until the end."""
+        return max(0.0, self.end - time.monotonic())
+
+
 _PROCESSES = get_context("spawn")
 DIED = "its process died"
+NO_TIME = "no time was left"
 
 
-@dataclass
 class Worker:
     """One process at a time that measures tasks; started when it is first needed, and again after it was ended."""
 
-    scene: Scene
-    limit: float
-    variables: Mapping[str, str] = field(default_factory=dict)
-    process: BaseProcess | None = None
-    _pipe: Connection | None = None
+    def __init__(self, scene: Scene, budget: Budget) -> None:
+        self._scene, self._budget = scene, budget
+        self.process: BaseProcess | None = None
+        self._pipe: Connection | None = None
 
-    def measure(self, task: Task) -> Measured:
+    def measure(self, task: Task, seconds: float) -> Measured:
         """Have a task measured; what is not done in time, or dies, comes back as a failure."""
+        if seconds <= 0:
+            return Measured(0.0, message=NO_TIME, stopped=True)
+        end = time.monotonic() + seconds
         if self.process is None or self._pipe is None:
             self._pipe, other = _PROCESSES.Pipe()
-            self.process = _PROCESSES.Process(
-                target=_serve, args=(other, self.scene, self.limit, dict(self.variables)), daemon=True
-            )
+            self.process = _PROCESSES.Process(target=_serve, args=(other, self._scene), daemon=True)
             self.process.start()
             other.close()
-        began = time.perf_counter()
         with suppress(OSError):
-            self._pipe.send(task)
-        build = self._answer(self._pipe, _BUILDING)
-        if not isinstance(build, float):
-            return self._lost(build, time.perf_counter() - began, "building")
-        found = self._answer(self._pipe, self.limit + _GRACE)
-        if not isinstance(found, Measured):
-            return replace(self._lost(found, self.limit, "integrating"), build=build)
-        if found.first > self.limit:
-            return replace(found, midpoint=(), message=f"stopped: it took {found.first:.3g} s", stopped=True)
-        return found
+            self._pipe.send((task, seconds))
+        answer = self._answer(self._pipe, end)
+        if isinstance(answer, Measured):
+            return answer
+        text, died = f"stopped after {seconds_text(seconds)}", answer == ""
+        if died:
+            self.process.join()
+            text = f"{DIED} (status {self.process.exitcode})"
+        self.close()
+        return Measured(seconds, message=text, stopped=not died)
 
     def close(self) -> None:
         """End the process, at once."""
@@ -149,56 +207,37 @@ class Worker:
             self._pipe.close()
             self.process = self._pipe = None
 
-    @staticmethod
-    def _answer(pipe: Connection, seconds: float) -> object:
+    def _answer(self, pipe: Connection, end: float) -> object:
         """What the process says next: None if it is silent for too long, an empty text if it is gone."""
         try:
-            return pipe.recv() if pipe.poll(seconds) else None
+            while (left := end - time.monotonic()) > 0:
+                if pipe.poll(min(left, LOOK)):
+                    return pipe.recv()
+                self._budget.tick()
         except (EOFError, OSError):
             return ""
-
-    def _lost(self, answer: object, seconds: float, doing: str) -> Measured:
-        text, died = f"stopped after {seconds:.3g} s, {doing}", answer == ""
-        if died and self.process is not None:
-            self.process.join()
-            text = f"{DIED} while {doing} (status {self.process.exitcode})"
-        self.close()
-        return Measured(seconds, message=text, stopped=not died)
+        return None
 
 
-def _serve(pipe: Connection, scene: Scene, limit: float, variables: Mapping[str, str]) -> None:
-    """What the process does: answer each task with the seconds of building, and with what was measured."""
+def _serve(pipe: Connection, scene: Scene) -> None:
+    """What the process does: answer each task with what was measured."""
     # Ctrl-C is for the command, which ends this process in whatever call it is; SUNDIALS and Fortran print at will.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)
-    os.environ.update(variables)
-    bench = Bench(scene, limit)
+    bench = Bench(scene)
     with suppress(EOFError):
         while True:
-            task, began = pipe.recv(), time.perf_counter()
+            task, seconds = pipe.recv()
+            began = time.perf_counter()
             try:
-                solve = bench.ready(task)
+                solve = bench.ready(task, seconds)
             except EXPECTED as error:
-                pipe.send(time.perf_counter() - began)
                 pipe.send(Measured(0.0, message=message_of(error), hopeless=isinstance(error, SceneError)))
                 continue
             build = time.perf_counter() - began
-            pipe.send(build)
-            pipe.send(integrate(solve, build))
-
-
-CELLS = (10, 20, 40, 60, 100, 200)
-TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
-ORDERS = (1, 2, 3, 4, 6)
-LEVELS = (1e-2, 1e-3, 1e-4, 1e-5)
-_GRADED = 40
-_GRADINGS = (1.0, 4.0)  # of RK4, whose step the shortest cell rules
-_STEPS = (0.95,)  # of the stable step: the time error of RK4 there is far below that of any grid
-_GAIN = 0.8
-_TWICE = 2
-_REFERENCE_LIMIT = 120.0  # s for each run that the reference needs
+            pipe.send(integrate(solve, build, seconds - build))
 
 
 def record(program: Program, task: Task, run: Measured, error: float) -> dict[str, Any]:
@@ -210,8 +249,7 @@ def record(program: Program, task: Task, run: Measured, error: float) -> dict[st
         "kind": program.kind,
         "cells": task.cells,
         "grading": task.grading,
-        "fibres": task.section if task.section and not task.by_order else None,
-        "order": task.section if task.by_order else None,
+        "fibres": task.section or None,
         "tolerance": task.rtol,
         "seconds": run.seconds,
         "error": error if isfinite(error) else None,
@@ -231,18 +269,27 @@ class WorkPrecision:
     name: str
     scene: Scene
     effects: tuple[str, ...]
-    grading: float
     limit: float
     reference: Reference
     runs: pd.DataFrame  # Columns of :func:`record`, failures included
-    cold: dict[str, Measured]  # How programs start in a new process that has compiled nothing yet, by key
+
+    @property
+    def names(self) -> dict[str, str]:
+        """Programs, by key."""
+        return {str(key): str(name) for key, name in zip(self.runs["key"], self.runs["program"], strict=True)}
 
     @property
     def refusals(self) -> dict[str, str]:
         """Why programs have no answer at all, by key."""
         answered = self.runs.groupby("key", sort=False)["error"].count()
-        first = self.runs.drop_duplicates("key").set_index("key")["message"]
-        return {str(key): first[key] for key in answered[answered == 0].index}
+        last = self.runs.drop_duplicates("key", keep="last").set_index("key")["message"]
+        return {str(key): last[key] for key in answered[answered == 0].index}
+
+    @property
+    def cut(self) -> set[str]:
+        """Programs for which the time was too short, by key."""
+        stopped = self.runs["message"].str.contains(f"stopped|{NO_TIME}|would take", na=False)
+        return set(self.runs[stopped]["key"])
 
     def knee(self, error: float, where: str = "kind in ('own', 'rival')") -> pd.Series[Any] | None:
         """The quickest run with at most this error of those that a query selects; None if there is none."""
@@ -250,17 +297,27 @@ class WorkPrecision:
         return None if sound.empty else sound.loc[sound["seconds"].astype(float).idxmin()]
 
     @property
+    def level(self) -> float:
+        """The accuracy that the scene asks for, or the next of 3, 10, 30 times it that can be told and was reached."""
+        own = [step * self.scene.run.accuracy for step in (1, 3, 10, 30)]
+        told = (level for level in own if level >= self.reference.floor and self._time(THIS_PROGRAM, level))
+        return next(told, own[-1])
+
+    def _time(self, key: str, level: float) -> str:
+        best = self.knee(level, f"key == '{key}'")
+        return "" if best is None else seconds_text(best["seconds"])
+
+    @property
     def sentence(self) -> str:
-        """What each accuracy costs: ``1e-3 costs 4 ms, 1e-5 costs 30 ms``; what no program reached is said."""
-        parts = []
-        for level in LEVELS:
-            best, name = self.knee(level), f"1e-{round(-log10(level))}"
-            if level < self.reference.floor:
-                parts.append(f"{name} is below what the reference can tell")
-            else:
-                costs = "was not reached" if best is None else f"costs {seconds_text(best['seconds'])}"
-                parts.append(f"{name} {costs}")
-        return ", ".join(parts)
+        """``At an error of 0.1 % this program takes 8 ms; IDAS 31 ms, SciPy Radau 240 ms.``"""
+        level, parts = self.level, []
+        for program in RIVALS:
+            if program.key in self.names:
+                missed = "has no answer" if program.key in self.refusals else "did not reach it"
+                missed += " in its time" if program.key in self.cut else ""
+                parts.append(f"{program.name} {self._time(program.key, level) or missed}")
+        own = f"At an error of {100 * level:.3g} % this program takes {self._time(THIS_PROGRAM, level) or 'too long'}"
+        return f"{'; '.join(filter(None, [own, ', '.join(parts)]))}."
 
     def to_dict(self) -> dict[str, Any]:
         """What ``accuracy.json`` holds."""
@@ -270,14 +327,14 @@ class WorkPrecision:
             quick = {name: None if run is None else run.drop(hidden).to_dict() for name, run in pairs.items()}
             knees.append({"error": level, **quick})
         for key, runs in self.runs.groupby("key", sort=False):
-            cold, first = self.cold.get(str(key)), runs.iloc[0]
+            first = runs.iloc[0]
             programs.append(
                 {
                     "key": key,
                     "name": first["program"],
                     "kind": first["kind"],
                     "refusal": self.refusals.get(str(key)),
-                    "cold": cold and {"build_s": cold.build, "first_solve_s": cold.first},
+                    "cut_off": key in self.cut,
                     "runs": runs.drop(columns=[*hidden, "program"]).to_dict("records"),
                 }
             )
@@ -288,15 +345,13 @@ class WorkPrecision:
             "error": "largest difference of the midpoint from the reference over the largest midpoint",
             "reference": {
                 "what": reference.note,
-                "families": list(reference.families),
                 "space_error": reference.space,
-                "families_disagree_by": reference.time if isfinite(reference.time) else None,
+                "rival_differs_by": reference.time if isfinite(reference.time) else None,
                 "floor": reference.floor,
                 "midpoint_rest_lengths": reference.midpoint.tolist(),
             },
-            "grading": self.grading,
             "limit_s": self.limit,
-            "knee": self.sentence,
+            "sentence": self.sentence,
             "knees": knees,
             "programs": programs,
         }
@@ -312,107 +367,114 @@ class WorkPrecision:
         return {"accuracy": accuracy_figure(self)}
 
 
-def seconds_text(seconds: float) -> str:
-    """A time as people read it: ``4.2 ms``, ``1.3 s``."""
-    for size, unit in ((1.0, "s"), (1e-3, "ms")):
-        if seconds >= size:
-            return f"{seconds / size:.2g} {unit}" if seconds < 100 * size else f"{seconds / size:.0f} {unit}"
-    return f"{1e6 * seconds:.0f} us"
+def study(
+    name: str,
+    asked: Scene,
+    programs: Sequence[Program] = RIVALS,
+    limit: float = LIMIT,
+    on_progress: Callable[[str, float], None] = lambda what, share: None,
+) -> WorkPrecision:
+    """Measure a scene with this program and others; times are worth something side by side only, and are not stored.
 
-
-@dataclass(frozen=True)
-class Plan:
-    """What is measured: numbers of cells, tolerances, programs; and how long one integration may take [s]."""
-
-    cells: tuple[int, ...] = CELLS
-    tolerances: tuple[float, ...] = TOLERANCES
-    orders: tuple[int, ...] = ORDERS
-    programs: tuple[str, ...] = tuple(program.key for program in PROGRAMS)
-    limit: float = 10.0
-    cold: bool = True
-
-    @property
-    def max_steps(self) -> int:
-        """How many measurements there can be, for a progress bar."""
-        return 1 + len(self.programs) * (len(self.cells) * len(self.tolerances) + self.cold)
-
-
-def study(name: str, asked: Scene, plan: Plan, on_progress: Callable[[str], None] = lambda what: None) -> WorkPrecision:
-    """Measure a scene with every program; times are worth something side by side only, and nothing of it is stored."""
-    effects = choose_effects(asked)
-    lengths = choose_grid(asked.replace({"numerics.cells": _GRADED}), effects).cell_length
-    grading = float(lengths[0] / lengths[-1])
-    section = DEFAULT_FIBRES if effects.terms().resolved else 0
-    scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
-    with closing(Worker(scene, _REFERENCE_LIMIT)) as worker:
-        on_progress("the reference")
-        measure = functools.cache(worker.measure)
-        reference = measure_reference(measure, grading, section, compiled=find_compiler() is not None)
-    rows: list[dict[str, Any]] = []
-    cold: dict[str, Measured] = {}
-    with closing(Worker(scene, plan.limit)) as worker:
-        measure = functools.cache(worker.measure)
-        for program in (each for each in PROGRAMS if each.key in plan.programs):
-            own = list(measured_rows(program, plan, (grading, section), reference, measure, on_progress))
-            rows += own
-            enough = min(_GRADED, *plan.cells)
-            sound = (row["task"] for row in own if row["error"] is not None and row["cells"] >= enough)
-            if plan.cold and (task := next(sound, None)) is not None:
-                on_progress(f"{program.name}: cold")
-                # A run in a new process that has compiled nothing yet.
-                with (
-                    tempfile.TemporaryDirectory() as cache,
-                    closing(Worker(scene, plan.limit, {"SOFTCAT_CACHE": cache})) as fresh,
-                ):
-                    cold[program.key] = fresh.measure(task)
-    table = pd.DataFrame(rows, dtype=object)
-    return WorkPrecision(name, asked, effects.names, grading, plan.limit, reference, table, cold)
-
-
-def measured_rows(
-    program: Program,
-    plan: Plan,
-    grid: tuple[float, int],
-    reference: Reference,
-    measure: Measure,
-    on_progress: Callable[[str], None],
-) -> Iterator[dict[str, Any]]:
-    """All that is measured of one program: on each grid and section tolerances until they gain nothing.
-
-    A method may be unstable, and slow, at a loose tolerance: it is given up only where the next tighter one is stopped
-    too.
+    Parameters
+    ----------
+    name : str
+        Of the scene.
+    asked : Scene
+        What is run.
+    programs : sequence of Program
+        Beside this one.
+    limit : float
+        How long all of it may take [s]: what is not done then is ended.
+    on_progress : callable
+        Told what is done, and the share of the time that has passed.
     """
-    for ladder in _ladders(program, plan, *grid):
-        best, stopped = inf, 0
-        for task in ladder:
-            on_progress(f"{program.name}: {task.text}")
-            measured = measure(task)
-            error = inf if measured.message else reference.error(measured.midpoint)
-            yield record(program, task, measured, error)
-            if measured.hopeless:
-                return
-            stopped = stopped + 1 if measured.stopped else 0
-            gains_nothing = error > _GAIN * best and isfinite(error) and task.rtol < min(1e-3, best)
-            if stopped == _TWICE or gains_nothing:
-                break
-            best = min(best, error)
+    effects = choose_effects(asked)
+    backend = choose_backend(asked, effects)
+    settings = settings_for(asked, effects, compiled=backend.compiled)
+    own = Program(THIS_PROGRAM, "softcat", "own", "compiled" if backend.compiled else "interpreted", settings.solver)
+    lengths = choose_grid(asked.replace({"numerics.cells": _FIRST}), effects).cell_length
+    fibres = choose_fibres(asked) if effects.terms().resolved else 0
+    scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
+    ladder = [
+        Task(own.key, n, float(lengths[0] / lengths[-1]), _matched(fibres, n, asked), _tolerance(settings.rtol, n))
+        for n in CELLS
+    ]
+    budget = Budget(limit, on_progress)
+    with closing(Worker(scene, budget)) as worker:
+        answers = _from_coarse_to_fine(own, ladder, worker, budget)
+        reference = extrapolated(answers)
+        solved = [_grid(task) for _, task, found in answers if not found.message]
+        for number, program in enumerate(programs):
+            until = time.monotonic() + budget.left / (len(programs) - number)
+            answers += measured(program, solved, reference, worker, budget, until)
+    rows = [
+        record(program, task, found, inf if found.message else reference.error(found.midpoint))
+        for program, task, found in answers
+    ]
+    confirmed, table = reference.confirmed(answers), pd.DataFrame(rows, dtype=object)
+    return WorkPrecision(name, asked, effects.names, limit, confirmed, table)
+
+
+def _matched(fibres: int, cells: int, scene: Scene) -> int:
+    """Fibres are doubled with the cells, since the errors of both fall as the square; not in three dimensions."""
+    return fibres if is_spatial(scene) or not fibres else max(4, fibres * cells // _FIRST)
+
+
+def _tolerance(rtol: float, cells: int) -> float:
+    return min(rtol * (_FIRST / cells) ** 2, max(rtol, _LOOSEST))
+
+
+def _from_coarse_to_fine(own: Program, ladder: Sequence[Task], worker: Worker, budget: Budget) -> Answers:
+    """Run the package itself on one grid after another, until the next would take too long."""
+    answers: Answers = []
+    until, expected = time.monotonic() + _SHARE * budget.left, 0.0
+    for task in ladder:
+        left = until - time.monotonic()
+        if len(answers) >= _EXTRAPOLATED and expected > left:
+            answers.append((own, task, Measured(0.0, message=f"it would take {seconds_text(expected)}", stopped=True)))
+            break
+        budget.doing(f"softcat: {task.text}")
+        # Without three grids there is no reference, and no error of anything.
+        found = worker.measure(task, left if len(answers) >= _EXTRAPOLATED else budget.left)
+        answers.append((own, task, found))
+        if found.stopped:
+            break
+        expected = _GROWTH * found.first + found.build
+    return answers
+
+
+def measured(
+    program: Program,
+    grids: Sequence[tuple[int, float, int]],
+    reference: Reference,
+    worker: Worker,
+    budget: Budget,
+    until: float,
+) -> Iterator[tuple[Program, Task, Measured]]:
+    """All that is measured of one program until its time is over: on each grid tolerances until they gain nothing.
+
+    A method may be unstable, and slow, at a loose tolerance: none may take more than half of what is left, and it is
+    given up where the next tighter one is stopped too. A finer grid begins at the loosest tolerance that was nearly as
+    good as the best on the one before.
+    """
+    begin, tolerances = 0, _STEPS if program.key in STEPPED else TOLERANCES
+    for cells, grading, section in grids:
+        errors, best, stopped = dict[int, float](), inf, 0
+        for g in _GRADINGS if program.key in STEPPED else (grading,):
+            for k, rtol in enumerate(tolerances[begin:], begin):
+                task = Task(program.key, cells, g, section, rtol)
+                budget.doing(f"{program.name}: {task.text}")
+                found = worker.measure(task, (until - time.monotonic()) / 2)
+                yield program, task, found
+                if found.hopeless or found.message == NO_TIME:
+                    return
+                error = inf if found.message else reference.error(found.midpoint)
+                stopped = stopped + 1 if found.stopped else 0
+                gains_nothing = error > _GAIN * best and isfinite(error) and rtol < min(1e-3, best)
+                errors[k], best = error, min(error, best)
+                if stopped == _TWICE or gains_nothing:
+                    break
         if stopped and not isfinite(best):
             return
-
-
-def _ladders(program: Program, plan: Plan, grading: float, section: int) -> Iterator[list[Task]]:
-    """Grids and sections of a program, from coarse to fine, each with its tolerances from loose to tight."""
-    if program.key in STEPPED:
-        for g in _GRADINGS:
-            for n in plan.cells:
-                yield [Task(program.key, n, g, section, rtol=share) for share in _STEPS]
-        return
-    for n in plan.cells:
-        # The errors of cells and of fibres fall as the square, so that both are doubled together.
-        matched = max(4, section * n // _GRADED)
-        every = (matched,) if n < _GRADED else tuple(dict.fromkeys((section, matched)))
-        for fibres in every if section else (0,):
-            yield [Task(program.key, n, grading, fibres, rtol=rtol) for rtol in plan.tolerances]
-    if section and program.key == PROGRAMS[0].key:
-        for k in plan.orders:
-            yield [Task(program.key, _GRADED, grading, k, by_order=True, rtol=rtol) for rtol in plan.tolerances[1:4]]
+        begin = next((k for k, error in errors.items() if error <= _NEARLY * best), begin)

@@ -46,8 +46,7 @@ class Task:
     program: str  # Key of a program, such as ``"compiled-rodas5p"``
     cells: int  # Per half span
     grading: float  # Length of the cells at midspan over that at the clamps
-    section: int = 0  # Fibres through the thickness, or the order of their polynomial; 0 where a section has no choice
-    by_order: bool = False  # Whether `section` is an order
+    section: int = 0  # Fibres through the thickness; 0 where a section has no choice
     rtol: float = 1e-3  # Relative tolerance; of RK4 its step over the longest stable one
 
     @property
@@ -55,11 +54,11 @@ class Task:
         """As people read it: ``40 cells, 8 fibres, rtol 1e-03``."""
         parts = [f"{self.cells} cells"]
         if self.section:
-            parts.append(f"k = {self.section}" if self.by_order else f"{self.section} fibres")
+            parts.append(f"{self.section} fibres")
         if self.program in STEPPED:
             parts += [f"grading {self.grading:.3g}", f"{self.rtol:g} of the stable step"]
         else:
-            parts.append(f"rtol {self.rtol:.0e}")
+            parts.append(f"rtol {self.rtol:.1g}")
         return ", ".join(parts)
 
 
@@ -71,14 +70,15 @@ STEPPED = frozenset({"compiled-rk4", "numpy-rk4"})
 class Measured:
     """What came of a task."""
 
-    seconds: float  # Median wall time of the integration of several warm runs [s]; of what failed, how long it took to
+    # Median of the integration in several warm runs [s of the processor]; of what failed, how long it took to
+    seconds: float
     build: float = 0.0  # Wall time of everything before, the first time in a process, libraries found in the cache [s]
     steps: int = 0  # Steps; 0 where nobody counts
     evaluations: int = 0  # Right-hand sides without those of Jacobians; 0 where nobody counts
     repeats: int = 0  # Runs of which `seconds` is the median
     midpoint: tuple[float, ...] = ()  # Height of midspan at the output times, in rest lengths; empty if it failed
     message: str = ""  # Why it failed, else empty
-    first: float = 0.0  # Wall time of the first integration, before anything is warm [s]
+    first: float = 0.0  # Of the first integration, before anything is warm [s of the processor]
     stopped: bool = False  # Whether it took longer than the limit
     hopeless: bool = False  # Whether no other grid or tolerance would mend it
 
@@ -105,16 +105,18 @@ class _Model(ct.Structure):
 _JACOBIAN = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, Doubles, Doubles, Doubles)
 
 
+_STIFF = 1e9
+"""Rate at which algebraic unknowns are driven to where their equation holds, in units of a time scale; a method that is
+stiffly accurate solves that equation itself as it grows (Hairer & Wanner 1996, VI.1)."""
+
+
 class CompiledRates:
-    """Rates and Jacobian of a compiled filament that has no algebraic unknowns; the state has a place for each slot."""
+    """Rates and Jacobian of a compiled filament; the state has a place for each slot."""
 
     def __init__(self, prepared: Prepared) -> None:
         whole = prepared.integration
         if not isinstance(whole, CompiledIntegration) or prepared.start is None:
             raise SoftcatError("an explicit method needs a compiled right-hand side and a shape to begin from")
-        if prepared.graph.is_dae:
-            found = f"{len(prepared.graph.straight)} algebraic unknowns"
-            raise SceneError([Fault("run.effects", found, "effects without algebraic unknowns")])
         filament, source = whole.filament, "work_precision_explicit.c"
         library = _library("filament.c", filament.model.model.text)
         self._c = _library(source, (resources.files("softcat_sym.studies") / source).read_text(encoding="utf-8"))
@@ -126,7 +128,7 @@ class CompiledRates:
         self.size = sites * slots
         self.start = self._sites.state(prepared.start.x, prepared.start.z).ravel()
         live = np.zeros(self.size, dtype=bool)
-        live[self._sites.x] = True
+        live[np.concatenate([self._sites.x, self._sites.z])] = True
         # Memory of its own, and pointers made once: a call then costs little more than its arithmetic.
         parameters, places = np.ascontiguousarray(prepared.p), filament.places
         held = np.flatnonzero(~live).astype(np.int32)
@@ -152,6 +154,15 @@ class CompiledRates:
         self._taken = np.flatnonzero(inside.ravel())[order]
         self._starts = np.concatenate([[0], np.cumsum(np.bincount(self._columns, minlength=self.size))])
         self.band = int(np.max(np.abs(self._rows - self._columns), initial=0))
+        self._pace = np.ones(self.size)
+        if prepared.graph.is_dae:
+            algebraic = self._sites.z
+            towards = self.sparse(0.0, self.start).diagonal()[algebraic]
+            if np.any(towards == 0):
+                raise SceneError(
+                    [Fault("run.effects", "algebraic unknowns without an equation of their own", "others")]
+                )
+            self._pace[algebraic] = -_STIFF / towards
 
     def unknowns(self, states: Floats) -> tuple[Floats, Floats]:
         """What :class:`softcat_sym.solvers.Solution` holds as x and z, of states (frames, size)."""
@@ -161,13 +172,13 @@ class CompiledRates:
         """Rates of a state, shape (size,), zero of what is held."""
         self._state[:] = state
         self._c.explicit_rates(*self._head, ct.c_double(t), *self._for_rates)
-        return self._rates.copy()
+        return self._rates * self._pace
 
     def entries(self, t: float, state: Floats) -> Floats:
         """Entries of the Jacobian that can differ from zero, column by column."""
         self._state[:] = state
         self._jacobian(self._filament, t, *self._for_entries)
-        return self._entries[self._taken]
+        return self._entries[self._taken] * self._pace[self._rows]
 
     def sparse(self, t: float, state: Floats) -> Any:
         """The Jacobian as a ``scipy.sparse.csc_matrix``, shape (size, size)."""
@@ -248,16 +259,25 @@ PROGRAMS: tuple[Program, ...] = (
     Program("compiled-rodas5p", "Rodas5P, compiled", "own", "compiled", "rosenbrock"),
     Program("compiled-rodas4", "Rodas4, compiled", "own", "compiled", "rosenbrock"),
     Program("rosenbrock", "Rosenbrock, interpreted", "own", "interpreted", "rosenbrock"),
-    Program("cvodes", "CVODES, order 2", "own", "interpreted", "cvodes"),
-    Program("cvodes-5", "CVODES, to order 5", "rival", "interpreted", "cvodes"),
-    Program("idas", "IDAS, order 2", "own", "interpreted", "idas"),
-    Program("idas-5", "IDAS, to order 5", "rival", "interpreted", "idas"),
+    Program("cvodes", "CVODES (order 2)", "own", "interpreted", "cvodes"),
+    Program("cvodes-5", "CVODES (to order 5)", "rival", "interpreted", "cvodes"),
+    Program("idas", "IDAS (order 2)", "own", "interpreted", "idas"),
+    Program("idas-5", "IDAS (to order 5)", "rival", "interpreted", "idas"),
     Program("compiled-rk4", "RK4, compiled", "rival", "compiled", "rosenbrock"),
     Program("numpy-rk4", "RK4, NumPy", "rival", "compiled", "rosenbrock"),
     Program("scipy-radau", "SciPy Radau", "rival", "compiled", "rosenbrock"),
     Program("scipy-bdf", "SciPy BDF", "rival", "compiled", "rosenbrock"),
     Program("scipy-lsoda", "SciPy LSODA", "rival", "compiled", "rosenbrock"),
 )
+RIVALS = tuple(program for program in PROGRAMS if program.key in ("idas", "scipy-radau"))
+"""Beside this program, unless all are asked for: the better IDAS, and what Python has for stiff equations."""
+
+OTHER_FAMILIES = frozenset({"cvodes", "cvodes-5", "idas", "idas-5", "scipy-radau", "scipy-bdf", "scipy-lsoda"})
+"""Programs whose method is not Rosenbrock's: they can confirm an answer."""
+
+THIS_PROGRAM = "softcat"
+"""Key of what `softcat run` chooses."""
+
 _SCIPY = {"scipy-radau": "Radau", "scipy-bdf": "BDF", "scipy-lsoda": "LSODA"}
 
 
@@ -283,24 +303,23 @@ class _Rodas4(CModel):
 class Bench:
     """Makes programs ready for a scene, one after another; what they share is built once."""
 
-    def __init__(self, scene: Scene, limit: float) -> None:
-        self._scene, self._limit = scene, limit
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
         self._built: tuple[Scene, Assembled] | None = None
 
-    def ready(self, task: Task) -> Callable[[], Solved]:
-        """Build all that a program needs; what is returned does nothing but integrate."""
+    def ready(self, task: Task, seconds: float = math.inf) -> Callable[[], Solved]:
+        """Build all that a program needs; what is returned does nothing but integrate, in so many seconds at most."""
         prepared = self._prepare(task)
         if prepared.start is None:
             raise SoftcatError("no shape in balance was found to begin from")
         if task.program in ("compiled-rk4", "numpy-rk4"):
-            return self._stepped(prepared, task)
+            return self._stepped(prepared, task, seconds)
         if task.program in _SCIPY:
             return _scipy(prepared, _SCIPY[task.program])
         return lambda: _own(prepared)
 
     def _prepare(self, task: Task) -> Prepared:
-        program = next(each for each in PROGRAMS if each.key == task.program)
-        scene = scene_of(self._scene, task, program)
+        scene = scene_of(self._scene, task)
         effects = choose_effects(scene)
         backend = choose_backend(scene, effects)
         settings = settings_for(scene, effects, compiled=backend.compiled)
@@ -321,16 +340,20 @@ class Bench:
             self._built = scene, assembled(scene, choose_effects(scene))
         return self._built[1]
 
-    def _stepped(self, prepared: Prepared, task: Task) -> Callable[[], Solved]:
+    def _stepped(self, prepared: Prepared, task: Task, seconds: float) -> Callable[[], Solved]:
         """RK4 in equal steps: in C, or step by step in NumPy."""
+        if prepared.graph.is_dae:
+            raise SceneError(
+                [Fault("run.effects", "algebraic unknowns", "effects without any, for an explicit method")]
+            )
         rates = CompiledRates(prepared)
         step = task.rtol * _stable(prepared, rates)
         counts = [max(1, math.ceil(span / step)) if step > 0 else 1 for span in np.diff(prepared.times).tolist()]
         advance = rates.advance if task.program == "compiled-rk4" else partial(_advance_in_numpy, rates)
-        trial, began = rates.start.copy(), time.perf_counter()
+        trial, began = rates.start.copy(), time.process_time()
         advance(trial, 0.0, _TRIAL_STEPS * min(step, float(prepared.times[1])), _TRIAL_STEPS)
-        expected = (time.perf_counter() - began) / _TRIAL_STEPS * sum(counts)
-        if expected > self._limit:
+        expected = (time.process_time() - began) / _TRIAL_STEPS * sum(counts)
+        if expected > seconds:
             raise SoftcatError(f"{sum(counts)} steps would take {expected:.3g} s")
 
         def solve() -> Solved:
@@ -346,19 +369,19 @@ class Bench:
         return solve
 
 
-def scene_of(scene: Scene, task: Task, program: Program) -> Scene:
-    """The scene on which a task runs: one run, nothing chosen."""
-    named = "numerics.order" if task.by_order else "numerics.fibres"
-    sections = {"numerics.fibres": None, "numerics.order": None, named: task.section or None}
+def scene_of(scene: Scene, task: Task) -> Scene:
+    """The scene on which a task runs: one run, nothing chosen but by this program."""
+    program = next((each for each in PROGRAMS if each.key == task.program), None)
     return scene.replace(
         {
-            **sections,
+            "numerics.order": None,
+            "numerics.fibres": task.section or None,
             "numerics.estimate": False,
             "numerics.cells": task.cells,
             "numerics.grading": task.grading,
-            "numerics.backend": program.backend,
-            "numerics.solver": program.solver,
-            "numerics.rtol": 1e-3 if program.key in ("compiled-rk4", "numpy-rk4") else task.rtol,
+            "numerics.backend": program.backend if program else scene.numerics.backend,
+            "numerics.solver": program.solver if program else scene.numerics.solver,
+            "numerics.rtol": 1e-3 if task.program in STEPPED else task.rtol,
         }
     )
 
@@ -426,28 +449,28 @@ def _midpoint(prepared: Prepared, rates: CompiledRates, states: Floats) -> Float
 
 
 _REPEATS = 7
-_LONG = 1.5  # s; what takes longer altogether is not repeated again
+_LONG = 0.5  # s; what takes longer altogether is not repeated again
 EXPECTED = (SoftcatError, RuntimeError, ArithmeticError, ValueError, MemoryError)
 """What integrators of others raise when they cannot go on, beside our own refusals."""
 
 
-def integrate(solve: Callable[[], Solved], build: float) -> Measured:
-    """Integrate once to warm up, then several times; what takes long is integrated once."""
-    began = time.perf_counter()
+def integrate(solve: Callable[[], Solved], build: float, seconds: float = math.inf) -> Measured:
+    """Integrate once to warm up, then several times; what takes long, or most of the seconds left, once."""
+    began = time.process_time()
     try:
         found = solve()
     except EXPECTED as error:
-        return Measured(time.perf_counter() - began, build, message=message_of(error))
-    first = spent = time.perf_counter() - began
-    seconds: list[float] = []
-    while len(seconds) < _REPEATS and spent < _LONG:
-        began = time.perf_counter()
+        return Measured(time.process_time() - began, build, message=message_of(error))
+    first = spent = time.process_time() - began
+    warm: list[float] = []
+    while len(warm) < _REPEATS and spent < _LONG and spent + first < seconds:
+        began = time.process_time()
         solve()
-        seconds.append(time.perf_counter() - began)
-        spent += seconds[-1]
-    seconds = seconds or [first]
+        warm.append(time.process_time() - began)
+        spent += warm[-1]
+    warm = warm or [first]
     midpoint = tuple(found.midpoint.tolist())
-    return Measured(median(seconds), build, found.steps, found.evaluations, len(seconds), midpoint, first=first)
+    return Measured(median(warm), build, found.steps, found.evaluations, len(warm), midpoint, first=first)
 
 
 def message_of(error: BaseException) -> str:
