@@ -125,7 +125,7 @@ class Sheet:
         short. `above` them a legend has its place.
         """
         left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
-        beside, beneath = (0.5, 0.25) if self.on_screen else (0.42, 0.2)
+        beside, beneath = (0.56, 0.25) if self.on_screen else (0.46, 0.2)
         top = above + (style.HEADING if self.on_screen else 0.05)
         across, down = between
         tall = below + sum(heights) + down * (len(heights) - 1) + top
@@ -202,7 +202,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     box, inch = axes.get_window_extent(), axes.figure.dpi
-    right.yaxis.set_label_coords(1 + 0.42 * inch / box.width, 0.5, axes.transAxes)
+    right.yaxis.set_label_coords(1 + 0.63 * inch / box.width, 0.5, axes.transAxes)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
         unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
@@ -500,6 +500,8 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
         axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
         axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
+    # Close, for there may be another map on the left.
+    axes.yaxis.set_label_coords(-0.38 * axes.figure.dpi / axes.get_window_extent().width, 0.5)
     axes.set_xlabel(f"time [{clock.symbol}]")
     axes.set_yticks((-0.5, 0.0, 0.5))
     beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))
