@@ -125,7 +125,7 @@ class Sheet:
         short. `above` them a legend has its place.
         """
         left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
-        beside, beneath = (0.56, 0.25) if self.on_screen else (0.46, 0.2)
+        beside, beneath = (0.56, 0.25) if self.on_screen else (0.46, 0.22)
         top = above + (style.HEADING if self.on_screen else 0.05)
         across, down = between
         tall = below + sum(heights) + down * (len(heights) - 1) + top
