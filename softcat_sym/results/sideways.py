@@ -108,7 +108,9 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None
-    frames = np.unique(np.linspace(0, len(fields["time"]) - 1, _FRAMES).round().astype(int))
+    times = len(fields["time"])
+    # Not by np.unique, which would load masked arrays for a tenth of a second.
+    frames = np.linspace(0, times - 1, min(times, _FRAMES)).round().astype(int)
     fields = {name: values if name in _PLACES else values[frames] for name, values in fields.items()}
     time, held = fields["time"], _held(scene, fields["x"].shape[1])
     mass = _masses(scene, fields, held)
