@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -48,14 +48,31 @@ _TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoi
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
 _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
-# Relative tolerance of the compiled Rosenbrock method over the accuracy: of a filament that flows down, of one that
-# yields and does, of one that a viscous stress holds, of one that creeps to rest, and of one that rings.
-_FLOWING, _DESCENDING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 2.0, 0.03, 1.0, 0.03
+
+
+class _Choice(NamedTuple):
+    """Method of the compiled solver, and how tightly it is held."""
+
+    share: float  # Relative tolerance over the accuracy
+    method: int
+    # Absolute tolerance of velocities over that of positions. A velocity moves a position by itself over its frequency,
+    # which is above one in all that rings: held as tightly, the fastest waves of a fine grid, which what is within the
+    # tolerance of the positions excites, are followed through thousands of steps.
+    per_velocity: float
+
+
+_FLOWING = _Choice(0.3, RODAS5P, 10.0)
+_DESCENDING = _Choice(1.0, RODAS4, 10.0)  # it yields, and flows down
+_HELD_BACK = _Choice(0.02, RODAS4, 10.0)  # by a viscous stress
+_CREEPING = _Choice(1.0, RODAS5P, 10.0)  # to rest
+_STILL = _Choice(0.03, RODAS4, 10.0)  # the same without inertia
+_RINGING = _Choice(0.02, RODAS5P, 3.0)
 _LOOSEST = {RODAS5P: 1e-3, RODAS4: 3e-3}  # a looser tolerance rejects more steps than it saves
 _TIGHTEST_RODAS4 = 1e-5  # below this a method of fifth order takes so many steps fewer that it is the cheaper one
 # Amplitude that the method itself takes from a ringing over a run, over rtol: a tenth of the accuracy of a ringing by
 # half of the sag. In n steps a period it takes 5e-6 (2 pi)^6/n^5 of the amplitude, for n of nine and more.
-_TAKEN, _TAKEN_PER_PERIOD = 6.8, 0.31
+_TAKEN, _TAKEN_PER_PERIOD = 10.2, 0.31
+_VELOCITIES = frozenset({"u", "v", "w", "omega", "o1", "o2", "o3"})
 _PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
@@ -106,13 +123,15 @@ class Settings:
     reason: str  # Why this one
     # Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
     across: float | None = None
+    velocity: float = 0.0  # Absolute tolerance of velocities where it is looser than those
     max_step: float | None = None  # [s]; None where only the tolerances limit the steps
     method: int = RODAS5P  # Of the compiled solver
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
         across = self.atol if self.across is None else self.across
-        return np.array([self.atol if kind == "u" else across for kind in kinds])
+        found = ((self.atol if kind == "u" else across, self.velocity * (kind in _VELOCITIES)) for kind in kinds)
+        return np.array([max(one) for one in found])
 
     def options(self) -> dict[str, Any]:
         """Options of the CasADi integrator."""
@@ -144,29 +163,28 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
 
     Where flow damps all that moves, Rodas4 takes the steps of Rodas5P, with six stages for eight.
     """
-    share, method, smallest = _RINGING, RODAS5P, _smallest_strain(scene)
-    if effects.terms().viscous:
-        share, method = _HELD_BACK, RODAS4
+    choice, smallest, terms = _RINGING, _smallest_strain(scene), effects.terms()
+    if terms.viscous:
+        choice = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
-        share = _CREEPING
+        choice = _CREEPING if terms.inertia else _STILL
         # What is left of its stress beyond yield decides where it stops.
         limit, modulus = yield_stress_of(scene), instant_modulus(scene)
         if limit and modulus:
             smallest = min(smallest, _PER_YIELD_STRAIN * (limit / modulus))
-    elif _flow_damps(scene, effects) and effects.terms().yields:
-        share, method = _DESCENDING, RODAS4
     elif _flow_damps(scene, effects):
-        share = _FLOWING
-    rtol = scene.numerics.rtol or min(_LOOSEST[method], scene.run.accuracy * share)
-    method = method if rtol >= _TIGHTEST_RODAS4 else RODAS5P
+        choice = _DESCENDING if terms.yields else _FLOWING
+    rtol = scene.numerics.rtol or min(_LOOSEST[choice.method], scene.run.accuracy * choice.share)
+    method = choice.method if rtol >= _TIGHTEST_RODAS4 else RODAS5P
     noise = _roundoff(scene, effects)
     # Noise along the filament shows across it by its slope.
     level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
     level = level and not scene.initial.centreline and not is_curved(scene)
     slope = min(1.0, 4 * expected_sag(scene)) if level else 1.0
     across = max(rtol * smallest, noise * slope)
-    longest = _max_step(scene, effects, rtol) if share == _RINGING else None
-    return Settings("rosenbrock", rtol, max(rtol * smallest, noise), "the compiled one", across, longest, method)
+    longest = _max_step(scene, effects, rtol) if choice is _RINGING else None
+    atol, velocity = max(rtol * smallest, noise), choice.per_velocity * rtol * smallest
+    return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method)
 
 
 def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:

@@ -28,7 +28,7 @@ REPEATS = 7
 LOOSEST: dict[tuple[str, Physics, str], tuple[float, float]] = {
     ("continual-descent", "paper", "rosenbrock"): (1e-2, 1e-3),
     ("arrested-overdamped", "paper", "rosenbrock"): (1e-3, 1e-3),
-    ("continual-descent", "fibres", "rosenbrock"): (1e-2, 1e-3),
+    ("continual-descent", "fibres", "rosenbrock"): (3e-3, 3e-3),
     ("arrested-overdamped", "fibres", "rosenbrock"): (3e-3, 3e-5),
     ("continual-descent", "paper", "cvodes"): (1e-3, 1e-4),
     ("arrested-overdamped", "paper", "cvodes"): (3e-3, 3e-5),
