@@ -230,7 +230,10 @@ def test_the_band_is_what_the_covariance_makes_of_the_model(two_fitted: sc.Fit) 
     # 120 draws tell a standard deviation to 6.5 %; the readings share them.
     ratio = band / (two_fitted.information.quantile * curves.std(axis=0))
     assert np.median(ratio) == pytest.approx(1, abs=0.15)
-    assert np.all((ratio > 0.6) & (ratio < 1.6))
+    # Before it flows the model does not depend on them: what the curves differ by there is the time steps.
+    telling = band > 1e-2 * band.max()
+    assert np.count_nonzero(telling) >= len(band) - 2
+    assert np.all((ratio[telling] > 0.6) & (ratio[telling] < 1.6))
 
 
 def test_the_curve_of_a_profile_goes_through_its_points(two_fitted: sc.Fit) -> None:

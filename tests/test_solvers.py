@@ -32,12 +32,13 @@ from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
 from softcat_sym.solvers import compiled, interpreted, settings, settling
 from softcat_sym.solvers.compiled import CModel, CompiledIntegration
-from softcat_sym.solvers.continuation import sagging_guesses, settled
+from softcat_sym.solvers.continuation import sagging_guesses
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.interpreted import External, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, prepare
 from softcat_sym.solvers.settings import choose_backend, choose_settings
+from softcat_sym.solvers.settling import settled
 from softcat_sym.solvers.solution import Silence, Solution
 from tests.common.assembled import (
     Listener,

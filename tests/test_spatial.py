@@ -18,6 +18,7 @@ from softcat_sym.discretization.grid import End, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
 from softcat_sym.discretization.spatial import cell_strains
+from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.forward_model import ForwardModel
@@ -81,7 +82,7 @@ def pair(law: str, section: str) -> tuple[Graph, Graph, int, Floats, Floats]:
 def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[str, Floats], Floats, dict[str, Floats]]:
     """Rates and residuals of all unknowns, powers, and what a run stores."""
     x, z = (
-        np.array(layout.gather({b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
+        np.array(gathered(layout, {b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
         for layout in (graph.moving, graph.still)
     )
     out = ca.Function(
