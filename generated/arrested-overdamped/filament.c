@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: a06e2409002fe78c33e01f687b11e038d5a341fb976fa52ded4482b66d6dd387
+ * Digest of the structure: d2764bff18ca021a5b2086a94445a4358a0e1af2549d0c8880489100c59ff0a0
  */
 #include "filament.h"
 
@@ -1602,6 +1602,104 @@ static void jacobian_16(int n, const double *p, const double *g, double *w, doub
     (void)n;
 }
 
+static void rates_in_time_15(int n, double t, const double *p, double *f)
+{
+    const double c0 = p[10];
+    const double c1 = squared(c0);
+    const double c3 = c1 / p[0];
+    const double c10 = t * c0;
+    const double c11 = p[4];
+    const double c12 = c10 / c11;
+    const double c13 = larger(0.0, c12);
+    const double c14 = smaller(1.0, c13);
+    const double c15 = 6.0 * c14;
+    const double c16 = (-15.0) + c15;
+    const double c17 = c16 * c14;
+    const double c18 = 10.0 + c17;
+    const double c19 = p[3];
+    const double c20 = 2.0 * c14;
+    const double c21 = (double)(c13 <= 1.0);
+    const double c22 = (double)(1.0 <= c13);
+    const double c23 = c22 + c21;
+    const double c24 = c21 / c23;
+    const double c25 = (double)(0.0 <= c12);
+    const double c26 = (double)(c12 <= 0.0);
+    const double c27 = c26 + c25;
+    const double c28 = c25 / c27;
+    const double c29 = c0 / c11;
+    const double c30 = c28 * c29;
+    const double c31 = c24 * c30;
+    const double c32 = c20 * c31;
+    const double c33 = c14 * c32;
+    const double c34 = squared(c14);
+    const double c35 = c34 * c31;
+    const double c36 = c33 + c35;
+    const double c37 = c19 * c36;
+    const double c38 = c18 * c37;
+    const double c39 = c34 * c14;
+    const double c40 = c19 * c39;
+    const double c41 = 6.0 * c31;
+    const double c42 = c14 * c41;
+    const double c43 = c16 * c31;
+    const double c44 = c42 + c43;
+    const double c45 = c40 * c44;
+    const double c46 = c38 + c45;
+    const double c47 = c3 * c46;
+    const double c48 = -c47;
+    for (int i = 1; i < n - 1; i++) {
+        f[SLOTS * i + 3] = c48;
+    }
+}
+
+static void rates_in_time_16(int n, double t, const double *p, double *f)
+{
+    const double c0 = p[10];
+    const double c1 = squared(c0);
+    const double c3 = c1 / p[0];
+    const double c10 = t * c0;
+    const double c11 = p[4];
+    const double c12 = c10 / c11;
+    const double c13 = larger(0.0, c12);
+    const double c14 = smaller(1.0, c13);
+    const double c15 = 6.0 * c14;
+    const double c16 = (-15.0) + c15;
+    const double c17 = c16 * c14;
+    const double c18 = 10.0 + c17;
+    const double c19 = p[3];
+    const double c20 = 2.0 * c14;
+    const double c21 = (double)(c13 <= 1.0);
+    const double c22 = (double)(1.0 <= c13);
+    const double c23 = c22 + c21;
+    const double c24 = c21 / c23;
+    const double c25 = (double)(0.0 <= c12);
+    const double c26 = (double)(c12 <= 0.0);
+    const double c27 = c26 + c25;
+    const double c28 = c25 / c27;
+    const double c29 = c0 / c11;
+    const double c30 = c28 * c29;
+    const double c31 = c24 * c30;
+    const double c32 = c20 * c31;
+    const double c33 = c14 * c32;
+    const double c34 = squared(c14);
+    const double c35 = c34 * c31;
+    const double c36 = c33 + c35;
+    const double c37 = c19 * c36;
+    const double c38 = c18 * c37;
+    const double c39 = c34 * c14;
+    const double c40 = c19 * c39;
+    const double c41 = 6.0 * c31;
+    const double c42 = c14 * c41;
+    const double c43 = c16 * c31;
+    const double c44 = c42 + c43;
+    const double c45 = c40 * c44;
+    const double c46 = c38 + c45;
+    const double c47 = c3 * c46;
+    const double c48 = -c47;
+    const int i = 0;
+    f[SLOTS * i + 3] = c48;
+    (void)n;
+}
+
 static void work_0(int n, const double *p, const double *y, double *w)
 {
     double *restrict w3 = w + 3 * n;
@@ -2015,6 +2113,54 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
     }
 }
 
+static void work_in_time_1(int n, double t, const double *p, const double *g, double *w, double *q)
+{
+    double *restrict w2 = w + 2 * n;
+    const double c2 = p[10];
+    const double c3 = p[2];
+    const double c4 = p[0];
+    const double c5 = c4 / c2;
+    const double c6 = squared(c5);
+    const double c7 = c3 * c6;
+    const double c8 = c2 / c7;
+    const double c9 = c4 * c3;
+    const double c12 = 30.0 * p[3];
+    const double c16 = t * c2;
+    const double c17 = p[4];
+    const double c18 = c16 / c17;
+    const double c19 = larger(0.0, c18);
+    const double c20 = smaller(1.0, c19);
+    const double c21 = 1.0 - c20;
+    const double c22 = squared(c21);
+    const double c23 = c12 * c22;
+    const double c24 = 2.0 * c20;
+    const double c25 = (double)(c19 <= 1.0);
+    const double c26 = (double)(1.0 <= c19);
+    const double c27 = c26 + c25;
+    const double c28 = c25 / c27;
+    const double c29 = (double)(0.0 <= c18);
+    const double c30 = (double)(c18 <= 0.0);
+    const double c31 = c30 + c29;
+    const double c32 = c29 / c31;
+    const double c33 = c2 / c17;
+    const double c34 = c32 * c33;
+    const double c35 = c28 * c34;
+    const double c36 = c24 * c35;
+    const double c37 = c23 * c36;
+    const double c38 = squared(c20);
+    const double c39 = 2.0 * c21;
+    const double c40 = c39 * c35;
+    const double c41 = c12 * c40;
+    const double c42 = c38 * c41;
+    const double c43 = c37 - c42;
+    const double c44 = c43 / c17;
+    const double c45 = c9 * c44;
+    const double c46 = c8 * c45;
+    for (int i = 0; i < n; i++) {
+        q[1] += w2[i] * (g[7 * i + 3] * c46);
+    }
+}
+
 static int rates(const softcat_filament *filament, double t, const double *y, double *f,
                  double *w)
 {
@@ -2106,6 +2252,31 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     return SOFTCAT_SOLVED;
 }
 
+static int rates_in_time(const softcat_filament *filament, double t, const double *y, double *f,
+                         double *w)
+{
+    const int n = filament->sites;
+    const double *p = filament->parameters;
+    (void)y;
+    (void)w;
+    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
+    rates_in_time_15(n, t, p, f);
+    rates_in_time_16(n, t, p, f);
+    return SOFTCAT_SOLVED;
+}
+
+static int work_in_time(const softcat_filament *filament, double t, const double *y, double *q,
+                        double *w)
+{
+    const int n = filament->sites;
+    const double *p = filament->parameters;
+    const double *g = filament->places;
+    (void)y;
+    for (int k = 0; k < 3; k++) q[k] = 0.0;
+    work_in_time_1(n, t, p, g, w, q);
+    return SOFTCAT_SOLVED;
+}
+
 static const int rate[] = {
     2, 3, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const int differential[] = {
@@ -2158,7 +2329,7 @@ static const int column[] = {
 const softcat_model softcat_filament_model = {
     21, 16, 11, 7, 352, 329, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
-    rates, jacobian, work, work_slope,
+    rates, jacobian, work, work_slope, rates_in_time, work_in_time,
 };
 
 static const char *const described_parameters[] = {

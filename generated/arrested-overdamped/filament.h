@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: a06e2409002fe78c33e01f687b11e038d5a341fb976fa52ded4482b66d6dd387
+ * Digest of the structure: d2764bff18ca021a5b2086a94445a4358a0e1af2549d0c8880489100c59ff0a0
  */
 
 #ifndef SOFTCAT_FILAMENT_H

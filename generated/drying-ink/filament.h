@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: a7400035063263428761a4cff96596bc4f5cd98060ddc595446990155d76f413
+ * Digest of the structure: 15df772ee602bcba84f71e6cf0a283d6f2ee193f540d7b6bab1e4b98f79af3a8
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -77,8 +77,8 @@ enum {
 /* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
 #define SOFTCAT_SCENE_CELLS 40
 #define SOFTCAT_SCENE_GRADING 9.404868286995688
-#define SOFTCAT_SCENE_RELATIVE 0.00012
-#define SOFTCAT_SCENE_ABSOLUTE 6.058600634910723e-08
+#define SOFTCAT_SCENE_RELATIVE 0.0002
+#define SOFTCAT_SCENE_ABSOLUTE 1.0097667724851204e-07
 #define SOFTCAT_SCENE_DURATION 0.5
 #define SOFTCAT_SCENE_FRAMES 201
 
