@@ -3,7 +3,7 @@
  * Elimination follows the filament's structure. Unknowns x whose rate is an unknown u go first
  * (k_x = (r_x + k_u) / s); then the section states of each site, in blocks that do not see each
  * other; what is left is coupled to neighbouring sites only: a band matrix, factorised with
- * scaled partial pivoting. */
+ * scaled threshold pivoting. */
 #ifndef SOFTCAT_LINEAR_H
 #define SOFTCAT_LINEAR_H
 
