@@ -73,7 +73,7 @@ COMMANDS = {
     "--help": ("--help",),
     "run --no-pictures": ("run", "continual-descent", "-q", "--no-pictures"),
     "run": ("run", "continual-descent", "-q"),
-    "card": ("card", "ink-bridge", "-q", "--fresh"),
+    "card --no-span": ("card", "ink-bridge", "-q", "--fresh", "--no-span"),
     "effects": ("effects", "no-yield", "-q", "--fresh"),
     "sweep, 16 members": (
         *("sweep", "ink-bridge", "-q", "--fresh", "--vary", "filament.span=3 mm:9 mm:4"),
