@@ -76,7 +76,7 @@ def test_a_fast_strand_falls_at_the_terminal_velocity_of_a_cylinder() -> None:
             "frames": 201,
             "effects": ["inertia", "bending", "extensibility", "viscous-stress", "buoyancy", "drag"],
         },
-        numerics={"rtol": 1e-7, "estimate": False, "cells": 4},
+        numerics={"rtol": 1e-8, "estimate": False, "cells": 4},
     )
     weight = (RHO - bath) * math.pi * H**2 / 4 * G
 
@@ -141,7 +141,7 @@ def test_energy_closes_however_a_strand_moves_in_its_bath() -> None:
             material={"law": "kelvin-voigt", "youngs_modulus": "30 kPa", "viscosity": "100 Pa*s"},
             ends={"drop": "0.05 m"},
             run={"duration": "0.4 s", "frames": 41, "effects": [*effects, "buoyancy", "drag", "added-mass"]},
-            numerics={"rtol": 1e-7, "estimate": False, "cells": 8, "backend": backend},
+            numerics={"rtol": 1e-8, "estimate": False, "cells": 8, "backend": backend},
         )
         run = sc.simulate(scene)
         assert run.data.midpoint.values.min() < -0.1 * L
