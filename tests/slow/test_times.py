@@ -25,8 +25,8 @@ HERE, BEFORE = Path(__file__).parents[2], "73a21b0"
 SCENES = ("continual-descent", "arrested-overdamped", "glass-rod", "maxwell-fast")
 BESIDE_C, WITH_ESTIMATE = 5e-3, 4.0
 """Processor seconds of a warm run beside its C solve; how many times as long it may take with its error estimate."""
-BUSY = 3.0
-"""By how much more a machine may take on which others work: what is asserted, where the goals are printed beside."""
+WARM_BEFORE = 0.18
+"""Processor seconds of a warm `simulate` of the first scene by the version before, where the goals are meant."""
 
 WARM = """
 import json, sys, time, warnings
@@ -63,7 +63,8 @@ random = np.random.default_rng(0)
 table = {"groups.G": random.uniform(0.3, 0.6, 400), "groups.V": random.uniform(15, 40, 400)}
 quick = {"run.effects": "paper", "numerics.cells": 40, "numerics.rtol": 1e-2}
 scene = sc.load_scene("arrested-overdamped", quick)
-sc.simulate_many(scene, {key: values[:40] for key, values in table.items()})
+# The lanes are compiled beforehand.
+sc.simulate_many(scene, {key: values[:160] for key, values in table.items()})
 wall, begun = time.perf_counter(), time.process_time()
 sc.simulate_many(scene, table)
 print(json.dumps([time.perf_counter() - wall, time.process_time() - begun]))
@@ -129,19 +130,30 @@ def checkouts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, Check
 
 
 def test_warm_runs(checkouts: tuple[Checkout, Checkout]) -> None:
-    """Goal: the C solve and 5 ms; with the estimate four times that."""
+    """Goal: the C solve and 5 ms; with the estimate four times that; in units of what the version before took."""
     old, new = (json.loads(one.spent("-c", WARM, ",".join(SCENES))[2]) for one in checkouts)
-    rows, missed = [], []
+    rows, missed, unit = [], [], old[f"{SCENES[0]}/False"][1] / WARM_BEFORE
     for key, (wall, processor, in_c, midpoint) in new.items():
         name, estimate = key.split("/")
         before = old[key]
-        rest, goal = processor - in_c, BESIDE_C * (1.0 if estimate == "False" else WITH_ESTIMATE)
+        rest, goal = processor - in_c, BESIDE_C * unit * (1.0 if estimate == "False" else WITH_ESTIMATE)
         off = np.max(np.abs(np.subtract(midpoint, before[3]))) / np.max(np.abs(midpoint))
         numbers = [f"{1e3 * one:.1f}" for one in (*before[:3], wall, processor, in_c, rest, goal)]
         rows.append([name, {"False": "no", "True": "yes"}[estimate], *numbers, f"{off:.0e}"])
-        missed += [key] if rest > BUSY * goal else []
+        missed += [key] if rest > MARGIN * goal else []
         assert off < 1e-2
-    head = ("scene", "estimate", "before: wall", "processor", "in C", "now: wall", "processor", "in C", "rest", "goal")
+    head = (
+        "scene",
+        "estimate",
+        "before: wall",
+        "processor",
+        "in C",
+        "now: wall",
+        "processor",
+        "in C",
+        "rest",
+        "goal here",
+    )
     show("a further simulate of the same scene [ms], medians", (*head, "midpoint differs by"), rows)
     assert not missed
 
