@@ -54,7 +54,9 @@ def test_there_are_ten_chapters_and_all_take_less_than_three_minutes() -> None:
     assert [path.name[:2] for path in NOTEBOOKS[:10]] == [f"{k:02}" for k in range(1, 11)]
     assert len(SECONDS) == len(NOTEBOOKS), "run the whole file"
     print("\n".join(f"{name:28} {seconds:5.1f} s" for name, seconds in SECONDS.items()))
-    assert 0 < sum(SECONDS.values()) < 180
+    # Three minutes where importing SymPy, the measure of the machine, takes a quarter of a second.
+    unit = min(run("-c", "import sympy") for _ in range(3)) / 0.25
+    assert 0 < sum(SECONDS.values()) < 180 * max(1.0, unit)
 
 
 @pytest.mark.parametrize(

@@ -368,6 +368,7 @@ def torque(*parts: float) -> dict[str, object]:
     return {**TORQUE, "load.tip_torque": [f"{part!r} N*m" for part in parts]}
 
 
+@pytest.mark.slow
 def test_a_torque_at_the_end_bends_it_to_an_arc_and_twists_it() -> None:
     """M = E I kappa and T = G J theta': half a circle in either plane, and a turn about its own axis."""
     bending, span = 4e6 * np.pi * 1e-12 / 64, 0.2
