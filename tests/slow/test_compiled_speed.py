@@ -66,7 +66,7 @@ def test_right_hand_side_against_c_by_hand() -> None:
 def test_paper_descent_against_scipy_and_the_rk4_oracle() -> None:
     """Goals: 5 ms, 40 times faster than Radau, 2000 times faster than RK4; to 1e-3 of the converged midpoint.
 
-    Measured on a machine shared with others: 2.4 to 3.1 ms, 58 and 5000 times, at a smaller error than Radau's, by
+    Measured on a machine shared with others: 3.05 ms in one run, 58 and 5000 times, at a smaller error than Radau's, by
     Rodas4, which is the default where a filament yields and flows. RK4 has no step control, and cells that are all
     alike: it ends 7e-3 off.
     """
@@ -113,7 +113,7 @@ def test_paper_descent_against_scipy_and_the_rk4_oracle() -> None:
 def test_shear_and_fibres_against_casadi_and_idas(name: str) -> None:
     """Goal for the descent: 4 times faster than CasADi's rosenbrock as C, and than IDAS interpreted.
 
-    Measured 7.4 and 6.3 times, in 7 to 10 ms; 10.3 and 6.1 of the arrested filament, whose hinges need short steps.
+    Measured 7.4 and 6.3 times, in 9.8 ms; 10.3 and 6.1 of the arrested filament (its hinges need short steps).
     """
     prepared = compiled(name, "fibres")
     interpreted = scenes.prepare(name, "fibres", numerics={"backend": "interpreted"})
@@ -148,9 +148,8 @@ def test_shear_and_fibres_against_casadi_and_idas(name: str) -> None:
 def test_cost_is_linear_in_the_number_of_cells(physics: scenes.Physics, rtol: float) -> None:
     """Goal: 32 times the cells under 40 times the time of a step; measured 38 to 45, with fibres 27 to 46.
 
-    With velocities held as tightly as positions the finest grids took up to fifty times as many: 6400 at N = 640, most
-    of them at one instant when a cell yields, to follow bending waves of that cell whose velocity is above, and whose
-    displacement far below its tolerance.
+    With velocities held as tightly as positions N = 640 took 6409 tries, not 281, most of them at one instant when
+    a cell yields, to follow bending waves of that cell whose displacement is far below its tolerance.
     """
     sizes = (40, 320, 1280)
     runs = {cells: Bare(compiled(DESCENT, physics, cells, rtol)) for cells in sizes}
