@@ -33,7 +33,7 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     listener.doing("building")
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
-    filament = assembled(scene, effects)
+    filament = assembled(scene, effects, backend)
     if clock is not None and backend.compiled:
         clock.lap("build")
     if backend.compiled:

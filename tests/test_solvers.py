@@ -395,7 +395,7 @@ def test_one_library_serves_every_grid_every_number_and_every_thread() -> None:
 
 
 def test_progress_is_reported_while_it_works() -> None:
-    run, listener = twin(sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-7"})), Listener()
+    run, listener = twin(sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})), Listener()
     solution = run.solve(listener)
     assert solution.outcome is Outcome.solved and len(listener.times) > 2
     assert listener.times == sorted(listener.times)

@@ -34,7 +34,7 @@ class Sites:
     def vectors(self, states: Floats) -> tuple[Floats, Floats]:
         """Differential and algebraic unknowns, (nx, frames) and (nz, frames), of states (frames, sites, slots)."""
         flat = states.reshape(len(states), -1)
-        return flat[:, self.x].T.copy(), flat[:, self.z].T.copy()
+        return flat[:, self.x].T, flat[:, self.z].T
 
 
 def sites_of(graph: Graph, slots: tuple[Slot, ...]) -> Sites:

@@ -11,7 +11,7 @@ import numpy as np
 
 from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.point_rule import PointRule
-from softcat_sym.discretization.section_rule import SectionRule, shown_of_section
+from softcat_sym.discretization.section_rule import SectionRule, shown_of_points, shown_of_section
 from softcat_sym.discretization.unknowns import Floats, Layout, Signature
 from softcat_sym.physics.terms import Terms
 
@@ -184,8 +184,6 @@ class Graph:
 
     def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
         """Fields and energies at several times, shape (frames, sites), by CasADi."""
-        return self.shown(self.symbolic.observe(time, x, z, p))
-
-    def shown(self, observed: dict[str, Floats]) -> dict[str, Floats]:
-        """Fields with those of the section in the place of those of its points."""
-        return observed if self.rule is None else shown_of_section(observed, self.rule)
+        observed = self.symbolic.observe(time, x, z, p)
+        points = shown_of_points(observed)
+        return observed if self.rule is None else observed | shown_of_section(points, self.rule)

@@ -145,39 +145,39 @@ POINT = "point_"
 """Beginning of the names of what single points of a section show."""
 
 
-def shown_of_section(observed: dict[str, Floats], rule: SectionRule | PointRule) -> dict[str, Floats]:
+def shown_of_points(observed: dict[str, Floats]) -> dict[str, Floats]:
+    """Take out of fields (frames, cells) what points show, and put it together by kind: (frames, points, cells)."""
+    kinds = dict.fromkeys(name.rpartition("_")[0] for name in observed if name.startswith(POINT))
+    rows = {kind: [name for name in observed if name.rpartition("_")[0] == kind] for kind in kinds}
+    return {kind: np.stack([observed.pop(name) for name in names], axis=1) for kind, names in rows.items()}
+
+
+def shown_of_section(points: dict[str, Floats], rule: SectionRule | PointRule) -> dict[str, Floats]:
     """What a run stores of a section that is resolved: means, limits and largest of what its points show.
 
     Parameters
     ----------
-    observed : dict
-        Fields (frames, cells); those of a point begin with `POINT` and end with its number.
+    points : dict
+        Of each kind, whose name begins with `POINT`, shape (frames, points, cells).
     rule : SectionRule or PointRule
         Where the points are.
 
     Returns
     -------
     dict
-        The fields, with those of the section in the place of those of its points.
+        Fields of the section (frames, cells).
     """
-    kinds = dict.fromkeys(name.rpartition("_")[0] for name in observed if name.startswith(POINT))
-    points = {
-        kind.removeprefix(POINT): np.stack([observed.pop(f"{kind}_{k}") for k in range(rule.points)]) for kind in kinds
-    }
     if not points:
-        return observed
-    yields, speed = points.pop("yields"), points.pop("speed")
-    found = {"yielded_fraction": _mean(rule.weight, yields), "plastic_rate": speed.max(axis=0)}
+        return {}
+    kinds = {name.removeprefix(POINT): values for name, values in points.items()}
+    yields, speed = kinds.pop("yields"), kinds.pop("speed")
+    found = {"yielded_fraction": rule.weight @ yields, "plastic_rate": speed.max(axis=1)}
     if isinstance(rule, SectionRule):
-        axial = points.pop("axial")
+        axial = kinds.pop("axial")
         slope = rule.weight * rule.zeta / float(rule.weight @ rule.zeta**2)
         found |= dict(zip(("core_low", "core_high"), _core(rule.zeta, yields), strict=True))
-        found |= {"stress_mean": _mean(rule.weight, axial), "stress_bending": _mean(slope, axial)}
-    return observed | found | {kind: _mean(rule.weight, values) for kind, values in points.items()}
-
-
-def _mean(weight: Floats, values: Floats) -> Floats:
-    return np.asarray(np.tensordot(weight, values, 1))
+        found |= {"stress_mean": rule.weight @ axial, "stress_bending": slope @ axial}
+    return found | {kind: rule.weight @ values for kind, values in kinds.items()}
 
 
 def _core(zeta: Floats, yields: Floats) -> tuple[Floats, Floats]:
@@ -187,6 +187,17 @@ def _core(zeta: Floats, yields: Floats) -> tuple[Floats, Floats]:
     """
     edges = np.concatenate([[-1.0], (zeta[1:] + zeta[:-1]) / 2, [1.0]])
     widths = np.diff(edges)
-    low = -1 + np.tensordot(widths, np.cumprod(yields, axis=0), 1)
-    high = 1 - np.tensordot(widths[::-1], np.cumprod(yields[::-1], axis=0), 1)
+    low = -1 + _yielded_from_face(widths, yields)
+    high = 1 - _yielded_from_face(widths[::-1], yields[:, ::-1])
     return low, np.maximum(low, high)
+
+
+def _yielded_from_face(widths: Floats, yields: Floats) -> Floats:
+    """Width of what yields from the first fibre on without a gap."""
+    total, so_far = np.zeros_like(yields[:, 0]), np.ones_like(yields[:, 0])
+    for k, width in enumerate(widths):
+        so_far = so_far * yields[:, k]
+        if not so_far.any():
+            break
+        total += width * so_far
+    return total

@@ -127,11 +127,14 @@ def is_loss(name: str) -> bool:
     return name.startswith("energy_dissipated")
 
 
-def mirrored(name: str, values: Floats) -> Floats:
-    """Whole-span field from its right half."""
-    sign = -1.0 if name in _ODD else 1.0
-    left = sign * values[:, ::-1]
-    return np.concatenate([left[:, :-1] if variable_of(name).dims == _NODE else left, values], axis=1)
+def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
+    """Whole-span field from its right half, in so many of its units."""
+    sign, middle = -1.0 if name in _ODD else 1.0, int(variable_of(name).dims == _NODE)
+    left = values.shape[1] - middle
+    whole = np.empty((len(values), left + values.shape[1]))
+    np.multiply(values, unit, out=whole[:, left:])
+    np.multiply(values[:, ::-1][:, :left], sign * unit, out=whole[:, :left])
+    return whole
 
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
@@ -178,11 +181,11 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
         if name not in observed:
             continue
         variable = variable_of(name)
-        values = observed[name] * (area if variable.per_area else 1.0)
+        values, unit = observed[name], area if variable.per_area else 1.0
         if variable.dims == _FRAME:
-            fields[name] = values[:, 0] * halves
+            fields[name] = values[:, 0] * (unit * halves)
         else:
-            fields[name] = mirrored(name, values) if graph.grid.is_half else values
+            fields[name] = mirrored(name, values, unit) if graph.grid.is_half else values * unit
     return fields
 
 

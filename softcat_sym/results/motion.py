@@ -104,7 +104,7 @@ def observed_motion(
     largest = float(np.max(np.abs(midpoint)))
     sag = max(float(np.max(depth)), _NO_SAG)
     strain = float(np.max(np.abs((fields["stretch"] - 1) @ length))) / float(np.sum(length))
-    slope = float(np.max(np.abs(np.arctan2(np.diff(y, axis=1), np.diff(fields["x"], axis=1)))))
+    slope = _steepest(np.diff(fields["x"], axis=1), np.diff(y, axis=1))
     # Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi.
     travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
     # Of what was dissipated and the most that was stored; unknown where a solid dissipates too.
@@ -135,6 +135,14 @@ def observed_motion(
         capillary=_capillary(scene, depth, fields, length, expected.capillary),
     )
     return _what_was_left_out(scene, effects, time, midpoint, motion)
+
+
+def _steepest(along: Floats, up: Floats) -> float:
+    """Largest slope angle, up to pi of what is folded back; by the tangent of its half, an arctan for each is slow."""
+    whole = np.sqrt(along * along + up * up)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        half = np.abs(up) / (whole + along)
+    return 2 * math.atan(float(np.max(np.where(whole > 0, half, 0.0))))
 
 
 def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:

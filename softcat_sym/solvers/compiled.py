@@ -20,7 +20,8 @@ from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.unknowns import Floats, Shown
+from softcat_sym.discretization.section_rule import POINT, shown_of_section
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
@@ -32,7 +33,7 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
-_RUNTIME = OPTIMISED
+_RUNTIME, _SHOWN = OPTIMISED, ("-O2",)
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 _OUTCOMES = {
@@ -152,39 +153,64 @@ class CModel:
             self.model = model()
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
-            self._library = load(self._compiled("filament.c", self.model.text), _MODEL)
+            self._library = load(self._compiled("filament.c", self.model.text, SOON), _MODEL)
         self._lock = threading.Lock()
         self._runtime = _runtime()
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
 
     @staticmethod
-    def _compiled(name: str, text: str) -> Path:
+    def _compiled(name: str, text: str, flags: tuple[str, ...]) -> Path:
         header = "softcat_model.h"
-        return compile_library({name: text, header: runtime_sources()[header]}, flags=SOON, versions=_VERSIONS)
+        return compile_library({name: text, header: runtime_sources()[header]}, flags=flags, versions=_VERSIONS)
 
     @cached_property
     def _observe(self) -> Any:
         """What computes what a run stores, compiled when first asked for."""
-        path = self._compiled("observables.c", self.model.observables)
+        path = self._compiled("observables.c", self.model.observables, _SHOWN)
         function = load(path, _OBSERVE).softcat_filament_observe
         function.argtypes = [ct.POINTER(Filament), ct.c_int, *[Doubles] * 4]
         return function
 
-    def observe(self, parameters: Floats, places: Floats, times: Floats, states: Floats) -> dict[str, Floats]:
-        """What a run stores at several times: fields (frames, sites that have it), sums (frames, 1)."""
+    @cached_property
+    def _rows(self) -> list[tuple[str, int | slice, int, int, bool]]:
+        """Name and row of each field with the sites that have it; of what all points show, one below the other."""
+        shown, found = self.model.signature.shown, list[tuple[str, int | slice, int, int, bool]]()
+        points = [one.name.rpartition("_")[0] for one in shown if one.name.startswith(POINT)]
+        for row, one in enumerate(shown):
+            kind, _, number = one.name.rpartition("_")
+            if not one.name.startswith(POINT):
+                found.append((one.name, row, one.first, one.behind, one.summed))
+            elif number == "0":
+                found.append((kind, slice(row, row + points.count(kind)), one.first, one.behind, False))
+        return found
+
+    def observe(
+        self, parameters: Floats, places: Floats, times: Floats, states: Floats
+    ) -> tuple[dict[str, Floats], dict[str, Floats]]:
+        """What a run stores at several times, and what its points show.
+
+        Returns
+        -------
+        fields : dict
+            Shape (frames, sites that have it), sums (frames, 1).
+        points : dict
+            As :func:`softcat_sym.discretization.section_rule.shown_of_section` takes them.
+        """
         with self._lock:
             function = self._observe
-        sites, shown = len(places), self.model.signature.shown
-        out, scratch = np.zeros((len(times), len(shown), sites)), np.empty(self.model.scratch * sites)
+        sites, rows = len(places), len(self.model.signature.shown)
+        out, scratch = np.zeros((len(times), rows, sites)), np.empty(self.model.scratch * sites)
         filament = Filament(sites, doubles(parameters), doubles(places))
         given = [np.ascontiguousarray(part) for part in (times, states)]
         function(ct.byref(filament), len(times), *map(doubles, (*given, out, scratch)))
-
-        def stored(row: int, one: Shown) -> Floats:
-            values = out[:, row]
-            return values.sum(axis=1, keepdims=True) if one.summed else values[:, one.first : sites - one.behind]
-
-        return {one.name: stored(row, one) for row, one in enumerate(shown)}
+        fields, points = dict[str, Floats](), dict[str, Floats]()
+        for name, row, first, behind, summed in self._rows:
+            values = out[:, row, first : sites - behind]
+            if isinstance(row, slice):
+                points[name] = values
+            else:
+                fields[name] = values.sum(axis=1, keepdims=True) if summed else values
+        return fields, points
 
     def room(self, run: RunInput, status: Status) -> Answer:
         """Where the frames of a run go: NaN until they do."""
@@ -307,8 +333,15 @@ class CompiledFilament:
 
     def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
         """As :meth:`softcat_sym.discretization.graph.Graph.observe`, in C."""
-        states = self.sites.states(x, z)
-        return self.graph.shown(self.model.observe(np.ascontiguousarray(p), self.places, time, states))
+        fields, points = self._seen(time, x, z, p)
+        return fields if self.graph.rule is None else fields | shown_of_section(points, self.graph.rule)
+
+    def stretch(self, time: Floats, x: Floats, z: Floats, p: Floats) -> Floats:
+        """Stretch of the cells alone, shape (frames, cells)."""
+        return self._seen(time, x, z, p)[0]["stretch"]
+
+    def _seen(self, time: Floats, x: Floats, z: Floats, p: Floats) -> tuple[dict[str, Floats], dict[str, Floats]]:
+        return self.model.observe(np.ascontiguousarray(p), self.places, time, self.sites.states(x, z))
 
 
 @dataclass(frozen=True)
@@ -384,7 +417,7 @@ class CompiledIntegration:
         def torn() -> bool:
             frame = _reached(times, status)
             x, z = sites.vectors(room.states[frame : frame + 1])
-            return frame > 0 and is_torn(self.graph.terms, self.filament.observe(times[frame : frame + 1], x, z, p))
+            return frame > 0 and is_torn(self.graph.terms, self.filament.stretch(times[frame : frame + 1], x, z, p))
 
         self._watched(run, room, torn, scale, progress)
         refuse(status.code, model.message(status.code))
@@ -401,7 +434,7 @@ class CompiledIntegration:
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
-        found = found.to_rupture(self.graph.terms, partial(self.filament.observe, p=p), scale)
+        found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
         if status.code == STOPPED and found.outcome is Outcome.solved:
             raise KeyboardInterrupt
         return found

@@ -224,14 +224,17 @@ class Integration:
                 reached += len(part.time)
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
-                if is_torn(self._graph.terms, self._graph.observe(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
+                if is_torn(self._graph.terms, self._stretch(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
                 integrator = self._single  # frame by frame to where it fails, so that the part that is sound is used
             else:
                 outcome, message = self._broken(parts[-1], part, reached * interval, p, scale)
                 return replace(self._whole(parts, interval), outcome=outcome, message=message)
-        return self._whole(parts, interval).to_rupture(self._graph.terms, partial(self._graph.observe, p=p), scale)
+        return self._whole(parts, interval).to_rupture(self._graph.terms, partial(self._stretch, p=p), scale)
+
+    def _stretch(self, time: Floats, x: Floats, z: Floats, p: Floats) -> Floats:
+        return self._graph.observe(time, x, z, p)["stretch"]
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
         """All parts; the last chunk may go beyond the end."""

@@ -64,7 +64,9 @@ class Assembled:
         still = Formulation(self.effects.at_rest(), scene.filament.section, scene.run.closure)
         # Nothing has flowed yet: few points hold what an elastic section does in three dimensions.
         theory = elastic_theory(scene) if self.theory.is_spatial else choose_theory(scene, still.terms)
-        return _assembled(scene, self.effects, still, theory, self.graph.grid, self.body)
+        return _assembled(
+            scene, self.effects, still, theory, self.graph.grid, self.body, choose_backend(scene, self.effects)
+        )
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
         """What is compiled of the filament at rest."""
@@ -81,19 +83,26 @@ class Assembled:
         return compiled_rhs(self.graph)
 
 
-def assembled(scene: Scene, effects: Effects) -> Assembled:
-    """Equations -> Graph of a scene with these effects."""
+def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:
+    """Equations -> Graph of a scene with these effects, for the backend that the scene calls for."""
     formulation = Formulation(effects.terms(), scene.filament.section, scene.run.closure)
     grid, theory = choose_grid(scene, effects), choose_theory(scene, formulation.terms)
-    return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid))
+    backend = backend or choose_backend(scene, effects)
+    return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid), backend)
 
 
 def _assembled(
-    scene: Scene, effects: Effects, formulation: Formulation, theory: Theory, grid: Grid, body: Body
+    scene: Scene,
+    effects: Effects,
+    formulation: Formulation,
+    theory: Theory,
+    grid: Grid,
+    body: Body,
+    backend: Backend,
 ) -> Assembled:
     structure = structure_of(effects, grid, formulation, theory, body)
     recorded = Recorded(formulation, grid, theory, body)
-    compiled = choose_backend(scene, effects).compiled and scene.numerics.solver in (None, "rosenbrock")
+    compiled = backend.compiled and scene.numerics.solver in (None, "rosenbrock")
     found = model_for(structure).signature if compiled else signature_of(structure)
     signature = found or recorded.program.signature
     graph = graph_of(recorded, effects.names, signature)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
@@ -71,8 +71,8 @@ def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
 
-Observe = Callable[[Floats, Floats, Floats], Mapping[str, Floats]]
-"""What is shown at times (frames,) of unknowns in columns (nx, frames), (nz, frames)."""
+Stretch = Callable[[Floats, Floats, Floats], Floats]
+"""Stretch (frames, cells) at times (frames,) of unknowns in columns (nx, frames), (nz, frames)."""
 
 
 def _thread(terms: Terms) -> float:
@@ -80,9 +80,9 @@ def _thread(terms: Terms) -> float:
     return POLYMER_THREAD if terms.law.has_chains else THREAD
 
 
-def is_torn(terms: Terms, observed: Mapping[str, Floats]) -> bool:
+def is_torn(terms: Terms, stretch: Floats) -> bool:
     """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
-    return bool(np.any(observed["stretch"] > _thread(terms)))
+    return bool(np.any(stretch > _thread(terms)))
 
 
 @dataclass(frozen=True)
@@ -115,12 +115,12 @@ class Solution:
         x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
         return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
 
-    def to_rupture(self, terms: Terms, observe: Observe, scale: float) -> Solution:
+    def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:
         """The same up to the first frame in which only a thread is left somewhere, if the last one is such."""
 
         def torn(frame: int) -> bool:
             at = slice(frame, frame + 1)
-            return frame > 0 and is_torn(terms, observe(self.time[at], self.x[:, at], self.z[:, at]))
+            return frame > 0 and is_torn(terms, stretch(self.time[at], self.x[:, at], self.z[:, at]))
 
         frames = len(self.time)
         if not torn(frames - 1):
