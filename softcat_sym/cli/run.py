@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     INTERRUPTED,
     OutputOption,
     QuietOption,
@@ -60,7 +59,7 @@ TrajectoryArgument = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def run(
     scene: SceneArgument,
     output: RunOutputOption = None,
@@ -115,7 +114,7 @@ def run(
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def draw(
     trajectory: TrajectoryArgument,
     output: OutputOption = None,
