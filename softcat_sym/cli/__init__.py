@@ -40,6 +40,8 @@ def main() -> NoReturn:
     os.environ["MPLBACKEND"] = "agg"
     # Scenes need no plugin, and pydantic would look for one in all that is installed.
     os.environ["PYDANTIC_DISABLE_PLUGINS"] = "1"
+    # No matrix of ours is large enough for the threads of OpenBLAS, which only wait beside a command's own.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     with ended_like_ctrl_c() as ending:
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)
