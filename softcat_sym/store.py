@@ -162,14 +162,20 @@ def _plain(value: object) -> object:
 @functools.cache
 def _program() -> list[str]:
     """Hash of the code that decides results, and versions of what it calculates with."""
-    package, digest = Path(__file__).parent, hashlib.sha256()
-    files = [path for path in package.rglob("*") if path.suffix in (".py", ".c", ".h")]
-    for path in sorted(files):
-        place = path.relative_to(package)
-        if place.parts[0] not in _NO_PHYSICS:
-            content = path.read_bytes()
-            digest.update(f"{place.as_posix()} {len(content)}\n".encode() + content)
-    return [digest.hexdigest(), *(importlib.metadata.version(name) for name in _VERSIONS)]
+    package, digest = str(Path(__file__).parent), hashlib.sha256()
+    for folder, folders, names in os.walk(package):
+        folders[:] = sorted(name for name in folders if folder != package or name not in _NO_PHYSICS)
+        for name in sorted(name for name in names if name.endswith((".py", ".c", ".h"))):
+            content = Path(folder, name).read_bytes()
+            digest.update(f"{folder.removeprefix(package)}/{name} {len(content)}\n".encode() + content)
+    return [digest.hexdigest(), *map(version, _VERSIONS)]
+
+
+@functools.cache
+def version(package: str) -> str:
+    """Version of an installed package, of whose description no more is read than the line that says so."""
+    described = importlib.metadata.distribution(package).read_text("METADATA") or ""
+    return described.partition("\nVersion: ")[2].partition("\n")[0] or importlib.metadata.version(package)
 
 
 def _digest(key: str, packed: bytes) -> bytes:

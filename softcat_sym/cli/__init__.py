@@ -8,6 +8,7 @@ nobody reads on, as in ``softcat scenes | head -1``.
 from __future__ import annotations
 
 import codecs
+import contextlib
 import errno
 import io
 import os
@@ -16,26 +17,9 @@ import unicodedata
 from pathlib import Path
 from typing import NoReturn
 
-# Importing a command registers it, in the order in which the help lists them.
-from softcat_sym.cli import new as new  # isort: skip
-from softcat_sym.cli import run as run  # isort: skip
-from softcat_sym.cli import scenes as scenes  # isort: skip
-from softcat_sym.cli import explain as explain  # isort: skip
-from softcat_sym.cli import card as card  # isort: skip
-from softcat_sym.cli import sweep as sweep  # isort: skip
-from softcat_sym.cli import fit as fit  # isort: skip
-from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
-from softcat_sym.cli import experiment as experiment  # isort: skip
-from softcat_sym.cli import compare as compare  # isort: skip
-from softcat_sym.cli import accuracy as accuracy  # isort: skip
-from softcat_sym.cli import effects as effects  # isort: skip
-from softcat_sym.cli import phase as phase  # isort: skip
-from softcat_sym.cli import figures as figures  # isort: skip
-from softcat_sym.cli import generate as generate  # isort: skip
-from softcat_sym.cli import cache as cache  # isort: skip
-from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, print_error
+from softcat_sym.cli.overview import HELP, overview
 
-__all__ = ["app", "main"]
+__all__ = ["main"]
 
 _BROKEN_PIPE = 141
 """Exit status that a shell gives a program that SIGPIPE has ended."""
@@ -43,13 +27,21 @@ _BROKEN_PIPE = 141
 
 def main() -> NoReturn:
     """Entry point: every refusal is one clear message and an exit status; SIGTERM ends a command as Ctrl-C does."""
+    print_whatever_the_terminal_takes()
+    if sys.argv[1:] in ([word] for word in HELP):
+        # Where nobody reads it, typer below knows how to leave.
+        with contextlib.suppress(BrokenPipeError):
+            print(overview(Path(sys.argv[0]).name), flush=True)
+            sys.exit()
+    from softcat_sym.cli.application import INTERRUPTED
     from softcat_sym.interrupts import ended_like_ctrl_c
 
-    print_whatever_the_terminal_takes()
     # Commands draw into files: a name of a window system that is not there would only keep matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
     # Scenes need no plugin, and pydantic would look for one in all that is installed.
     os.environ["PYDANTIC_DISABLE_PLUGINS"] = "1"
+    # No matrix of ours is large enough for the threads of OpenBLAS, which only wait beside a command's own.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     with ended_like_ctrl_c() as ending:
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)
@@ -57,6 +49,7 @@ def main() -> NoReturn:
 
 def _status() -> int | str | None:
     """Run the command that was asked for; its exit status."""
+    from softcat_sym.cli.application import BAD_INPUT, app, print_error
     from softcat_sym.errors import SoftcatError
 
     try:

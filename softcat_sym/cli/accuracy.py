@@ -8,7 +8,6 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
-    VALIDATION,
     OutputOption,
     QuietOption,
     SceneArgument,
@@ -24,7 +23,7 @@ _LIMIT = typer.Option(
 )
 
 
-@commands.command(rich_help_panel=VALIDATION)
+@commands.command()
 def accuracy(
     scene: SceneArgument,
     output: OutputOption = None,

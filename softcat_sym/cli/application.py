@@ -6,6 +6,7 @@ import contextlib
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -14,6 +15,7 @@ import typer.main
 from typer.core import TyperGroup
 
 from softcat_sym.cli.completing import complete_change, complete_scene
+from softcat_sym.cli.overview import COMMANDS, HELP, SUMMARY, home_of, overview
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -21,48 +23,46 @@ if TYPE_CHECKING:
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
-EVERYDAY, FITTING, VALIDATION, DEVELOPER = "Everyday", "Fitting", "Validation", "Developer"
-
-
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
-_HELP = ("-h", "--help")
 _LOOK: dict[str, Any] = {
-    "context_settings": {"help_option_names": list(_HELP)},
+    "context_settings": {"help_option_names": list(HELP)},
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,
 }
 
 commands = typer.Typer(**_LOOK)
-"""What every command registers with, in the order of the help."""
+"""What every command registers with."""
 
 
 class _MadeWhenAsked(Mapping[str, Any]):
-    """Commands by name. Typer takes milliseconds to make one of a function, and a call needs one of twenty."""
+    """Commands by name. Python takes milliseconds to load one and typer to make it, and a call needs one of twenty."""
 
     def __init__(self) -> None:
-        self.functions = {
-            info.name or getattr(info.callback, "__name__", ""): info for info in commands.registered_commands
-        }
+        self._names = [name for group in COMMANDS.values() for name in group]
         self._made: dict[str, Any] = {}
 
     def __getitem__(self, name: str) -> Any:
+        if name not in self._names:
+            raise KeyError(name)
         if name not in self._made:
+            import_module(home_of(name))
             alone = typer.Typer(add_completion=False, **_LOOK)
-            alone.registered_commands.append(self.functions[name])
+            named = {info.name or getattr(info.callback, "__name__", ""): info for info in commands.registered_commands}
+            alone.registered_commands.append(named[name])
             self._made[name] = typer.main.get_command(alone)
         return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self.functions)
+        return iter(self._names)
 
     def __len__(self) -> int:
-        return len(self.functions)
+        return len(self._names)
 
 
 class _Softcat(TyperGroup):
-    """Lists the commands in the help under the names of their groups."""
+    """Loads a command where it is called, and lists all under the names of their groups."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
@@ -71,33 +71,17 @@ class _Softcat(TyperGroup):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Answer a call for the help of a command at once: typer loads pydantic to read the first option, even this."""
         name, *others = args or [""]
-        if name in self.commands.functions and not ctx.resilient_parsing and not {*_HELP}.isdisjoint(others):
+        if name in self.commands and not ctx.resilient_parsing and not {*HELP}.isdisjoint(others):
             command = self.commands[name]
             typer.echo(command.get_help(type(ctx)(command, info_name=name, parent=ctx)))
             ctx.exit()
         return super().parse_args(ctx, args)
 
-    def format_commands(self, ctx: Any, formatter: Any) -> None:
-        functions: Mapping[str, Any] = self.commands.functions
-        longest = max(map(len, functions))
-        for title in (EVERYDAY, FITTING, VALIDATION, DEVELOPER):
-            rows = [
-                (f"{name:{longest}}", info.callback.__doc__.partition("\n")[0])
-                for name, info in functions.items()
-                if info.rich_help_panel == title
-            ]
-            with formatter.section(title):
-                formatter.write_dl(rows)
+    def get_help(self, ctx: Any) -> str:
+        return overview(ctx.command_path)
 
 
-app = typer.Typer(
-    name="softcat",
-    cls=_Softcat,
-    help="Slender soft filaments that sag, stretch, yield and stop.",
-    epilog="softcat COMMAND -h tells more of each; begin with: softcat run ink-bridge",
-    no_args_is_help=True,
-    **_LOOK,
-)
+app = typer.Typer(name="softcat", cls=_Softcat, help=SUMMARY, no_args_is_help=True, **_LOOK)
 
 _SCENE = typer.Argument(
     metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.", autocompletion=complete_scene

@@ -7,13 +7,13 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import DEVELOPER, commands
+from softcat_sym.cli.application import commands
 
 _SHOWN = 20
 _BESIDE = {"elements": "states of finite elements", "answers": "answers of acceptance checks"}
 
 
-@commands.command(rich_help_panel=DEVELOPER)
+@commands.command()
 def cache(
     clear: Annotated[
         bool,

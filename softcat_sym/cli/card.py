@@ -8,7 +8,6 @@ from typing import Annotated, Any
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     FreshOption,
     OptionalScene,
     OutputOption,
@@ -30,7 +29,7 @@ def _value(help_text: str) -> Any:
     return typer.Option(metavar="VALUE", help=help_text)
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def card(
     context: typer.Context,
     scene: OptionalScene = None,

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    VALIDATION,
     FreshOption,
     OutputOption,
     QuietOption,
@@ -163,7 +162,7 @@ DeckOption = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=VALIDATION)
+@commands.command()
 def compare(
     scene: SceneArgument,
     output: OutputOption = None,

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    VALIDATION,
     FreshOption,
     OptionalScene,
     OutputOption,
@@ -27,7 +26,7 @@ if TYPE_CHECKING:
     from softcat_sym.studies.pricing import Pricing
 
 
-@commands.command(rich_help_panel=VALIDATION)
+@commands.command()
 def effects(
     scene: OptionalScene = None,
     output: OutputOption = None,

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, TypedDict
 import typer
 
 from softcat_sym.cli.application import (
-    FITTING,
     FreshOption,
     OutputOption,
     QuietOption,
@@ -58,7 +57,7 @@ SagOption = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=FITTING)
+@commands.command()
 def experiment(
     scene: SceneArgument,
     free: FreeOption,

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     QuietOption,
     SceneArgument,
     SetOption,
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
 Rows = list[tuple[str, ...]]
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def explain(
     scene: SceneArgument,
     output: Annotated[

@@ -9,7 +9,6 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
-    VALIDATION,
     FreshOption,
     OutputOption,
     QuietOption,
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@commands.command(rich_help_panel=VALIDATION)
+@commands.command()
 def figures(
     output: OutputOption = None,
     only: Annotated[

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from softcat_sym.cli.application import (
-    FITTING,
     UNTRUSTED,
     FreshOption,
     OutputOption,
@@ -74,7 +73,7 @@ NoProfilesOption = Annotated[
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 
 
-@commands.command(rich_help_panel=FITTING)
+@commands.command()
 def fit(
     data: DataArgument,
     scene: SceneOption,

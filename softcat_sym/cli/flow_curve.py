@@ -6,11 +6,11 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import FITTING, OutputOption, QuietOption, SetOption, commands, output_directory
+from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, commands, output_directory
 from softcat_sym.cli.completing import complete_scene
 
 
-@commands.command("flow-curve", rich_help_panel=FITTING)
+@commands.command("flow-curve")
 def flow_curve(
     curve: Annotated[str, typer.Argument(metavar="CSV", help="Columns shear_rate_1_s and shear_stress_Pa.")],
     scene: Annotated[

@@ -7,7 +7,6 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    DEVELOPER,
     INTERRUPTED,
     OptionalScene,
     OutputOption,
@@ -20,7 +19,7 @@ from softcat_sym.cli.application import (
 )
 
 
-@commands.command(rich_help_panel=DEVELOPER)
+@commands.command()
 def generate(
     scene: OptionalScene = None,
     output: OutputOption = None,

@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import EVERYDAY, OutputOption, QuietOption, commands, output_directory
+from softcat_sym.cli.application import OutputOption, QuietOption, commands, output_directory
 from softcat_sym.errors import SceneError, SoftcatError
 
 
@@ -21,7 +21,7 @@ def _flag(name: str, help_text: str) -> object:
 ForceOption = Annotated[bool, typer.Option("--force", help="Replace a file that is there.")]
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="Where it goes: my-ink.toml.")],
     span: Annotated[str | None, _flag("span", "Between the supports: '5 mm'.")] = None,
@@ -97,7 +97,7 @@ def _asked() -> dict[str, str]:
     return answers
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def samples(
     output: OutputOption = None,
     force: ForceOption = False,

@@ -7,7 +7,6 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    VALIDATION,
     FreshOption,
     OutputOption,
     QuietOption,
@@ -27,7 +26,7 @@ ResolutionOption = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=VALIDATION)
+@commands.command()
 def phase(
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")

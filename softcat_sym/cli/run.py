@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     INTERRUPTED,
     OutputOption,
     QuietOption,
@@ -60,7 +59,7 @@ TrajectoryArgument = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def run(
     scene: SceneArgument,
     output: RunOutputOption = None,
@@ -115,7 +114,7 @@ def run(
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def draw(
     trajectory: TrajectoryArgument,
     output: OutputOption = None,
@@ -160,6 +159,11 @@ def draw(
 
 def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
     """What the options of films and pictures ask for, refused before anything is computed."""
+    from matplotlib.artist import Artist
+
+    # While it is loaded, matplotlib writes manuals of its artists' properties: a third of that time, and no one reads
+    # them in a command.
+    setattr(Artist, "_update_set_signature_and_docstring", classmethod(lambda _: None))  # noqa: B010
     from softcat_sym.plotting.style import drawn_radius, picture_style
 
     drawn_radius(radius)

@@ -9,7 +9,6 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     QuietOption,
     SceneArgument,
     SetOption,
@@ -23,7 +22,7 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def scenes(
     output: Annotated[
         Path | None,
@@ -73,7 +72,7 @@ def scenes(
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def show(scene: SceneArgument, changes: SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
@@ -84,7 +83,7 @@ def show(scene: SceneArgument, changes: SetOption = None) -> None:
     typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def keys(
     part: Annotated[
         str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")

@@ -8,7 +8,6 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    EVERYDAY,
     UNTRUSTED,
     FreshOption,
     OutputOption,
@@ -52,7 +51,7 @@ ClusterOption = Annotated[
 ]
 
 
-@commands.command(rich_help_panel=EVERYDAY)
+@commands.command()
 def sweep(
     scene: SceneArgument,
     output: OutputOption = None,

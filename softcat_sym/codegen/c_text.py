@@ -8,10 +8,10 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from importlib.metadata import version
 from types import MappingProxyType
 
 from softcat_sym.errors import PrintingError
+from softcat_sym.store import version
 
 
 def number(value: float) -> str:

@@ -8,7 +8,6 @@ import tempfile
 import textwrap
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ from softcat_sym.discretization.stencil import DERIVATIVE, PARAMETER, STAGED, TI
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Layout
 from softcat_sym.errors import PrintingError
+from softcat_sym.store import version
 
 RHS, JACOBIAN, POWERS = "softcat_rhs", "softcat_jacobian", "softcat_powers"
 ARGUMENTS = ("t", "x", "z", "p")

@@ -65,7 +65,9 @@ def quasi_static_history(scene: Scene) -> History:
     if scene.material.histories():
         sag = np.interp(time, *followed_sag(scene))
     else:
-        sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
+        sag = np.empty_like(time)
+        for level in set(share.tolist()):
+            sag[share == level] = _sag(scene, time[share == level], level)
     return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
 
 
@@ -91,23 +93,25 @@ def followed_sag(scene: Scene) -> tuple[Floats, Floats]:
             elastic += max(0.0, lasting - elastic) * reached
         elif weight > 0:
             elastic = max(elastic, elastic_sag_under(stage, weight, scales.instant_modulus(stage)))
-            flown += flow_sag(stage, weight, elastic + flown, elapsed)
+            flown += float(flow_sag(stage, weight, elastic + flown, np.array(elapsed)))
         sags.append(max(elastic + flown, sags[0]))
     if scene.load.ramp == 0 and not (is_solid(scene) and retardation(scene)):
-        sags[0] = max(sags[0], _sag(scene, 0.0, 1.0))
+        sags[0] = max(sags[0], float(_sag(scene, np.zeros(()), 1.0)))
     return looks, np.array(sags)
 
 
-def _sag(scene: Scene, time: float, share: float) -> float:
+def _sag(scene: Scene, time: Floats, share: float) -> Floats:
     weight = scales.weight_stress(scene) * load_factor(scene) * share
     if weight == 0:
-        return start_sag(scene)
-    elapsed = max(0.0, time - scene.load.ramp / 2)
+        return np.full_like(time, start_sag(scene))
+    elapsed = np.maximum(0.0, time - scene.load.ramp / 2)
     at_once = elastic_sag_under(scene, weight, scales.instant_modulus(scene))
     if is_solid(scene):
         lasting = elastic_sag_under(scene, weight, scales.static_modulus(scene))
+        if not retardation(scene):
+            return np.full_like(time, lasting)
         first = 0.0 if scene.material.law == "kelvin-voigt" else at_once
-        return lasting + (first - lasting) * math.exp(-elapsed / retardation(scene)) if retardation(scene) else lasting
+        return lasting + (first - lasting) * np.exp(-elapsed / retardation(scene))
     return at_once + flow_sag(scene, weight, at_once, elapsed)
 
 
@@ -159,22 +163,21 @@ def cable_sag(load: float, slack: float) -> float:
     return height
 
 
-def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
-    """Sag that flow adds to a first one after a time [s]: viscous beam and string, until a yield stress holds it."""
-    if time <= 0:
-        return 0.0
+def flow_sag(scene: Scene, weight: float, first: float, time: Floats) -> Floats:
+    """Sag that flow adds to a first one after times [s]: viscous beam and string, until a yield stress holds it."""
     gravity_number = scales.gravity_number_of(scene)
     if (
         gravity_number is not None
         and gravity_number < scales.first_yield_gravity_number(scene)
         and start_sag(scene) == 0
     ):
-        return 0.0
+        return np.zeros_like(time)
     first = max(first, _SHALLOW)
     sag, reached = _flow_table(scene, weight, first)
-    flown = float(np.interp(time, reached, sag)) - first
+    flown = np.interp(time, reached, sag) - first
     # A beam of which a part stays elastic is held by that, however fast the rest flows.
-    return flown if gravity_number is None or scales.yields_throughout(scene) else min(flown, first)
+    held = gravity_number is not None and not scales.yields_throughout(scene)
+    return np.minimum(flown, first) if held else flown
 
 
 @lru_cache(maxsize=64)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
@@ -48,7 +47,7 @@ from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence, Solution
-from softcat_sym.store import Form, packed, unpacked
+from softcat_sym.store import Form, packed, unpacked, version
 
 if TYPE_CHECKING:
     import os
@@ -69,7 +68,7 @@ _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 @cache
 def versions_now() -> str:
     """Versions of this package and of those it calculates with, as JSON."""
-    return json.dumps({name: importlib.metadata.version(name) for name in _VERSIONS})
+    return json.dumps({name: version(name) for name in _VERSIONS})
 
 
 @dataclass(frozen=True)

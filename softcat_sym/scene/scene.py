@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from html import escape
 from typing import Annotated, Any, Literal
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
@@ -462,6 +461,8 @@ class Scene(Part):
         return Scene.model_validate(table)
 
     def _repr_html_(self) -> str:
+        from html import escape  # notebooks only
+
         return f"<pre>{escape(self.to_toml())}</pre>"
 
     def to_toml(self) -> str:

@@ -9,7 +9,6 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from importlib import resources
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +26,7 @@ from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
+from softcat_sym.store import version
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)

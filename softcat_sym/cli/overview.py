@@ -1,0 +1,70 @@
+"""Which commands there are, and the page that lists them, without loading any of them or what reads their options."""
+
+from __future__ import annotations
+
+from shutil import get_terminal_size
+from textwrap import wrap
+from typing import Final
+
+HELP: Final = ("-h", "--help")
+
+SUMMARY: Final = "Slender soft filaments that sag, stretch, yield and stop."
+
+_OPTIONS: Final = {
+    "--version": "Print the version and stop.",
+    "--install-completion": "Install completion for the current shell.",
+    "--show-completion": "Show completion for the current shell, to copy it or customize the installation.",
+    ", ".join(HELP): "Show this message and exit.",
+}
+
+COMMANDS: Final = {
+    "Everyday": {
+        "new": "Write a first scene of your own, with comments.",
+        "samples": "Copy sample files: a scene, a film, a flow curve.",
+        "run": "Simulate one filament.",
+        "draw": "Draw a finished run again: in another style, as a film, or for ParaView.",
+        "scenes": "List the bundled scenes and what to learn from each.",
+        "show": "Print a scene as resolved, with every default.",
+        "keys": "List the keys of a scene: unit, default and meaning.",
+        "explain": "Say what a scene calls for, before it is run.",
+        "card": "Tell how far, when and over which gap a filament sags.",
+        "sweep": "Simulate a filament for every value of some parameters.",
+    },
+    "Fitting": {
+        "fit": "Fit a material to films of a falling filament.",
+        "flow-curve": "Fit a law to a rheometer's flow curve.",
+        "experiment": "Design the film that tells a material best.",
+    },
+    "Validation": {
+        "compare": "Compare a filament with finite elements.",
+        "accuracy": "Measure what accuracy costs, beside IDAS and SciPy's Radau.",
+        "effects": "Tell what each effect is worth, and what it costs.",
+        "phase": "Map the regimes over planes of dimensionless groups.",
+        "figures": "Draw the paper's figures 2, 3(a), 3(b) and 4.",
+    },
+    "Developer": {
+        "generate": "Write the solver of a scene as C99 to take away.",
+        "cache": "Show the libraries and results that are kept, or clear them.",
+    },
+}
+"""First lines of the commands' docstrings by their names, in the groups and the order of the help."""
+
+_SHARED: Final = {"samples": "new", "draw": "run", "show": "scenes", "keys": "scenes"}
+
+
+def home_of(command: str) -> str:
+    """Name of the module of a command."""
+    return f"softcat_sym.cli.{_SHARED.get(command, command.replace('-', '_'))}"
+
+
+def overview(program: str) -> str:
+    """What ``softcat -h`` prints, as wide as the terminal, up to 80 columns."""
+    width = max(min(get_terminal_size().columns, 80) - 2, 50)
+    lines = [f"Usage: {program} [OPTIONS] COMMAND [ARGS]...", "", f"  {SUMMARY}"]
+    for title, rows in {"Options": _OPTIONS, **COMMANDS}.items():
+        column = max(map(len, rows if title == "Options" else (name for group in COMMANDS.values() for name in group)))
+        lines += ["", f"{title}:"]
+        for name, words in rows.items():
+            first, *more = wrap(words, width - column - 4)
+            lines += [f"  {name:{column}}  {first}", *(" " * (column + 4) + line for line in more)]
+    return "\n".join([*lines, "", "  softcat COMMAND -h tells more of each; begin with: softcat run ink-bridge"])
