@@ -8,7 +8,7 @@ import sympy as sp
 
 from softcat_sym.physics import backstress, kinematics
 from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.kinematics import mass_per_length
 from softcat_sym.physics.laws import Branch, Law, bingham_rate
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
@@ -360,7 +360,7 @@ def _cell_equations() -> tuple[Equation, ...]:
 
 
 BALANCE: tuple[Equation, ...] = _balance()
-EQUATIONS: tuple[Equation, ...] = (*_cell_equations(), *BALANCE)
+EQUATIONS = Equations(lambda: (*_cell_equations(), *BALANCE))
 
 SHEAR_CORRECTION: dict[str, sp.Rational] = {
     "rectangle": RECTANGLE_SHEAR,
