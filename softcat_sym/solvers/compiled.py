@@ -51,7 +51,24 @@ _MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs
 class Filament(ct.Structure):
     """softcat_filament."""
 
-    _fields_ = (("sites", ct.c_int), ("parameters", Doubles), ("places", Doubles))
+    _fields_ = (
+        ("sites", ct.c_int),
+        ("parameters", Doubles),
+        ("places", Doubles),
+        ("fibres", ct.c_int),
+        ("points", Doubles),
+    )
+
+
+class Physics(ct.Structure):
+    """softcat_model."""
+
+    _fields_ = (
+        *((name, ct.c_int) for name in ("slots", "sections", "parameters", "places", "scratch", "entries")),
+        *((name, ct.c_int) for name in ("powers", "moves_in_time")),
+        *((name, Integers) for name in ("rate", "differential", "held_first", "held_last", "row", "offset", "column")),
+        *((name, ct.c_void_p) for name in ("rates", "jacobian", "work", "work_slope", "rates_in_time", "work_in_time")),
+    )
 
 
 class Options(ct.Structure):
@@ -152,15 +169,27 @@ class CModel:
             self.model = model()
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
-            self._library = load(self._compiled("filament.c", self.model.text), _MODEL)
+            self._library = load(self._compiled("filament.c", self.model.of_any_fibres), _MODEL)
         self._lock = threading.Lock()
         self._runtime = _runtime()
-        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
+        # The library has the functions, for any number of fibres; what depends on it is given.
+        self._physics = Physics.from_buffer_copy(Physics.in_dll(self._library, _MODEL))
+        self._columns = {name: np.array(values, dtype=np.intc) for name, values in self.model.columns.items()}
+        for name, size in self.model.sizes.items():
+            setattr(self._physics, name, size)
+        for name, column in self._columns.items():
+            setattr(self._physics, name, column.ctypes.data_as(Integers))
+        rule = self.model.rule
+        self._points = np.concatenate(list(rule.tables.values())) if rule else None
+        self._address = ct.c_void_p(ct.addressof(self._physics))
 
     @staticmethod
     def _compiled(name: str, text: str) -> Path:
         header = "softcat_model.h"
         return compile_library({name: text, header: runtime_sources()[header]}, flags=SOON, versions=_VERSIONS)
+
+    def _filament(self, sites: int, parameters: Floats, places: Floats) -> Filament:
+        return Filament(sites, doubles(parameters), doubles(places), self.model.fibres, doubles(self._points))
 
     @cached_property
     def _observe(self) -> Any:
@@ -176,7 +205,7 @@ class CModel:
             function = self._observe
         sites, shown = len(places), self.model.signature.shown
         out, scratch = np.zeros((len(times), len(shown), sites)), np.empty(self.model.scratch * sites)
-        filament = Filament(sites, doubles(parameters), doubles(places))
+        filament = self._filament(sites, parameters, places)
         given = [np.ascontiguousarray(part) for part in (times, states)]
         function(ct.byref(filament), len(times), *map(doubles, (*given, out, scratch)))
 
@@ -230,7 +259,7 @@ class CModel:
     def consistent(self, run: RunInput, status: Status) -> Floats:
         """The state that a run begins with, its algebraic unknowns in balance."""
         state, absolute = run.state.copy(), np.full(run.state.shape[1], run.absolute)
-        filament = Filament(len(state), doubles(run.parameters), doubles(run.places))
+        filament = self._filament(len(state), run.parameters, run.places)
         options = Options(relative=run.relative, absolute=doubles(absolute), method=run.method)
         found = [ct.byref(part) for part in (filament, options)]
         self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
@@ -247,7 +276,7 @@ class CModel:
     ) -> None:
         sites, slots = run.state.shape
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
-        filament = Filament(sites, doubles(run.parameters), doubles(run.places))
+        filament = self._filament(sites, run.parameters, run.places)
         options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
         options.work_absolute, options.method, options.largest_step = run.work_absolute, run.method, run.max_step
         if len(run.kinks):
