@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from softcat_sym.codegen.compiler import beside
-from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
+from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
@@ -32,7 +32,6 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
-_RUNTIME = ("-O2", *OPTIMISED[1:])  # as quick as -O3, for less of the compiler
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 _OUTCOMES = {
@@ -313,7 +312,7 @@ def _runtime() -> ct.CDLL:
     sources = runtime_sources()
     # One text that includes all: the compiler starts once.
     whole = {"softcat_runtime.c": "".join(f'#include "{name}"\n' for name in sources if name.endswith(".c"))}
-    path = compile_library(sources | whole, flags=_RUNTIME, units=tuple(whole))
+    path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
     library = load(path, "softcat_sensitivities", "softcat_message")
     setup: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
     results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
