@@ -179,14 +179,18 @@ def fibre_spring(
     """
     carried = sp.exp(-carry * eps_e) if shear else sp.S.One
     lengthened = eps_e + gamma_e**2 / 4 if shear else eps_e
-    stored = modulus * lengthened**2 / 2 + shearing * gamma_e**2 / 2
-    along = modulus * sp.expand(sp.diff(stored, eps_e) / modulus)
+    drawn, sheared = modulus * lengthened**2 / 2, shearing * gamma_e**2 / 2
+    along = modulus * sp.expand(sp.diff(drawn, eps_e) / modulus)
     # What the shear stress has of the axial one, as a multiple of it.
     share = sp.diff(lengthened, gamma_e)
     return FibreSpring(
         elastic=(eps - relaxed - eps_p, gamma - gamma_p * carried),
-        stored=stored,
-        stress=(along, sp.simplify(sp.diff(stored, gamma_e) - share * along) + share * sigma),
+        stored=drawn + sheared,
+        # Expanded nothing is left of the first: to simplify the whole takes a quarter of a second.
+        stress=(
+            along,
+            sp.expand(sp.diff(drawn, gamma_e) - share * along) + sp.factor(sp.diff(sheared, gamma_e)) + share * sigma,
+        ),
         conjugate=sigma + carry * gamma_p * tau_d if shear else sigma,
         driving=carried * tau_f,
     )
