@@ -10,6 +10,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import casadi as ca
@@ -23,7 +24,7 @@ import softcat_sym as sc
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
 from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
-from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.codegen.library import cache_entries, compile_library, load
 from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
 from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
@@ -33,6 +34,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import PrintingError
 from softcat_sym.solvers.run import assembled
 from tests.common.pairs import differences, pair_of
+from tests.common.rosenbrock import RUNTIME
 
 SAME, SEEDS, LONGEST = 1e-12, range(3), 200_000
 PAPER = ("inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow")
@@ -147,6 +149,27 @@ def test_texts_are_the_same_whatever_the_hash_seed() -> None:
 def structure_in(name: str, **changes: Any) -> Structure:
     scene = sc.load_scene(name, {key.replace("__", "."): value for key, value in changes.items()})
     return assembled(scene, choose_effects(scene)).structure
+
+
+def test_one_library_serves_every_number_of_fibres(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path))
+    runs, scenes = [], [scene_of("fibres, necking", numerics__fibres=n, groups__duration=5.0) for n in (4, 6)]
+    for scene in scenes:
+        runs.append(sc.simulate(scene.replace({"numerics.estimate": False, "numerics.backend": "compiled"})))
+    compiled = [one.about.split()[0] for one in cache_entries()]
+    assert compiled.count("filament.c") == compiled.count("observables.c") == 1
+    for scene, run in zip(scenes, runs, strict=True):
+        interpreted = sc.simulate(scene.replace({"numerics.estimate": False, "numerics.backend": "interpreted"}))
+        wanted = interpreted.fields["midpoint"]
+        assert np.max(np.abs(run.fields["midpoint"] - wanted)) < 5e-3 * np.max(np.abs(wanted))
+    assert not np.array_equal(runs[0].fields["midpoint"], runs[1].fields["midpoint"])
+
+
+@pytest.mark.parametrize("kind", QUICK)
+def test_the_texts_of_any_number_of_fibres_make_no_compiler_warn(kind: str) -> None:
+    model, header = pair_of(scene_of(kind)).model, {"softcat_model.h": (RUNTIME / "softcat_model.h").read_text()}
+    for text in (model.of_any_fibres, model.observables):
+        compile_library({"filament.c": text, **header}, flags=STRICT)
 
 
 def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: d2764bff18ca021a5b2086a94445a4358a0e1af2549d0c8880489100c59ff0a0
+ * Digest of the structure: cd4b8dae80ece86db7b33b9d5cdbe485a766104496495ae3912aef590e89cf68
  */
 #include "filament.h"
 
@@ -19,10 +19,10 @@
 #define SCRATCH 112
 
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
-static const double zeta[] = {
+static const double fibre_zeta[] = {
     (-0.9602898564975362), (-0.7966664774136267), (-0.525532409916329), (-0.18343464249564978),
     0.18343464249564978, 0.525532409916329, 0.7966664774136267, 0.9602898564975362};
-static const double weight[] = {
+static const double fibre_weight[] = {
     0.05061426814518853, 0.11119051722668721, 0.15685332293894344, 0.18134189168918083,
     0.18134189168918083, 0.15685332293894344, 0.11119051722668721, 0.05061426814518853};
 
@@ -30,35 +30,35 @@ static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
 static inline double squared(double a) { return a * a; }
 
-static void rates_0(int n, const double *y, double *f)
+static void rates_0(int n, int slots, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 0] = y[SLOTS * i + 2];
+        f[slots * i + 0] = y[slots * i + 2];
     }
 }
 
-static void rates_1(int n, const double *y, double *f)
+static void rates_1(int n, int slots, const double *y, double *f)
 {
     for (int i = 0; i < n - 1; i++) {
-        f[SLOTS * i + 1] = y[SLOTS * i + 3];
+        f[slots * i + 1] = y[slots * i + 3];
     }
 }
 
-static void rates_2(int n, const double *y, double *w)
+static void rates_2(int n, int slots, const double *y, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[SLOTS * i + 0];
-        w1[i] = y[SLOTS * i + 4];
+        w0[i] = y[slots * i + 0];
+        w1[i] = y[slots * i + 4];
     }
 }
 
-static void rates_3(int n, const double *y, double *w)
+static void rates_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[SLOTS * i + 1];
+        w2[i] = y[slots * i + 1];
     }
 }
 
@@ -110,7 +110,7 @@ static void rates_6(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void rates_7(int n, const double *p, const double *y, double *w, double *f)
+static void rates_7(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w, double *f)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -135,10 +135,10 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
         const double v14 = sqrt(v12) * v12;
         const double v16 = log(v12);
         const double v24 = (0.9128709291752768 * w4[i]) / v12;
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v8 = zeta[k];
-            const double v19 = ((((v7 * v8) * p[1]) / v14) + v16) - y[SLOTS * i + 5 + k];
-            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v19 = ((((v7 * v8) * p[1]) / v14) + v16) - y[slots * i + 5 + k];
+            const double v25 = y[slots * i + 5 + 1 * fibres + k];
             const double v28 = exp((-1.5) * v19);
             const double v30 = v24 - (v25 * v28);
             const double v34 = c4 * (v19 + (0.25 * squared(v30)));
@@ -153,8 +153,8 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
             const double v72 = ((((-1.5) * v25) * v62) + (((3.0 * v46) * v59) * v61)) * c63;
             const double v77 = v34 + ((1.5 * v25) * v46);
             const double v78 = weight[k];
-            f[SLOTS * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
-            f[SLOTS * i + 5 + 1 * FIBRES + k] = v55 != 0.0 ? v72 : 0.0;
+            f[slots * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
+            f[slots * i + 5 + 1 * fibres + k] = v55 != 0.0 ? v72 : 0.0;
             sum0 += v77 * v78;
             sum1 += v77 * (v78 * v8);
             sum2 += v45 * v78;
@@ -204,7 +204,7 @@ static void rates_8(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void rates_9(int n, const double *p, const double *g, double *w, double *f)
+static void rates_9(int n, int slots, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
@@ -216,7 +216,7 @@ static void rates_9(int n, const double *p, const double *g, double *w, double *
     const double c14 = c8 / c13;
     for (int i = 1; i < n - 1; i++) {
         const double v18 = (((w10[i] + w11[i]) - w10[i - 1]) + w11[i - 1]) * (c14 * g[7 * i + 5]);
-        f[SLOTS * i + 4] = v18;
+        f[slots * i + 4] = v18;
     }
 }
 
@@ -294,7 +294,7 @@ static void rates_13(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void rates_14(int n, const double *p, const double *g, double *w, double *f)
+static void rates_14(int n, int slots, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w14 = w + 14 * n;
     const double c4 = squared(p[10]);
@@ -303,11 +303,11 @@ static void rates_14(int n, const double *p, const double *g, double *w, double 
     const double c8 = p[2] * c5;
     const double c9 = c6 / c8;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 2] = (w14[i] - w14[i - 1]) * (c9 * g[7 * i + 6]);
+        f[slots * i + 2] = (w14[i] - w14[i - 1]) * (c9 * g[7 * i + 6]);
     }
 }
 
-static void rates_15(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_15(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w15 = w + 15 * n;
     const double c3 = p[10];
@@ -330,11 +330,11 @@ static void rates_15(int n, double t, const double *p, const double *g, double *
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 3] = ((w15[i] - w15[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[slots * i + 3] = ((w15[i] - w15[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_16(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_16(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w15 = w + 15 * n;
     const double c1 = p[10];
@@ -357,39 +357,39 @@ static void rates_16(int n, double t, const double *p, const double *g, double *
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[SLOTS * i + 3] = (w15[i] * (c7 * g[7 * i + 6])) - c32;
+    f[slots * i + 3] = (w15[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
-static void jacobian_0(int n, double *e)
+static void jacobian_0(int n, int entries, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[ENTRIES * i + 0] = 1.0;
+        e[entries * i + 0] = 1.0;
     }
 }
 
-static void jacobian_1(int n, double *e)
+static void jacobian_1(int n, int entries, double *e)
 {
     for (int i = 0; i < n - 1; i++) {
-        e[ENTRIES * i + 1] = 1.0;
+        e[entries * i + 1] = 1.0;
     }
 }
 
-static void jacobian_2(int n, const double *y, double *w)
+static void jacobian_2(int n, int slots, const double *y, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[SLOTS * i + 0];
-        w1[i] = y[SLOTS * i + 4];
+        w0[i] = y[slots * i + 0];
+        w1[i] = y[slots * i + 4];
     }
 }
 
-static void jacobian_3(int n, const double *y, double *w)
+static void jacobian_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[SLOTS * i + 1];
+        w2[i] = y[slots * i + 1];
     }
 }
 
@@ -489,7 +489,7 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void jacobian_7(int n, const double *p, const double *y, double *w, double *e)
+static void jacobian_7(int n, int fibres, int slots, int entries, const double *zeta, const double *weight, const double *p, const double *y, double *w, double *e)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -530,11 +530,11 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict w50 = w + 50 * n;
     double *restrict w51 = w + 51 * n;
     double *restrict each0 = w + (SCRATCH) * n;
-    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
-    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * fibres) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * fibres) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * fibres) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * fibres) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * fibres) * n;
     const double c7 = p[1];
     const double c20 = p[5];
     const double c39 = 1.0 + p[8];
@@ -580,12 +580,12 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
         const double v109 = w21[i];
         const double v272 = v26 * v25;
         const double v281 = 1.0 / (2.0 * v10);
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v5 = zeta[k];
             const double v13 = ((v4 * v5) * c7) * v12;
-            const double v17 = (v13 + v14) - y[SLOTS * i + 5 + k];
+            const double v17 = (v13 + v14) - y[slots * i + 5 + k];
             const double v19 = exp((-1.5) * v17);
-            const double v27 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v27 = y[slots * i + 5 + 1 * fibres + k];
             const double v29 = v26 - (v27 * v19);
             const double v33 = c20 * (v17 + (0.25 * squared(v29)));
             const double v35 = 0.5 * v29;
@@ -659,28 +659,28 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
             const double v439 = (((v66 * v25) - (v272 * v62)) - (v10 * v434)) - ((v9 * v434) * v281);
             const double v449 = v275 * v133;
             const double v454 = (((v133 * v25) - (v272 * v129)) - (v10 * v449)) - ((v9 * v449) * v281);
-            each0[FIBRES * i + k] = -v66;
-            each1[FIBRES * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
-            each2[FIBRES * i + k] = -v133;
-            each3[FIBRES * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
-            each4[FIBRES * i + k] = -v177;
-            each5[FIBRES * i + k] = -(v19 * v173);
-            e[ENTRIES * i + 41 + 23 * FIBRES + k] = v217 != 0.0 ? (-v265) : 0.0;
-            e[ENTRIES * i + 41 + 22 * FIBRES + k] = v292;
-            e[ENTRIES * i + 41 + 27 * FIBRES + k] = v298;
-            e[ENTRIES * i + 41 + 24 * FIBRES + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
-            e[ENTRIES * i + 41 + 20 * FIBRES + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
-            e[ENTRIES * i + 41 + 25 * FIBRES + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
-            e[ENTRIES * i + 41 + 21 * FIBRES + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
-            e[ENTRIES * i + 41 + 26 * FIBRES + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
-            e[ENTRIES * i + 41 + 31 * FIBRES + k] = v217 != 0.0 ? (-v360) : 0.0;
-            e[ENTRIES * i + 41 + 30 * FIBRES + k] = v383;
-            e[ENTRIES * i + 41 + 35 * FIBRES + k] = v389;
-            e[ENTRIES * i + 41 + 32 * FIBRES + k] = v394;
-            e[ENTRIES * i + 41 + 28 * FIBRES + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
-            e[ENTRIES * i + 41 + 33 * FIBRES + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
-            e[ENTRIES * i + 41 + 29 * FIBRES + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
-            e[ENTRIES * i + 41 + 34 * FIBRES + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
+            each0[fibres * i + k] = -v66;
+            each1[fibres * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
+            each2[fibres * i + k] = -v133;
+            each3[fibres * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
+            each4[fibres * i + k] = -v177;
+            each5[fibres * i + k] = -(v19 * v173);
+            e[entries * i + 41 + 23 * fibres + k] = v217 != 0.0 ? (-v265) : 0.0;
+            e[entries * i + 41 + 22 * fibres + k] = v292;
+            e[entries * i + 41 + 27 * fibres + k] = v298;
+            e[entries * i + 41 + 24 * fibres + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
+            e[entries * i + 41 + 20 * fibres + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
+            e[entries * i + 41 + 25 * fibres + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
+            e[entries * i + 41 + 21 * fibres + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
+            e[entries * i + 41 + 26 * fibres + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
+            e[entries * i + 41 + 31 * fibres + k] = v217 != 0.0 ? (-v360) : 0.0;
+            e[entries * i + 41 + 30 * fibres + k] = v383;
+            e[entries * i + 41 + 35 * fibres + k] = v389;
+            e[entries * i + 41 + 32 * fibres + k] = v394;
+            e[entries * i + 41 + 28 * fibres + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
+            e[entries * i + 41 + 33 * fibres + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
+            e[entries * i + 41 + 29 * fibres + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
+            e[entries * i + 41 + 34 * fibres + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
             sum0 += v412 * v45;
             sum1 += v412 * v113;
             sum10 += v423;
@@ -727,7 +727,7 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     }
 }
 
-static void jacobian_8(int n, const double *p, const double *g, double *w)
+static void jacobian_8(int n, int fibres, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -792,17 +792,17 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict w68 = w + 68 * n;
     double *restrict w69 = w + 69 * n;
     double *restrict each0 = w + (SCRATCH) * n;
-    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
-    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * fibres) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * fibres) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * fibres) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * fibres) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * fibres) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * fibres) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * fibres) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * fibres) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
     const double c0 = p[1];
     for (int i = 0; i < n - 1; i++) {
         const double v2 = w8[i];
@@ -903,24 +903,24 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
         w67[i] = (v232 * v57) - (v139 * v40);
         w68[i] = (v245 * v57) - (v139 * v45);
         w69[i] = (v262 * v57) - (v139 * v50);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v12 = each2[FIBRES * i + k];
-            const double v31 = each3[FIBRES * i + k];
-            const double v111 = each0[FIBRES * i + k];
-            const double v128 = ((v110 * v111) - (v117 * v12)) - (v125 * each4[FIBRES * i + k]);
-            const double v204 = each1[FIBRES * i + k];
-            const double v210 = ((v110 * v204) - (v117 * v31)) - (v125 * each5[FIBRES * i + k]);
-            each6[FIBRES * i + k] = v11 * v12;
-            each7[FIBRES * i + k] = v11 * v31;
-            each8[FIBRES * i + k] = v128;
-            each9[FIBRES * i + k] = v210;
-            each10[FIBRES * i + k] = v111 * v57;
-            each11[FIBRES * i + k] = v204 * v57;
+        for (int k = 0; k < fibres; k++) {
+            const double v12 = each2[fibres * i + k];
+            const double v31 = each3[fibres * i + k];
+            const double v111 = each0[fibres * i + k];
+            const double v128 = ((v110 * v111) - (v117 * v12)) - (v125 * each4[fibres * i + k]);
+            const double v204 = each1[fibres * i + k];
+            const double v210 = ((v110 * v204) - (v117 * v31)) - (v125 * each5[fibres * i + k]);
+            each6[fibres * i + k] = v11 * v12;
+            each7[fibres * i + k] = v11 * v31;
+            each8[fibres * i + k] = v128;
+            each9[fibres * i + k] = v210;
+            each10[fibres * i + k] = v111 * v57;
+            each11[fibres * i + k] = v204 * v57;
         }
     }
 }
 
-static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_9(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w52 = w + 52 * n;
     double *restrict w53 = w + 53 * n;
@@ -934,10 +934,10 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w61 = w + 61 * n;
     double *restrict w62 = w + 62 * n;
     double *restrict w63 = w + 63 * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * fibres) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * fibres) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
     const double c1 = squared(p[10]);
     const double c3 = p[0];
     const double c4 = squared(c3);
@@ -949,29 +949,29 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
         const double v33 = ((v10 * w52[i]) - (v10 * w53[i - 1])) + (v10 * w59[i - 1]);
         const double v64 = ((v10 * w54[i]) - (v10 * w55[i - 1])) + (v10 * w61[i - 1]);
         const double v85 = ((v10 * w56[i]) - (v10 * w57[i - 1])) + (v10 * w63[i - 1]);
-        e[ENTRIES * i + 34] = (v10 * w58[i - 1]) - (v10 * w52[i - 1]);
-        e[ENTRIES * i + 37] = v33 + (v10 * w58[i]);
-        e[ENTRIES * i + 40] = (v10 * w53[i]) + (v10 * w59[i]);
-        e[ENTRIES * i + 32] = (v10 * w60[i - 1]) - (v10 * w54[i - 1]);
-        e[ENTRIES * i + 35] = v64 + (v10 * w60[i]);
-        e[ENTRIES * i + 38] = (v10 * w55[i]) + (v10 * w61[i]);
-        e[ENTRIES * i + 33] = (v10 * w62[i - 1]) - (v10 * w56[i - 1]);
-        e[ENTRIES * i + 36] = v85 + (v10 * w62[i]);
-        e[ENTRIES * i + 39] = (v10 * w57[i]) + (v10 * w63[i]);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v15 = (v10 * each8[FIBRES * (i - 1) + k]) - (v10 * each6[FIBRES * (i - 1) + k]);
-            const double v20 = (v10 * each6[FIBRES * i + k]) + (v10 * each8[FIBRES * i + k]);
-            const double v46 = (v10 * each9[FIBRES * (i - 1) + k]) - (v10 * each7[FIBRES * (i - 1) + k]);
-            const double v51 = (v10 * each7[FIBRES * i + k]) + (v10 * each9[FIBRES * i + k]);
-            e[ENTRIES * i + 41 + 16 * FIBRES + k] = v15;
-            e[ENTRIES * i + 41 + 18 * FIBRES + k] = v20;
-            e[ENTRIES * i + 41 + 17 * FIBRES + k] = v46;
-            e[ENTRIES * i + 41 + 19 * FIBRES + k] = v51;
+        e[entries * i + 34] = (v10 * w58[i - 1]) - (v10 * w52[i - 1]);
+        e[entries * i + 37] = v33 + (v10 * w58[i]);
+        e[entries * i + 40] = (v10 * w53[i]) + (v10 * w59[i]);
+        e[entries * i + 32] = (v10 * w60[i - 1]) - (v10 * w54[i - 1]);
+        e[entries * i + 35] = v64 + (v10 * w60[i]);
+        e[entries * i + 38] = (v10 * w55[i]) + (v10 * w61[i]);
+        e[entries * i + 33] = (v10 * w62[i - 1]) - (v10 * w56[i - 1]);
+        e[entries * i + 36] = v85 + (v10 * w62[i]);
+        e[entries * i + 39] = (v10 * w57[i]) + (v10 * w63[i]);
+        for (int k = 0; k < fibres; k++) {
+            const double v15 = (v10 * each8[fibres * (i - 1) + k]) - (v10 * each6[fibres * (i - 1) + k]);
+            const double v20 = (v10 * each6[fibres * i + k]) + (v10 * each8[fibres * i + k]);
+            const double v46 = (v10 * each9[fibres * (i - 1) + k]) - (v10 * each7[fibres * (i - 1) + k]);
+            const double v51 = (v10 * each7[fibres * i + k]) + (v10 * each9[fibres * i + k]);
+            e[entries * i + 41 + 16 * fibres + k] = v15;
+            e[entries * i + 41 + 18 * fibres + k] = v20;
+            e[entries * i + 41 + 17 * fibres + k] = v46;
+            e[entries * i + 41 + 19 * fibres + k] = v51;
         }
     }
 }
 
-static void jacobian_10(int n, const double *p, const double *g, double *w)
+static void jacobian_10(int n, int fibres, const double *p, const double *g, double *w)
 {
     double *restrict w6 = w + 6 * n;
     double *restrict w12 = w + 12 * n;
@@ -995,12 +995,12 @@ static void jacobian_10(int n, const double *p, const double *g, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * fibres) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const double c7 = 1.0 / p[0];
     const double c10 = squared(p[1]);
     const double c27 = squared(p[9]);
@@ -1041,16 +1041,16 @@ static void jacobian_10(int n, const double *p, const double *g, double *w)
         w76[i] = (v46 * w68[i - 1]) - (v80 * w32[i - 1]);
         w77[i] = v114 + (v49 * w68[i]);
         w78[i] = (v85 * w33[i]) + (v49 * w69[i]);
-        for (int k = 0; k < FIBRES; k++) {
-            each12[FIBRES * i + k] = v46 * each10[FIBRES * (i - 1) + k];
-            each13[FIBRES * i + k] = v49 * each10[FIBRES * i + k];
-            each14[FIBRES * i + k] = v46 * each11[FIBRES * (i - 1) + k];
-            each15[FIBRES * i + k] = v49 * each11[FIBRES * i + k];
+        for (int k = 0; k < fibres; k++) {
+            each12[fibres * i + k] = v46 * each10[fibres * (i - 1) + k];
+            each13[fibres * i + k] = v49 * each10[fibres * i + k];
+            each14[fibres * i + k] = v46 * each11[fibres * (i - 1) + k];
+            each15[fibres * i + k] = v49 * each11[fibres * i + k];
         }
     }
 }
 
-static void jacobian_11(int n, double *w)
+static void jacobian_11(int n, int fibres, double *w)
 {
     double *restrict w13 = w + 13 * n;
     double *restrict w70 = w + 70 * n;
@@ -1062,10 +1062,10 @@ static void jacobian_11(int n, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const int i = n - 1;
     w13[i] = 0.0;
     w70[i] = 0.0;
@@ -1077,16 +1077,16 @@ static void jacobian_11(int n, double *w)
     w76[i] = 0.0;
     w77[i] = 0.0;
     w78[i] = 0.0;
-    for (int k = 0; k < FIBRES; k++) {
-        each12[FIBRES * i + k] = 0.0;
-        each13[FIBRES * i + k] = 0.0;
-        each14[FIBRES * i + k] = 0.0;
-        each15[FIBRES * i + k] = 0.0;
+    for (int k = 0; k < fibres; k++) {
+        each12[fibres * i + k] = 0.0;
+        each13[fibres * i + k] = 0.0;
+        each14[fibres * i + k] = 0.0;
+        each15[fibres * i + k] = 0.0;
     }
     (void)n;
 }
 
-static void jacobian_12(int n, double *w)
+static void jacobian_12(int n, int fibres, double *w)
 {
     double *restrict w13 = w + 13 * n;
     double *restrict w70 = w + 70 * n;
@@ -1098,10 +1098,10 @@ static void jacobian_12(int n, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const int i = 0;
     w13[i] = 0.0;
     w70[i] = 0.0;
@@ -1113,16 +1113,16 @@ static void jacobian_12(int n, double *w)
     w76[i] = 0.0;
     w77[i] = 0.0;
     w78[i] = 0.0;
-    for (int k = 0; k < FIBRES; k++) {
-        each12[FIBRES * i + k] = 0.0;
-        each13[FIBRES * i + k] = 0.0;
-        each14[FIBRES * i + k] = 0.0;
-        each15[FIBRES * i + k] = 0.0;
+    for (int k = 0; k < fibres; k++) {
+        each12[fibres * i + k] = 0.0;
+        each13[fibres * i + k] = 0.0;
+        each14[fibres * i + k] = 0.0;
+        each15[fibres * i + k] = 0.0;
     }
     (void)n;
 }
 
-static void jacobian_13(int n, const double *p, const double *g, double *w)
+static void jacobian_13(int n, int fibres, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -1207,27 +1207,27 @@ static void jacobian_13(int n, const double *p, const double *g, double *w)
     double *restrict w101 = w + 101 * n;
     double *restrict w102 = w + 102 * n;
     double *restrict each0 = w + (SCRATCH) * n;
-    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
-    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
-    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
-    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
-    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
-    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
-    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
-    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
-    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * fibres) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * fibres) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * fibres) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * fibres) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * fibres) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * fibres) * n;
+    double *restrict each17 = w + (SCRATCH + 17 * fibres) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * fibres) * n;
+    double *restrict each19 = w + (SCRATCH + 19 * fibres) * n;
+    double *restrict each20 = w + (SCRATCH + 20 * fibres) * n;
+    double *restrict each21 = w + (SCRATCH + 21 * fibres) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * fibres) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * fibres) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * fibres) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * fibres) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * fibres) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * fibres) * n;
     const double c9 = p[1];
     for (int i = 0; i < n - 1; i++) {
         const double v1 = w3[i];
@@ -1399,42 +1399,42 @@ static void jacobian_13(int n, const double *p, const double *g, double *w)
         w100[i] = v462 + v224;
         w101[i] = v478 - v224;
         w102[i] = -(v314 * v301);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v60 = each12[FIBRES * i + k];
-            const double v63 = each0[FIBRES * i + k];
-            const double v70 = each2[FIBRES * i + k];
-            const double v73 = each13[FIBRES * i + k];
-            const double v76 = each12[FIBRES * (i + 1) + k];
-            const double v84 = each4[FIBRES * i + k];
+        for (int k = 0; k < fibres; k++) {
+            const double v60 = each12[fibres * i + k];
+            const double v63 = each0[fibres * i + k];
+            const double v70 = each2[fibres * i + k];
+            const double v73 = each13[fibres * i + k];
+            const double v76 = each12[fibres * (i + 1) + k];
+            const double v84 = each4[fibres * i + k];
             const double v86 = ((((v62 * v63) - (v69 * v70)) + (v59 * v73)) - (v59 * v76)) - (v83 * v84);
-            const double v87 = each13[FIBRES * (i + 1) + k];
-            const double v178 = each14[FIBRES * i + k];
-            const double v180 = each1[FIBRES * i + k];
-            const double v182 = each3[FIBRES * i + k];
-            const double v185 = each15[FIBRES * i + k];
-            const double v188 = each14[FIBRES * (i + 1) + k];
+            const double v87 = each13[fibres * (i + 1) + k];
+            const double v178 = each14[fibres * i + k];
+            const double v180 = each1[fibres * i + k];
+            const double v182 = each3[fibres * i + k];
+            const double v185 = each15[fibres * i + k];
+            const double v188 = each14[fibres * (i + 1) + k];
             const double v190 = (((v62 * v180) - (v69 * v182)) + (v59 * v185)) - (v59 * v188);
-            const double v191 = each5[FIBRES * i + k];
-            const double v194 = each15[FIBRES * (i + 1) + k];
+            const double v191 = each5[fibres * i + k];
+            const double v194 = each15[fibres * (i + 1) + k];
             const double v327 = (((v79 * v63) - (v321 * v70)) + (v314 * v73)) - (v314 * v76);
             const double v408 = (((v79 * v180) - (v321 * v182)) + (v314 * v185)) - (v314 * v188);
-            each16[FIBRES * i + k] = v59 * v60;
-            each17[FIBRES * i + k] = v86;
-            each18[FIBRES * i + k] = -(v59 * v87);
-            each19[FIBRES * i + k] = v59 * v178;
-            each20[FIBRES * i + k] = v190 - (v83 * v191);
-            each21[FIBRES * i + k] = -(v59 * v194);
-            each22[FIBRES * i + k] = v314 * v60;
-            each23[FIBRES * i + k] = v327 + (v331 * v84);
-            each24[FIBRES * i + k] = -(v314 * v87);
-            each25[FIBRES * i + k] = v314 * v178;
-            each26[FIBRES * i + k] = v408 + (v331 * v191);
-            each27[FIBRES * i + k] = -(v314 * v194);
+            each16[fibres * i + k] = v59 * v60;
+            each17[fibres * i + k] = v86;
+            each18[fibres * i + k] = -(v59 * v87);
+            each19[fibres * i + k] = v59 * v178;
+            each20[fibres * i + k] = v190 - (v83 * v191);
+            each21[fibres * i + k] = -(v59 * v194);
+            each22[fibres * i + k] = v314 * v60;
+            each23[fibres * i + k] = v327 + (v331 * v84);
+            each24[fibres * i + k] = -(v314 * v87);
+            each25[fibres * i + k] = v314 * v178;
+            each26[fibres * i + k] = v408 + (v331 * v191);
+            each27[fibres * i + k] = -(v314 * v194);
         }
     }
 }
 
-static void jacobian_14(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_14(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w79 = w + 79 * n;
     double *restrict w80 = w + 80 * n;
@@ -1448,12 +1448,12 @@ static void jacobian_14(int n, const double *p, const double *g, double *w, doub
     double *restrict w88 = w + 88 * n;
     double *restrict w89 = w + 89 * n;
     double *restrict w90 = w + 90 * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
-    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * fibres) * n;
+    double *restrict each17 = w + (SCRATCH + 17 * fibres) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * fibres) * n;
+    double *restrict each19 = w + (SCRATCH + 19 * fibres) * n;
+    double *restrict each20 = w + (SCRATCH + 20 * fibres) * n;
+    double *restrict each21 = w + (SCRATCH + 21 * fibres) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1461,39 +1461,39 @@ static void jacobian_14(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[ENTRIES * i + 4] = -(v9 * w79[i - 1]);
-        e[ENTRIES * i + 7] = (v9 * w79[i]) - (v9 * w80[i - 1]);
-        e[ENTRIES * i + 10] = (v9 * w80[i]) - (v9 * w81[i - 1]);
-        e[ENTRIES * i + 13] = (v9 * w81[i]) - (v9 * w82[i - 1]);
-        e[ENTRIES * i + 16] = v9 * w82[i];
-        e[ENTRIES * i + 2] = -(v9 * w83[i - 1]);
-        e[ENTRIES * i + 5] = (v9 * w83[i]) - (v9 * w84[i - 1]);
-        e[ENTRIES * i + 8] = (v9 * w84[i]) - (v9 * w85[i - 1]);
-        e[ENTRIES * i + 11] = (v9 * w85[i]) - (v9 * w86[i - 1]);
-        e[ENTRIES * i + 14] = v9 * w86[i];
-        e[ENTRIES * i + 3] = -(v9 * w87[i - 1]);
-        e[ENTRIES * i + 6] = (v9 * w87[i]) - (v9 * w88[i - 1]);
-        e[ENTRIES * i + 9] = (v9 * w88[i]) - (v9 * w89[i - 1]);
-        e[ENTRIES * i + 12] = (v9 * w89[i]) - (v9 * w90[i - 1]);
-        e[ENTRIES * i + 15] = v9 * w90[i];
-        for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each16[FIBRES * i + k]) - (v9 * each17[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each17[FIBRES * i + k]) - (v9 * each18[FIBRES * (i - 1) + k]);
-            const double v52 = (v9 * each19[FIBRES * i + k]) - (v9 * each20[FIBRES * (i - 1) + k]);
-            const double v57 = (v9 * each20[FIBRES * i + k]) - (v9 * each21[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + k] = -(v9 * each16[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 2 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 4 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 6 * FIBRES + k] = v9 * each18[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 1 * FIBRES + k] = -(v9 * each19[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 3 * FIBRES + k] = v52;
-            e[ENTRIES * i + 41 + 5 * FIBRES + k] = v57;
-            e[ENTRIES * i + 41 + 7 * FIBRES + k] = v9 * each21[FIBRES * i + k];
+        e[entries * i + 4] = -(v9 * w79[i - 1]);
+        e[entries * i + 7] = (v9 * w79[i]) - (v9 * w80[i - 1]);
+        e[entries * i + 10] = (v9 * w80[i]) - (v9 * w81[i - 1]);
+        e[entries * i + 13] = (v9 * w81[i]) - (v9 * w82[i - 1]);
+        e[entries * i + 16] = v9 * w82[i];
+        e[entries * i + 2] = -(v9 * w83[i - 1]);
+        e[entries * i + 5] = (v9 * w83[i]) - (v9 * w84[i - 1]);
+        e[entries * i + 8] = (v9 * w84[i]) - (v9 * w85[i - 1]);
+        e[entries * i + 11] = (v9 * w85[i]) - (v9 * w86[i - 1]);
+        e[entries * i + 14] = v9 * w86[i];
+        e[entries * i + 3] = -(v9 * w87[i - 1]);
+        e[entries * i + 6] = (v9 * w87[i]) - (v9 * w88[i - 1]);
+        e[entries * i + 9] = (v9 * w88[i]) - (v9 * w89[i - 1]);
+        e[entries * i + 12] = (v9 * w89[i]) - (v9 * w90[i - 1]);
+        e[entries * i + 15] = v9 * w90[i];
+        for (int k = 0; k < fibres; k++) {
+            const double v17 = (v9 * each16[fibres * i + k]) - (v9 * each17[fibres * (i - 1) + k]);
+            const double v22 = (v9 * each17[fibres * i + k]) - (v9 * each18[fibres * (i - 1) + k]);
+            const double v52 = (v9 * each19[fibres * i + k]) - (v9 * each20[fibres * (i - 1) + k]);
+            const double v57 = (v9 * each20[fibres * i + k]) - (v9 * each21[fibres * (i - 1) + k]);
+            e[entries * i + 41 + k] = -(v9 * each16[fibres * (i - 1) + k]);
+            e[entries * i + 41 + 2 * fibres + k] = v17;
+            e[entries * i + 41 + 4 * fibres + k] = v22;
+            e[entries * i + 41 + 6 * fibres + k] = v9 * each18[fibres * i + k];
+            e[entries * i + 41 + 1 * fibres + k] = -(v9 * each19[fibres * (i - 1) + k]);
+            e[entries * i + 41 + 3 * fibres + k] = v52;
+            e[entries * i + 41 + 5 * fibres + k] = v57;
+            e[entries * i + 41 + 7 * fibres + k] = v9 * each21[fibres * i + k];
         }
     }
 }
 
-static void jacobian_15(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_15(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w91 = w + 91 * n;
     double *restrict w92 = w + 92 * n;
@@ -1507,12 +1507,12 @@ static void jacobian_15(int n, const double *p, const double *g, double *w, doub
     double *restrict w100 = w + 100 * n;
     double *restrict w101 = w + 101 * n;
     double *restrict w102 = w + 102 * n;
-    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
-    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
-    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
-    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
-    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
-    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * fibres) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * fibres) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * fibres) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * fibres) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * fibres) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * fibres) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1520,39 +1520,39 @@ static void jacobian_15(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[ENTRIES * i + 19] = -(v9 * w91[i - 1]);
-        e[ENTRIES * i + 22] = (v9 * w91[i]) - (v9 * w92[i - 1]);
-        e[ENTRIES * i + 25] = (v9 * w92[i]) - (v9 * w93[i - 1]);
-        e[ENTRIES * i + 28] = (v9 * w93[i]) - (v9 * w94[i - 1]);
-        e[ENTRIES * i + 31] = v9 * w94[i];
-        e[ENTRIES * i + 17] = -(v9 * w95[i - 1]);
-        e[ENTRIES * i + 20] = (v9 * w95[i]) - (v9 * w96[i - 1]);
-        e[ENTRIES * i + 23] = (v9 * w96[i]) - (v9 * w97[i - 1]);
-        e[ENTRIES * i + 26] = (v9 * w97[i]) - (v9 * w98[i - 1]);
-        e[ENTRIES * i + 29] = v9 * w98[i];
-        e[ENTRIES * i + 18] = -(v9 * w99[i - 1]);
-        e[ENTRIES * i + 21] = (v9 * w99[i]) - (v9 * w100[i - 1]);
-        e[ENTRIES * i + 24] = (v9 * w100[i]) - (v9 * w101[i - 1]);
-        e[ENTRIES * i + 27] = (v9 * w101[i]) - (v9 * w102[i - 1]);
-        e[ENTRIES * i + 30] = v9 * w102[i];
-        for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each22[FIBRES * i + k]) - (v9 * each23[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each23[FIBRES * i + k]) - (v9 * each24[FIBRES * (i - 1) + k]);
-            const double v52 = (v9 * each25[FIBRES * i + k]) - (v9 * each26[FIBRES * (i - 1) + k]);
-            const double v57 = (v9 * each26[FIBRES * i + k]) - (v9 * each27[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 8 * FIBRES + k] = -(v9 * each22[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 10 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 12 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 14 * FIBRES + k] = v9 * each24[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 9 * FIBRES + k] = -(v9 * each25[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 11 * FIBRES + k] = v52;
-            e[ENTRIES * i + 41 + 13 * FIBRES + k] = v57;
-            e[ENTRIES * i + 41 + 15 * FIBRES + k] = v9 * each27[FIBRES * i + k];
+        e[entries * i + 19] = -(v9 * w91[i - 1]);
+        e[entries * i + 22] = (v9 * w91[i]) - (v9 * w92[i - 1]);
+        e[entries * i + 25] = (v9 * w92[i]) - (v9 * w93[i - 1]);
+        e[entries * i + 28] = (v9 * w93[i]) - (v9 * w94[i - 1]);
+        e[entries * i + 31] = v9 * w94[i];
+        e[entries * i + 17] = -(v9 * w95[i - 1]);
+        e[entries * i + 20] = (v9 * w95[i]) - (v9 * w96[i - 1]);
+        e[entries * i + 23] = (v9 * w96[i]) - (v9 * w97[i - 1]);
+        e[entries * i + 26] = (v9 * w97[i]) - (v9 * w98[i - 1]);
+        e[entries * i + 29] = v9 * w98[i];
+        e[entries * i + 18] = -(v9 * w99[i - 1]);
+        e[entries * i + 21] = (v9 * w99[i]) - (v9 * w100[i - 1]);
+        e[entries * i + 24] = (v9 * w100[i]) - (v9 * w101[i - 1]);
+        e[entries * i + 27] = (v9 * w101[i]) - (v9 * w102[i - 1]);
+        e[entries * i + 30] = v9 * w102[i];
+        for (int k = 0; k < fibres; k++) {
+            const double v17 = (v9 * each22[fibres * i + k]) - (v9 * each23[fibres * (i - 1) + k]);
+            const double v22 = (v9 * each23[fibres * i + k]) - (v9 * each24[fibres * (i - 1) + k]);
+            const double v52 = (v9 * each25[fibres * i + k]) - (v9 * each26[fibres * (i - 1) + k]);
+            const double v57 = (v9 * each26[fibres * i + k]) - (v9 * each27[fibres * (i - 1) + k]);
+            e[entries * i + 41 + 8 * fibres + k] = -(v9 * each22[fibres * (i - 1) + k]);
+            e[entries * i + 41 + 10 * fibres + k] = v17;
+            e[entries * i + 41 + 12 * fibres + k] = v22;
+            e[entries * i + 41 + 14 * fibres + k] = v9 * each24[fibres * i + k];
+            e[entries * i + 41 + 9 * fibres + k] = -(v9 * each25[fibres * (i - 1) + k]);
+            e[entries * i + 41 + 11 * fibres + k] = v52;
+            e[entries * i + 41 + 13 * fibres + k] = v57;
+            e[entries * i + 41 + 15 * fibres + k] = v9 * each27[fibres * i + k];
         }
     }
 }
 
-static void jacobian_16(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_16(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w91 = w + 91 * n;
     double *restrict w92 = w + 92 * n;
@@ -1566,12 +1566,12 @@ static void jacobian_16(int n, const double *p, const double *g, double *w, doub
     double *restrict w100 = w + 100 * n;
     double *restrict w101 = w + 101 * n;
     double *restrict w102 = w + 102 * n;
-    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
-    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
-    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
-    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
-    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
-    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * fibres) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * fibres) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * fibres) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * fibres) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * fibres) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * fibres) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1579,30 +1579,30 @@ static void jacobian_16(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[ENTRIES * i + 22] = v9 * w91[i];
-    e[ENTRIES * i + 25] = v9 * w92[i];
-    e[ENTRIES * i + 28] = v9 * w93[i];
-    e[ENTRIES * i + 31] = v9 * w94[i];
-    e[ENTRIES * i + 20] = v9 * w95[i];
-    e[ENTRIES * i + 23] = v9 * w96[i];
-    e[ENTRIES * i + 26] = v9 * w97[i];
-    e[ENTRIES * i + 29] = v9 * w98[i];
-    e[ENTRIES * i + 21] = v9 * w99[i];
-    e[ENTRIES * i + 24] = v9 * w100[i];
-    e[ENTRIES * i + 27] = v9 * w101[i];
-    e[ENTRIES * i + 30] = v9 * w102[i];
-    for (int k = 0; k < FIBRES; k++) {
-        e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each22[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 12 * FIBRES + k] = v9 * each23[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 14 * FIBRES + k] = v9 * each24[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each25[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 13 * FIBRES + k] = v9 * each26[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 15 * FIBRES + k] = v9 * each27[FIBRES * i + k];
+    e[entries * i + 22] = v9 * w91[i];
+    e[entries * i + 25] = v9 * w92[i];
+    e[entries * i + 28] = v9 * w93[i];
+    e[entries * i + 31] = v9 * w94[i];
+    e[entries * i + 20] = v9 * w95[i];
+    e[entries * i + 23] = v9 * w96[i];
+    e[entries * i + 26] = v9 * w97[i];
+    e[entries * i + 29] = v9 * w98[i];
+    e[entries * i + 21] = v9 * w99[i];
+    e[entries * i + 24] = v9 * w100[i];
+    e[entries * i + 27] = v9 * w101[i];
+    e[entries * i + 30] = v9 * w102[i];
+    for (int k = 0; k < fibres; k++) {
+        e[entries * i + 41 + 10 * fibres + k] = v9 * each22[fibres * i + k];
+        e[entries * i + 41 + 12 * fibres + k] = v9 * each23[fibres * i + k];
+        e[entries * i + 41 + 14 * fibres + k] = v9 * each24[fibres * i + k];
+        e[entries * i + 41 + 11 * fibres + k] = v9 * each25[fibres * i + k];
+        e[entries * i + 41 + 13 * fibres + k] = v9 * each26[fibres * i + k];
+        e[entries * i + 41 + 15 * fibres + k] = v9 * each27[fibres * i + k];
     }
     (void)n;
 }
 
-static void rates_in_time_15(int n, double t, const double *p, double *f)
+static void rates_in_time_15(int n, int slots, double t, const double *p, double *f)
 {
     const double c0 = p[10];
     const double c1 = squared(c0);
@@ -1647,11 +1647,11 @@ static void rates_in_time_15(int n, double t, const double *p, double *f)
     const double c47 = c3 * c46;
     const double c48 = -c47;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 3] = c48;
+        f[slots * i + 3] = c48;
     }
 }
 
-static void rates_in_time_16(int n, double t, const double *p, double *f)
+static void rates_in_time_16(int n, int slots, double t, const double *p, double *f)
 {
     const double c0 = p[10];
     const double c1 = squared(c0);
@@ -1696,11 +1696,11 @@ static void rates_in_time_16(int n, double t, const double *p, double *f)
     const double c47 = c3 * c46;
     const double c48 = -c47;
     const int i = 0;
-    f[SLOTS * i + 3] = c48;
+    f[slots * i + 3] = c48;
     (void)n;
 }
 
-static void work_0(int n, const double *p, const double *y, double *w)
+static void work_0(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -1720,10 +1720,10 @@ static void work_0(int n, const double *p, const double *y, double *w)
         const double v12 = sqrt(v10) * v10;
         const double v14 = log(v10);
         const double v22 = (0.9128709291752768 * w4[i]) / v10;
-        for (int k = 0; k < FIBRES; k++) {
-            const double v17 = ((((v5 * zeta[k]) * p[1]) / v12) + v14) - y[SLOTS * i + 5 + k];
+        for (int k = 0; k < fibres; k++) {
+            const double v17 = ((((v5 * zeta[k]) * p[1]) / v12) + v14) - y[slots * i + 5 + k];
             const double v26 = exp((-1.5) * v17);
-            const double v28 = v22 - (y[SLOTS * i + 5 + 1 * FIBRES + k] * v26);
+            const double v28 = v22 - (y[slots * i + 5 + 1 * fibres + k] * v26);
             const double v32 = c2 * (v17 + (0.25 * squared(v28)));
             const double v36 = 0.5 * v28;
             const double v47 = squared(v32) + (3.0 * squared((((v32 * v36) + (c41 * v36)) * v26)));
@@ -1778,19 +1778,19 @@ static void work_2(int n, const double *p, const double *g, double *w, double *q
     }
 }
 
-static void work_3(int n, const double *y, double *w)
+static void work_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w104 = w + 104 * n;
     for (int i = 1; i < n - 1; i++) {
-        w104[i] = y[SLOTS * i + 2];
+        w104[i] = y[slots * i + 2];
     }
 }
 
-static void work_4(int n, const double *y, double *w)
+static void work_4(int n, int slots, const double *y, double *w)
 {
     double *restrict w105 = w + 105 * n;
     for (int i = 0; i < n - 1; i++) {
-        w105[i] = y[SLOTS * i + 3];
+        w105[i] = y[slots * i + 3];
     }
 }
 
@@ -1837,7 +1837,7 @@ static void work_7(int n, const double *p, const double *g, double *w, double *q
     }
 }
 
-static void work_slope_0(int n, const double *p, const double *y, double *w)
+static void work_slope_0(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -1863,8 +1863,8 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w109 = w + 109 * n;
     double *restrict w110 = w + 110 * n;
     double *restrict w111 = w + 111 * n;
-    double *restrict each28 = w + (SCRATCH + 28 * FIBRES) * n;
-    double *restrict each29 = w + (SCRATCH + 29 * FIBRES) * n;
+    double *restrict each28 = w + (SCRATCH + 28 * fibres) * n;
+    double *restrict each29 = w + (SCRATCH + 29 * fibres) * n;
     const double c1 = p[7];
     const double c2 = p[5];
     const double c8 = p[1];
@@ -1887,11 +1887,11 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
         const double v24 = (0.9128709291752768 * w4[i]) * v23;
         const double v148 = v24 * v23;
         const double v156 = 2.0 * v11;
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v6 = zeta[k];
             const double v14 = ((v5 * v6) * c8) * v13;
-            const double v18 = (v14 + v15) - y[SLOTS * i + 5 + k];
-            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v18 = (v14 + v15) - y[slots * i + 5 + k];
+            const double v25 = y[slots * i + 5 + 1 * fibres + k];
             const double v28 = exp((-1.5) * v18);
             const double v30 = v24 - (v25 * v28);
             const double v34 = c2 * (v18 + (0.25 * squared(v30)));
@@ -1912,8 +1912,8 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
             const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
             const double v152 = (v14 * v13) * v96;
             const double v158 = (((v96 * v23) - (v148 * v92)) - (v11 * v152)) - ((v10 * v152) / v156);
-            each28[FIBRES * i + k] = v55 != 0.0 ? (-v96) : 0.0;
-            each29[FIBRES * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
+            each28[fibres * i + k] = v55 != 0.0 ? (-v96) : 0.0;
+            each29[fibres * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
             sum12 += v55 != 0.0 ? ((v54 * v64) * v65) : 0.0;
             sum13 += v55 != 0.0 ? (0.9128709291752768 * (v92 * v23)) : 0.0;
             sum14 += v55 != 0.0 ? v158 : 0.0;
@@ -1932,7 +1932,7 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     }
 }
 
-static void work_slope_1(int n, double t, const double *p, const double *g, double *s)
+static void work_slope_1(int n, int slots, double t, const double *p, const double *g, double *s)
 {
     const double c1 = p[0];
     const double c2 = p[2];
@@ -1957,11 +1957,11 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
     const double c26 = c10 / c25;
     const double c27 = c22 * c26;
     for (int i = 0; i < n; i++) {
-        s[SLOTS * n + SLOTS * i + 1] += g[7 * i + 3] * c27;
+        s[slots * n + slots * i + 1] += g[7 * i + 3] * c27;
     }
 }
 
-static void work_slope_2(int n, const double *p, const double *g, double *w, double *s)
+static void work_slope_2(int n, int fibres, int slots, const double *p, const double *g, double *w, double *s)
 {
     double *restrict w106 = w + 106 * n;
     double *restrict w107 = w + 107 * n;
@@ -1969,8 +1969,8 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     double *restrict w109 = w + 109 * n;
     double *restrict w110 = w + 110 * n;
     double *restrict w111 = w + 111 * n;
-    double *restrict each28 = w + (SCRATCH + 28 * FIBRES) * n;
-    double *restrict each29 = w + (SCRATCH + 29 * FIBRES) * n;
+    double *restrict each28 = w + (SCRATCH + 28 * fibres) * n;
+    double *restrict each29 = w + (SCRATCH + 29 * fibres) * n;
     const double c0 = p[10];
     const double c3 = p[0] / c0;
     const double c4 = squared(c3);
@@ -1978,32 +1978,32 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     const double c6 = c0 / c5;
     for (int i = 0; i < n - 1; i++) {
         const double v8 = c6 * g[7 * i + 1];
-        s[SLOTS * i + 4] += v8 * w106[i];
-        s[SLOTS * (i + 1) + 4] += v8 * w107[i];
-        s[SLOTS * i + 0] += v8 * w108[i];
-        s[SLOTS * (i + 1) + 0] += v8 * w109[i];
-        s[SLOTS * i + 1] += v8 * w110[i];
-        s[SLOTS * (i + 1) + 1] += v8 * w111[i];
-        for (int k = 0; k < FIBRES; k++) {
-            s[SLOTS * i + 5 + k] += v8 * each28[FIBRES * i + k];
-            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each29[FIBRES * i + k];
+        s[slots * i + 4] += v8 * w106[i];
+        s[slots * (i + 1) + 4] += v8 * w107[i];
+        s[slots * i + 0] += v8 * w108[i];
+        s[slots * (i + 1) + 0] += v8 * w109[i];
+        s[slots * i + 1] += v8 * w110[i];
+        s[slots * (i + 1) + 1] += v8 * w111[i];
+        for (int k = 0; k < fibres; k++) {
+            s[slots * i + 5 + k] += v8 * each28[fibres * i + k];
+            s[slots * i + 5 + 1 * fibres + k] += v8 * each29[fibres * i + k];
         }
     }
 }
 
-static void work_slope_3(int n, const double *y, double *w)
+static void work_slope_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w104 = w + 104 * n;
     for (int i = 1; i < n - 1; i++) {
-        w104[i] = y[SLOTS * i + 2];
+        w104[i] = y[slots * i + 2];
     }
 }
 
-static void work_slope_4(int n, const double *y, double *w)
+static void work_slope_4(int n, int slots, const double *y, double *w)
 {
     double *restrict w105 = w + 105 * n;
     for (int i = 0; i < n - 1; i++) {
-        w105[i] = y[SLOTS * i + 3];
+        w105[i] = y[slots * i + 3];
     }
 }
 
@@ -2025,7 +2025,7 @@ static void work_slope_6(int n, double *w)
     (void)n;
 }
 
-static void work_slope_7(int n, const double *p, const double *g, double *w, double *s)
+static void work_slope_7(int n, int fibres, int slots, const double *p, const double *g, double *w, double *s)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -2046,10 +2046,10 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
     double *restrict w78 = w + 78 * n;
     double *restrict w104 = w + 104 * n;
     double *restrict w105 = w + 105 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const double c48 = p[0] / p[10];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
@@ -2089,26 +2089,26 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
         const double v119 = (v38 * v69) * v27;
         const double v130 = (v18 * v72) * v4;
         const double v132 = (((v52 * w77[i]) + (v86 * w33[i - 1])) - (v99 * w32[i])) - (v119 + v130);
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 4] += v52 * w70[i];
-        s[2 * SLOTS * n + SLOTS * i + 4] += v52 * w71[i];
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 4] += v52 * w72[i];
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 2] += v71;
-        s[2 * SLOTS * n + SLOTS * i + 2] += -(v71 + v74);
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 2] += v74;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 3] += v78;
-        s[2 * SLOTS * n + SLOTS * i + 3] += -(v78 + v80);
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 3] += v80;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 0] += ((v52 * w73[i]) + (v86 * w30[i - 1])) + v91;
-        s[2 * SLOTS * n + SLOTS * i + 0] += v106;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 0] += ((v52 * w75[i]) - (v99 * w31[i])) + v104;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 1] += ((v52 * w76[i]) + (v86 * w32[i - 1])) + v119;
-        s[2 * SLOTS * n + SLOTS * i + 1] += v132;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 1] += ((v52 * w78[i]) - (v99 * w33[i])) + v130;
-        for (int k = 0; k < FIBRES; k++) {
-            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + k] += v52 * each12[FIBRES * i + k];
-            s[2 * SLOTS * n + SLOTS * i + 5 + k] += v52 * each13[FIBRES * i + k];
-            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + 1 * FIBRES + k] += v52 * each14[FIBRES * i + k];
-            s[2 * SLOTS * n + SLOTS * i + 5 + 1 * FIBRES + k] += v52 * each15[FIBRES * i + k];
+        s[2 * slots * n + slots * (i - 1) + 4] += v52 * w70[i];
+        s[2 * slots * n + slots * i + 4] += v52 * w71[i];
+        s[2 * slots * n + slots * (i + 1) + 4] += v52 * w72[i];
+        s[2 * slots * n + slots * (i - 1) + 2] += v71;
+        s[2 * slots * n + slots * i + 2] += -(v71 + v74);
+        s[2 * slots * n + slots * (i + 1) + 2] += v74;
+        s[2 * slots * n + slots * (i - 1) + 3] += v78;
+        s[2 * slots * n + slots * i + 3] += -(v78 + v80);
+        s[2 * slots * n + slots * (i + 1) + 3] += v80;
+        s[2 * slots * n + slots * (i - 1) + 0] += ((v52 * w73[i]) + (v86 * w30[i - 1])) + v91;
+        s[2 * slots * n + slots * i + 0] += v106;
+        s[2 * slots * n + slots * (i + 1) + 0] += ((v52 * w75[i]) - (v99 * w31[i])) + v104;
+        s[2 * slots * n + slots * (i - 1) + 1] += ((v52 * w76[i]) + (v86 * w32[i - 1])) + v119;
+        s[2 * slots * n + slots * i + 1] += v132;
+        s[2 * slots * n + slots * (i + 1) + 1] += ((v52 * w78[i]) - (v99 * w33[i])) + v130;
+        for (int k = 0; k < fibres; k++) {
+            s[2 * slots * n + slots * (i - 1) + 5 + k] += v52 * each12[fibres * i + k];
+            s[2 * slots * n + slots * i + 5 + k] += v52 * each13[fibres * i + k];
+            s[2 * slots * n + slots * (i - 1) + 5 + 1 * fibres + k] += v52 * each14[fibres * i + k];
+            s[2 * slots * n + slots * i + 5 + 1 * fibres + k] += v52 * each15[fibres * i + k];
         }
     }
 }
@@ -2165,26 +2165,30 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
                  double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
-    rates_0(n, y, f);
-    rates_1(n, y, f);
-    rates_2(n, y, w);
-    rates_3(n, y, w);
+    for (int k = 0; k < n * slots; k++) f[k] = 0.0;
+    rates_0(n, slots, y, f);
+    rates_1(n, slots, y, f);
+    rates_2(n, slots, y, w);
+    rates_3(n, slots, y, w);
     rates_4(n, w);
     rates_5(n, w);
     rates_6(n, p, g, w);
-    rates_7(n, p, y, w, f);
+    rates_7(n, fibres, slots, zeta, weight, p, y, w, f);
     rates_8(n, p, g, w);
-    rates_9(n, p, g, w, f);
+    rates_9(n, slots, p, g, w, f);
     rates_10(n, p, g, w);
     rates_11(n, w);
     rates_12(n, w);
     rates_13(n, p, g, w);
-    rates_14(n, p, g, w, f);
-    rates_15(n, t, p, g, w, f);
-    rates_16(n, t, p, g, w, f);
+    rates_14(n, slots, p, g, w, f);
+    rates_15(n, slots, t, p, g, w, f);
+    rates_16(n, slots, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -2192,27 +2196,32 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
                     double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const int entries = ENTRIES;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
-    jacobian_0(n, e);
-    jacobian_1(n, e);
-    jacobian_2(n, y, w);
-    jacobian_3(n, y, w);
+    for (int k = 0; k < n * entries; k++) e[k] = 0.0;
+    jacobian_0(n, entries, e);
+    jacobian_1(n, entries, e);
+    jacobian_2(n, slots, y, w);
+    jacobian_3(n, slots, y, w);
     jacobian_4(n, w);
     jacobian_5(n, w);
     jacobian_6(n, p, g, w);
-    jacobian_7(n, p, y, w, e);
-    jacobian_8(n, p, g, w);
-    jacobian_9(n, p, g, w, e);
-    jacobian_10(n, p, g, w);
-    jacobian_11(n, w);
-    jacobian_12(n, w);
-    jacobian_13(n, p, g, w);
-    jacobian_14(n, p, g, w, e);
-    jacobian_15(n, p, g, w, e);
-    jacobian_16(n, p, g, w, e);
+    jacobian_7(n, fibres, slots, entries, zeta, weight, p, y, w, e);
+    jacobian_8(n, fibres, p, g, w);
+    jacobian_9(n, fibres, entries, p, g, w, e);
+    jacobian_10(n, fibres, p, g, w);
+    jacobian_11(n, fibres, w);
+    jacobian_12(n, fibres, w);
+    jacobian_13(n, fibres, p, g, w);
+    jacobian_14(n, fibres, entries, p, g, w, e);
+    jacobian_15(n, fibres, entries, p, g, w, e);
+    jacobian_16(n, fibres, entries, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -2220,14 +2229,18 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
                 double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, y, w);
+    work_0(n, fibres, slots, zeta, weight, p, y, w);
     work_1(n, t, p, g, w, q);
     work_2(n, p, g, w, q);
-    work_3(n, y, w);
-    work_4(n, y, w);
+    work_3(n, slots, y, w);
+    work_4(n, slots, y, w);
     work_5(n, w);
     work_6(n, w);
     work_7(n, p, g, w, q);
@@ -2238,17 +2251,21 @@ static int work_slope(const softcat_filament *filament, double t, const double *
                       double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
-    work_slope_0(n, p, y, w);
-    work_slope_1(n, t, p, g, s);
-    work_slope_2(n, p, g, w, s);
-    work_slope_3(n, y, w);
-    work_slope_4(n, y, w);
+    for (int k = 0; k < n * 3 * slots; k++) s[k] = 0.0;
+    work_slope_0(n, fibres, slots, zeta, weight, p, y, w);
+    work_slope_1(n, slots, t, p, g, s);
+    work_slope_2(n, fibres, slots, p, g, w, s);
+    work_slope_3(n, slots, y, w);
+    work_slope_4(n, slots, y, w);
     work_slope_5(n, w);
     work_slope_6(n, w);
-    work_slope_7(n, p, g, w, s);
+    work_slope_7(n, fibres, slots, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
@@ -2256,12 +2273,13 @@ static int rates_in_time(const softcat_filament *filament, double t, const doubl
                          double *w)
 {
     const int n = filament->sites;
+    const int slots = SLOTS;
     const double *p = filament->parameters;
     (void)y;
     (void)w;
-    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
-    rates_in_time_15(n, t, p, f);
-    rates_in_time_16(n, t, p, f);
+    for (int k = 0; k < n * slots; k++) f[k] = 0.0;
+    rates_in_time_15(n, slots, t, p, f);
+    rates_in_time_16(n, slots, t, p, f);
     return SOFTCAT_SOLVED;
 }
 

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: d2764bff18ca021a5b2086a94445a4358a0e1af2549d0c8880489100c59ff0a0
+ * Digest of the structure: cd4b8dae80ece86db7b33b9d5cdbe485a766104496495ae3912aef590e89cf68
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 15df772ee602bcba84f71e6cf0a283d6f2ee193f540d7b6bab1e4b98f79af3a8
+ * Digest of the structure: 6f66e2dcc073a0a0e1a2689277ce8a07f588f2d3587f922e31002d1a6a442650
  */
 #include "filament.h"
 
@@ -19,13 +19,13 @@
 #define SCRATCH 76
 
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
-static const double zeta[] = {
+static const double fibre_zeta[] = {
     (-0.9686578935148324), (-0.8784890847806422), (-0.7406139298699932), (-0.5721146443791073),
     (-0.394041993763766), (-0.2289535525667885), (-0.09821234188930718),
     (-0.019199555780713324), 0.019199555780713324, 0.09821234188930718, 0.2289535525667885,
     0.394041993763766, 0.5721146443791073, 0.7406139298699932, 0.8784890847806422,
     0.9686578935148324};
-static const double weight[] = {
+static const double fibre_weight[] = {
     0.009809717052572466, 0.03541208817516074, 0.06691987890833648, 0.0924224995935702,
     0.1025893691493575, 0.09372308379650839, 0.06797964202358955, 0.031143721300904526,
     0.031143721300904526, 0.06797964202358955, 0.09372308379650839, 0.1025893691493575,
@@ -35,35 +35,35 @@ static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
 static inline double squared(double a) { return a * a; }
 
-static void rates_0(int n, const double *y, double *f)
+static void rates_0(int n, int slots, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 0] = y[SLOTS * i + 2];
+        f[slots * i + 0] = y[slots * i + 2];
     }
 }
 
-static void rates_1(int n, const double *y, double *f)
+static void rates_1(int n, int slots, const double *y, double *f)
 {
     for (int i = 0; i < n - 1; i++) {
-        f[SLOTS * i + 1] = y[SLOTS * i + 3];
+        f[slots * i + 1] = y[slots * i + 3];
     }
 }
 
-static void rates_2(int n, const double *y, double *w)
+static void rates_2(int n, int slots, const double *y, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[SLOTS * i + 0];
-        w1[i] = y[SLOTS * i + 4];
+        w0[i] = y[slots * i + 0];
+        w1[i] = y[slots * i + 4];
     }
 }
 
-static void rates_3(int n, const double *y, double *w)
+static void rates_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[SLOTS * i + 1];
+        w2[i] = y[slots * i + 1];
     }
 }
 
@@ -113,7 +113,7 @@ static void rates_6(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void rates_7(int n, const double *p, const double *y, double *w, double *f)
+static void rates_7(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w, double *f)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -138,10 +138,10 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
         const double v14 = sqrt(v12) * v12;
         const double v16 = log(v12);
         const double v24 = (0.9486832980505138 * w4[i]) / v12;
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v8 = zeta[k];
-            const double v19 = ((((v7 * v8) * p[1]) / v14) + v16) - y[SLOTS * i + 5 + k];
-            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v19 = ((((v7 * v8) * p[1]) / v14) + v16) - y[slots * i + 5 + k];
+            const double v25 = y[slots * i + 5 + 1 * fibres + k];
             const double v28 = exp((-1.5) * v19);
             const double v30 = v24 - (v25 * v28);
             const double v34 = c4 * (v19 + (0.25 * squared(v30)));
@@ -156,8 +156,8 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
             const double v72 = ((((-1.5) * v25) * v62) + (((3.0 * v46) * v59) * v61)) * c63;
             const double v77 = v34 + ((1.5 * v25) * v46);
             const double v78 = weight[k];
-            f[SLOTS * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
-            f[SLOTS * i + 5 + 1 * FIBRES + k] = v55 != 0.0 ? v72 : 0.0;
+            f[slots * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
+            f[slots * i + 5 + 1 * fibres + k] = v55 != 0.0 ? v72 : 0.0;
             sum0 += v77 * v78;
             sum1 += v77 * (v78 * v8);
             sum2 += v45 * v78;
@@ -208,7 +208,7 @@ static void rates_8(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void rates_9(int n, const double *p, const double *g, double *w, double *f)
+static void rates_9(int n, int slots, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w9 = w + 9 * n;
     double *restrict w10 = w + 10 * n;
@@ -225,12 +225,12 @@ static void rates_9(int n, const double *p, const double *g, double *w, double *
     const double c24 = c4 / c23;
     for (int i = 1; i < n - 1; i++) {
         const double v28 = (((w9[i] + w10[i]) - w9[i - 1]) + w10[i - 1]) * (c24 * g[7 * i + 5]);
-        f[SLOTS * i + 2] = (w11[i] - w11[i - 1]) * (c9 * g[7 * i + 6]);
-        f[SLOTS * i + 4] = v28;
+        f[slots * i + 2] = (w11[i] - w11[i - 1]) * (c9 * g[7 * i + 6]);
+        f[slots * i + 4] = v28;
     }
 }
 
-static void rates_10(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_10(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w12 = w + 12 * n;
     const double c3 = p[9];
@@ -253,11 +253,11 @@ static void rates_10(int n, double t, const double *p, const double *g, double *
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 3] = ((w12[i] - w12[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[slots * i + 3] = ((w12[i] - w12[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_11(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_11(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w12 = w + 12 * n;
     const double c1 = p[9];
@@ -280,39 +280,39 @@ static void rates_11(int n, double t, const double *p, const double *g, double *
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[SLOTS * i + 3] = (w12[i] * (c7 * g[7 * i + 6])) - c32;
+    f[slots * i + 3] = (w12[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
-static void jacobian_0(int n, double *e)
+static void jacobian_0(int n, int entries, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[ENTRIES * i + 0] = 1.0;
+        e[entries * i + 0] = 1.0;
     }
 }
 
-static void jacobian_1(int n, double *e)
+static void jacobian_1(int n, int entries, double *e)
 {
     for (int i = 0; i < n - 1; i++) {
-        e[ENTRIES * i + 1] = 1.0;
+        e[entries * i + 1] = 1.0;
     }
 }
 
-static void jacobian_2(int n, const double *y, double *w)
+static void jacobian_2(int n, int slots, const double *y, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[SLOTS * i + 0];
-        w1[i] = y[SLOTS * i + 4];
+        w0[i] = y[slots * i + 0];
+        w1[i] = y[slots * i + 4];
     }
 }
 
-static void jacobian_3(int n, const double *y, double *w)
+static void jacobian_3(int n, int slots, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[SLOTS * i + 1];
+        w2[i] = y[slots * i + 1];
     }
 }
 
@@ -398,7 +398,7 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
     }
 }
 
-static void jacobian_7(int n, const double *p, const double *y, double *w, double *e)
+static void jacobian_7(int n, int fibres, int slots, int entries, const double *zeta, const double *weight, const double *p, const double *y, double *w, double *e)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -439,11 +439,11 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict w43 = w + 43 * n;
     double *restrict w44 = w + 44 * n;
     double *restrict each0 = w + (SCRATCH) * n;
-    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
-    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * fibres) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * fibres) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * fibres) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * fibres) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * fibres) * n;
     const double c7 = p[1];
     const double c20 = p[5];
     const double c39 = 1.0 + p[8];
@@ -489,12 +489,12 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
         const double v109 = w18[i];
         const double v272 = v26 * v25;
         const double v281 = 1.0 / (2.0 * v10);
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v5 = zeta[k];
             const double v13 = ((v4 * v5) * c7) * v12;
-            const double v17 = (v13 + v14) - y[SLOTS * i + 5 + k];
+            const double v17 = (v13 + v14) - y[slots * i + 5 + k];
             const double v19 = exp((-1.5) * v17);
-            const double v27 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v27 = y[slots * i + 5 + 1 * fibres + k];
             const double v29 = v26 - (v27 * v19);
             const double v33 = c20 * (v17 + (0.25 * squared(v29)));
             const double v35 = 0.5 * v29;
@@ -568,28 +568,28 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
             const double v439 = (((v66 * v25) - (v272 * v62)) - (v10 * v434)) - ((v9 * v434) * v281);
             const double v449 = v275 * v133;
             const double v454 = (((v133 * v25) - (v272 * v129)) - (v10 * v449)) - ((v9 * v449) * v281);
-            each0[FIBRES * i + k] = -v66;
-            each1[FIBRES * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
-            each2[FIBRES * i + k] = -v133;
-            each3[FIBRES * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
-            each4[FIBRES * i + k] = -v177;
-            each5[FIBRES * i + k] = -(v19 * v173);
-            e[ENTRIES * i + 29 + 15 * FIBRES + k] = v217 != 0.0 ? (-v265) : 0.0;
-            e[ENTRIES * i + 29 + 14 * FIBRES + k] = v292;
-            e[ENTRIES * i + 29 + 19 * FIBRES + k] = v298;
-            e[ENTRIES * i + 29 + 16 * FIBRES + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
-            e[ENTRIES * i + 29 + 12 * FIBRES + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
-            e[ENTRIES * i + 29 + 17 * FIBRES + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
-            e[ENTRIES * i + 29 + 13 * FIBRES + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
-            e[ENTRIES * i + 29 + 18 * FIBRES + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
-            e[ENTRIES * i + 29 + 23 * FIBRES + k] = v217 != 0.0 ? (-v360) : 0.0;
-            e[ENTRIES * i + 29 + 22 * FIBRES + k] = v383;
-            e[ENTRIES * i + 29 + 27 * FIBRES + k] = v389;
-            e[ENTRIES * i + 29 + 24 * FIBRES + k] = v394;
-            e[ENTRIES * i + 29 + 20 * FIBRES + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
-            e[ENTRIES * i + 29 + 25 * FIBRES + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
-            e[ENTRIES * i + 29 + 21 * FIBRES + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
-            e[ENTRIES * i + 29 + 26 * FIBRES + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
+            each0[fibres * i + k] = -v66;
+            each1[fibres * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
+            each2[fibres * i + k] = -v133;
+            each3[fibres * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
+            each4[fibres * i + k] = -v177;
+            each5[fibres * i + k] = -(v19 * v173);
+            e[entries * i + 29 + 15 * fibres + k] = v217 != 0.0 ? (-v265) : 0.0;
+            e[entries * i + 29 + 14 * fibres + k] = v292;
+            e[entries * i + 29 + 19 * fibres + k] = v298;
+            e[entries * i + 29 + 16 * fibres + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
+            e[entries * i + 29 + 12 * fibres + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
+            e[entries * i + 29 + 17 * fibres + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
+            e[entries * i + 29 + 13 * fibres + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
+            e[entries * i + 29 + 18 * fibres + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
+            e[entries * i + 29 + 23 * fibres + k] = v217 != 0.0 ? (-v360) : 0.0;
+            e[entries * i + 29 + 22 * fibres + k] = v383;
+            e[entries * i + 29 + 27 * fibres + k] = v389;
+            e[entries * i + 29 + 24 * fibres + k] = v394;
+            e[entries * i + 29 + 20 * fibres + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
+            e[entries * i + 29 + 25 * fibres + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
+            e[entries * i + 29 + 21 * fibres + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
+            e[entries * i + 29 + 26 * fibres + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
             sum0 += v412 * v45;
             sum1 += v412 * v113;
             sum10 += v423;
@@ -636,7 +636,7 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     }
 }
 
-static void jacobian_8(int n, const double *p, const double *g, double *w)
+static void jacobian_8(int n, int fibres, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -708,19 +708,19 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict w67 = w + 67 * n;
     double *restrict w68 = w + 68 * n;
     double *restrict each0 = w + (SCRATCH) * n;
-    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
-    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * fibres) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * fibres) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * fibres) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * fibres) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * fibres) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * fibres) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * fibres) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * fibres) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
     const double c0 = p[1];
     for (int i = 0; i < n - 1; i++) {
         const double v2 = w7[i];
@@ -885,26 +885,26 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
         w66[i] = v476 + (v399 * v237);
         w67[i] = v485 + (v399 * v250);
         w68[i] = v494 + (v399 * v267);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v12 = each2[FIBRES * i + k];
-            const double v31 = each3[FIBRES * i + k];
-            const double v111 = each0[FIBRES * i + k];
-            const double v126 = each4[FIBRES * i + k];
-            const double v204 = each1[FIBRES * i + k];
-            const double v208 = each5[FIBRES * i + k];
-            each6[FIBRES * i + k] = v11 * v12;
-            each7[FIBRES * i + k] = v11 * v31;
-            each8[FIBRES * i + k] = ((v110 * v111) - (v117 * v12)) - (v125 * v126);
-            each9[FIBRES * i + k] = ((v110 * v204) - (v117 * v31)) - (v125 * v208);
-            each10[FIBRES * i + k] = ((v274 * v111) - (v280 * v12)) - (v287 * v126);
-            each11[FIBRES * i + k] = ((v274 * v204) - (v280 * v31)) - (v287 * v208);
-            each12[FIBRES * i + k] = ((v283 * v111) - (v393 * v12)) + (v399 * v126);
-            each13[FIBRES * i + k] = ((v283 * v204) - (v393 * v31)) + (v399 * v208);
+        for (int k = 0; k < fibres; k++) {
+            const double v12 = each2[fibres * i + k];
+            const double v31 = each3[fibres * i + k];
+            const double v111 = each0[fibres * i + k];
+            const double v126 = each4[fibres * i + k];
+            const double v204 = each1[fibres * i + k];
+            const double v208 = each5[fibres * i + k];
+            each6[fibres * i + k] = v11 * v12;
+            each7[fibres * i + k] = v11 * v31;
+            each8[fibres * i + k] = ((v110 * v111) - (v117 * v12)) - (v125 * v126);
+            each9[fibres * i + k] = ((v110 * v204) - (v117 * v31)) - (v125 * v208);
+            each10[fibres * i + k] = ((v274 * v111) - (v280 * v12)) - (v287 * v126);
+            each11[fibres * i + k] = ((v274 * v204) - (v280 * v31)) - (v287 * v208);
+            each12[fibres * i + k] = ((v283 * v111) - (v393 * v12)) + (v399 * v126);
+            each13[fibres * i + k] = ((v283 * v204) - (v393 * v31)) + (v399 * v208);
         }
     }
 }
 
-static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_9(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w45 = w + 45 * n;
     double *restrict w46 = w + 46 * n;
@@ -924,12 +924,12 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w60 = w + 60 * n;
     double *restrict w61 = w + 61 * n;
     double *restrict w62 = w + 62 * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * fibres) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * fibres) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * fibres) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -946,42 +946,42 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
         const double v79 = ((v56 * w45[i]) - (v56 * w46[i - 1])) + (v56 * w52[i - 1]);
         const double v110 = ((v56 * w47[i]) - (v56 * w48[i - 1])) + (v56 * w54[i - 1]);
         const double v131 = ((v56 * w49[i]) - (v56 * w50[i - 1])) + (v56 * w56[i - 1]);
-        e[ENTRIES * i + 4] = -(v9 * w57[i - 1]);
-        e[ENTRIES * i + 7] = (v9 * w57[i]) - (v9 * w58[i - 1]);
-        e[ENTRIES * i + 10] = v9 * w58[i];
-        e[ENTRIES * i + 2] = -(v9 * w59[i - 1]);
-        e[ENTRIES * i + 5] = (v9 * w59[i]) - (v9 * w60[i - 1]);
-        e[ENTRIES * i + 8] = v9 * w60[i];
-        e[ENTRIES * i + 3] = -(v9 * w61[i - 1]);
-        e[ENTRIES * i + 6] = (v9 * w61[i]) - (v9 * w62[i - 1]);
-        e[ENTRIES * i + 9] = v9 * w62[i];
-        e[ENTRIES * i + 22] = (v56 * w51[i - 1]) - (v56 * w45[i - 1]);
-        e[ENTRIES * i + 25] = v79 + (v56 * w51[i]);
-        e[ENTRIES * i + 28] = (v56 * w46[i]) + (v56 * w52[i]);
-        e[ENTRIES * i + 20] = (v56 * w53[i - 1]) - (v56 * w47[i - 1]);
-        e[ENTRIES * i + 23] = v110 + (v56 * w53[i]);
-        e[ENTRIES * i + 26] = (v56 * w48[i]) + (v56 * w54[i]);
-        e[ENTRIES * i + 21] = (v56 * w55[i - 1]) - (v56 * w49[i - 1]);
-        e[ENTRIES * i + 24] = v131 + (v56 * w55[i]);
-        e[ENTRIES * i + 27] = (v56 * w50[i]) + (v56 * w56[i]);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v61 = (v56 * each8[FIBRES * (i - 1) + k]) - (v56 * each6[FIBRES * (i - 1) + k]);
-            const double v66 = (v56 * each6[FIBRES * i + k]) + (v56 * each8[FIBRES * i + k]);
-            const double v92 = (v56 * each9[FIBRES * (i - 1) + k]) - (v56 * each7[FIBRES * (i - 1) + k]);
-            const double v97 = (v56 * each7[FIBRES * i + k]) + (v56 * each9[FIBRES * i + k]);
-            e[ENTRIES * i + 29 + k] = -(v9 * each10[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 29 + 2 * FIBRES + k] = v9 * each10[FIBRES * i + k];
-            e[ENTRIES * i + 29 + 1 * FIBRES + k] = -(v9 * each11[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 29 + 3 * FIBRES + k] = v9 * each11[FIBRES * i + k];
-            e[ENTRIES * i + 29 + 8 * FIBRES + k] = v61;
-            e[ENTRIES * i + 29 + 10 * FIBRES + k] = v66;
-            e[ENTRIES * i + 29 + 9 * FIBRES + k] = v92;
-            e[ENTRIES * i + 29 + 11 * FIBRES + k] = v97;
+        e[entries * i + 4] = -(v9 * w57[i - 1]);
+        e[entries * i + 7] = (v9 * w57[i]) - (v9 * w58[i - 1]);
+        e[entries * i + 10] = v9 * w58[i];
+        e[entries * i + 2] = -(v9 * w59[i - 1]);
+        e[entries * i + 5] = (v9 * w59[i]) - (v9 * w60[i - 1]);
+        e[entries * i + 8] = v9 * w60[i];
+        e[entries * i + 3] = -(v9 * w61[i - 1]);
+        e[entries * i + 6] = (v9 * w61[i]) - (v9 * w62[i - 1]);
+        e[entries * i + 9] = v9 * w62[i];
+        e[entries * i + 22] = (v56 * w51[i - 1]) - (v56 * w45[i - 1]);
+        e[entries * i + 25] = v79 + (v56 * w51[i]);
+        e[entries * i + 28] = (v56 * w46[i]) + (v56 * w52[i]);
+        e[entries * i + 20] = (v56 * w53[i - 1]) - (v56 * w47[i - 1]);
+        e[entries * i + 23] = v110 + (v56 * w53[i]);
+        e[entries * i + 26] = (v56 * w48[i]) + (v56 * w54[i]);
+        e[entries * i + 21] = (v56 * w55[i - 1]) - (v56 * w49[i - 1]);
+        e[entries * i + 24] = v131 + (v56 * w55[i]);
+        e[entries * i + 27] = (v56 * w50[i]) + (v56 * w56[i]);
+        for (int k = 0; k < fibres; k++) {
+            const double v61 = (v56 * each8[fibres * (i - 1) + k]) - (v56 * each6[fibres * (i - 1) + k]);
+            const double v66 = (v56 * each6[fibres * i + k]) + (v56 * each8[fibres * i + k]);
+            const double v92 = (v56 * each9[fibres * (i - 1) + k]) - (v56 * each7[fibres * (i - 1) + k]);
+            const double v97 = (v56 * each7[fibres * i + k]) + (v56 * each9[fibres * i + k]);
+            e[entries * i + 29 + k] = -(v9 * each10[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 2 * fibres + k] = v9 * each10[fibres * i + k];
+            e[entries * i + 29 + 1 * fibres + k] = -(v9 * each11[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 3 * fibres + k] = v9 * each11[fibres * i + k];
+            e[entries * i + 29 + 8 * fibres + k] = v61;
+            e[entries * i + 29 + 10 * fibres + k] = v66;
+            e[entries * i + 29 + 9 * fibres + k] = v92;
+            e[entries * i + 29 + 11 * fibres + k] = v97;
         }
     }
 }
 
-static void jacobian_10(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_10(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w63 = w + 63 * n;
     double *restrict w64 = w + 64 * n;
@@ -989,8 +989,8 @@ static void jacobian_10(int n, const double *p, const double *g, double *w, doub
     double *restrict w66 = w + 66 * n;
     double *restrict w67 = w + 67 * n;
     double *restrict w68 = w + 68 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -998,25 +998,25 @@ static void jacobian_10(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[ENTRIES * i + 13] = -(v9 * w63[i - 1]);
-        e[ENTRIES * i + 16] = (v9 * w63[i]) - (v9 * w64[i - 1]);
-        e[ENTRIES * i + 19] = v9 * w64[i];
-        e[ENTRIES * i + 11] = -(v9 * w65[i - 1]);
-        e[ENTRIES * i + 14] = (v9 * w65[i]) - (v9 * w66[i - 1]);
-        e[ENTRIES * i + 17] = v9 * w66[i];
-        e[ENTRIES * i + 12] = -(v9 * w67[i - 1]);
-        e[ENTRIES * i + 15] = (v9 * w67[i]) - (v9 * w68[i - 1]);
-        e[ENTRIES * i + 18] = v9 * w68[i];
-        for (int k = 0; k < FIBRES; k++) {
-            e[ENTRIES * i + 29 + 4 * FIBRES + k] = -(v9 * each12[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each12[FIBRES * i + k];
-            e[ENTRIES * i + 29 + 5 * FIBRES + k] = -(v9 * each13[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each13[FIBRES * i + k];
+        e[entries * i + 13] = -(v9 * w63[i - 1]);
+        e[entries * i + 16] = (v9 * w63[i]) - (v9 * w64[i - 1]);
+        e[entries * i + 19] = v9 * w64[i];
+        e[entries * i + 11] = -(v9 * w65[i - 1]);
+        e[entries * i + 14] = (v9 * w65[i]) - (v9 * w66[i - 1]);
+        e[entries * i + 17] = v9 * w66[i];
+        e[entries * i + 12] = -(v9 * w67[i - 1]);
+        e[entries * i + 15] = (v9 * w67[i]) - (v9 * w68[i - 1]);
+        e[entries * i + 18] = v9 * w68[i];
+        for (int k = 0; k < fibres; k++) {
+            e[entries * i + 29 + 4 * fibres + k] = -(v9 * each12[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 6 * fibres + k] = v9 * each12[fibres * i + k];
+            e[entries * i + 29 + 5 * fibres + k] = -(v9 * each13[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 7 * fibres + k] = v9 * each13[fibres * i + k];
         }
     }
 }
 
-static void jacobian_11(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_11(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
     double *restrict w63 = w + 63 * n;
     double *restrict w64 = w + 64 * n;
@@ -1024,8 +1024,8 @@ static void jacobian_11(int n, const double *p, const double *g, double *w, doub
     double *restrict w66 = w + 66 * n;
     double *restrict w67 = w + 67 * n;
     double *restrict w68 = w + 68 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1033,20 +1033,20 @@ static void jacobian_11(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[ENTRIES * i + 16] = v9 * w63[i];
-    e[ENTRIES * i + 19] = v9 * w64[i];
-    e[ENTRIES * i + 14] = v9 * w65[i];
-    e[ENTRIES * i + 17] = v9 * w66[i];
-    e[ENTRIES * i + 15] = v9 * w67[i];
-    e[ENTRIES * i + 18] = v9 * w68[i];
-    for (int k = 0; k < FIBRES; k++) {
-        e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each12[FIBRES * i + k];
-        e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each13[FIBRES * i + k];
+    e[entries * i + 16] = v9 * w63[i];
+    e[entries * i + 19] = v9 * w64[i];
+    e[entries * i + 14] = v9 * w65[i];
+    e[entries * i + 17] = v9 * w66[i];
+    e[entries * i + 15] = v9 * w67[i];
+    e[entries * i + 18] = v9 * w68[i];
+    for (int k = 0; k < fibres; k++) {
+        e[entries * i + 29 + 6 * fibres + k] = v9 * each12[fibres * i + k];
+        e[entries * i + 29 + 7 * fibres + k] = v9 * each13[fibres * i + k];
     }
     (void)n;
 }
 
-static void rates_in_time_10(int n, double t, const double *p, double *f)
+static void rates_in_time_10(int n, int slots, double t, const double *p, double *f)
 {
     const double c0 = p[9];
     const double c1 = squared(c0);
@@ -1091,11 +1091,11 @@ static void rates_in_time_10(int n, double t, const double *p, double *f)
     const double c47 = c3 * c46;
     const double c48 = -c47;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 3] = c48;
+        f[slots * i + 3] = c48;
     }
 }
 
-static void rates_in_time_11(int n, double t, const double *p, double *f)
+static void rates_in_time_11(int n, int slots, double t, const double *p, double *f)
 {
     const double c0 = p[9];
     const double c1 = squared(c0);
@@ -1140,11 +1140,11 @@ static void rates_in_time_11(int n, double t, const double *p, double *f)
     const double c47 = c3 * c46;
     const double c48 = -c47;
     const int i = 0;
-    f[SLOTS * i + 3] = c48;
+    f[slots * i + 3] = c48;
     (void)n;
 }
 
-static void work_0(int n, const double *p, const double *y, double *w)
+static void work_0(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -1164,10 +1164,10 @@ static void work_0(int n, const double *p, const double *y, double *w)
         const double v12 = sqrt(v10) * v10;
         const double v14 = log(v10);
         const double v22 = (0.9486832980505138 * w4[i]) / v10;
-        for (int k = 0; k < FIBRES; k++) {
-            const double v17 = ((((v5 * zeta[k]) * p[1]) / v12) + v14) - y[SLOTS * i + 5 + k];
+        for (int k = 0; k < fibres; k++) {
+            const double v17 = ((((v5 * zeta[k]) * p[1]) / v12) + v14) - y[slots * i + 5 + k];
             const double v26 = exp((-1.5) * v17);
-            const double v28 = v22 - (y[SLOTS * i + 5 + 1 * FIBRES + k] * v26);
+            const double v28 = v22 - (y[slots * i + 5 + 1 * fibres + k] * v26);
             const double v32 = c2 * (v17 + (0.25 * squared(v28)));
             const double v36 = 0.5 * v28;
             const double v47 = squared(v32) + (3.0 * squared((((v32 * v36) + (c41 * v36)) * v26)));
@@ -1222,7 +1222,7 @@ static void work_2(int n, const double *p, const double *g, double *w, double *q
     }
 }
 
-static void work_slope_0(int n, const double *p, const double *y, double *w)
+static void work_slope_0(int n, int fibres, int slots, const double *zeta, const double *weight, const double *p, const double *y, double *w)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -1248,8 +1248,8 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w73 = w + 73 * n;
     double *restrict w74 = w + 74 * n;
     double *restrict w75 = w + 75 * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const double c1 = p[7];
     const double c2 = p[5];
     const double c8 = p[1];
@@ -1272,11 +1272,11 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
         const double v24 = (0.9486832980505138 * w4[i]) * v23;
         const double v148 = v24 * v23;
         const double v156 = 2.0 * v11;
-        for (int k = 0; k < FIBRES; k++) {
+        for (int k = 0; k < fibres; k++) {
             const double v6 = zeta[k];
             const double v14 = ((v5 * v6) * c8) * v13;
-            const double v18 = (v14 + v15) - y[SLOTS * i + 5 + k];
-            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v18 = (v14 + v15) - y[slots * i + 5 + k];
+            const double v25 = y[slots * i + 5 + 1 * fibres + k];
             const double v28 = exp((-1.5) * v18);
             const double v30 = v24 - (v25 * v28);
             const double v34 = c2 * (v18 + (0.25 * squared(v30)));
@@ -1297,8 +1297,8 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
             const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
             const double v152 = (v14 * v13) * v96;
             const double v158 = (((v96 * v23) - (v148 * v92)) - (v11 * v152)) - ((v10 * v152) / v156);
-            each14[FIBRES * i + k] = v55 != 0.0 ? (-v96) : 0.0;
-            each15[FIBRES * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
+            each14[fibres * i + k] = v55 != 0.0 ? (-v96) : 0.0;
+            each15[fibres * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
             sum12 += v55 != 0.0 ? ((v54 * v64) * v65) : 0.0;
             sum13 += v55 != 0.0 ? (0.9486832980505138 * (v92 * v23)) : 0.0;
             sum14 += v55 != 0.0 ? v158 : 0.0;
@@ -1317,7 +1317,7 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     }
 }
 
-static void work_slope_1(int n, double t, const double *p, const double *g, double *s)
+static void work_slope_1(int n, int slots, double t, const double *p, const double *g, double *s)
 {
     const double c1 = p[0];
     const double c2 = p[2];
@@ -1342,11 +1342,11 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
     const double c26 = c10 / c25;
     const double c27 = c22 * c26;
     for (int i = 0; i < n; i++) {
-        s[SLOTS * n + SLOTS * i + 1] += g[7 * i + 3] * c27;
+        s[slots * n + slots * i + 1] += g[7 * i + 3] * c27;
     }
 }
 
-static void work_slope_2(int n, const double *p, const double *g, double *w, double *s)
+static void work_slope_2(int n, int fibres, int slots, const double *p, const double *g, double *w, double *s)
 {
     double *restrict w70 = w + 70 * n;
     double *restrict w71 = w + 71 * n;
@@ -1354,8 +1354,8 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     double *restrict w73 = w + 73 * n;
     double *restrict w74 = w + 74 * n;
     double *restrict w75 = w + 75 * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * fibres) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * fibres) * n;
     const double c0 = p[9];
     const double c3 = p[0] / c0;
     const double c4 = squared(c3);
@@ -1363,15 +1363,15 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     const double c6 = c0 / c5;
     for (int i = 0; i < n - 1; i++) {
         const double v8 = c6 * g[7 * i + 1];
-        s[SLOTS * i + 4] += v8 * w70[i];
-        s[SLOTS * (i + 1) + 4] += v8 * w71[i];
-        s[SLOTS * i + 0] += v8 * w72[i];
-        s[SLOTS * (i + 1) + 0] += v8 * w73[i];
-        s[SLOTS * i + 1] += v8 * w74[i];
-        s[SLOTS * (i + 1) + 1] += v8 * w75[i];
-        for (int k = 0; k < FIBRES; k++) {
-            s[SLOTS * i + 5 + k] += v8 * each14[FIBRES * i + k];
-            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each15[FIBRES * i + k];
+        s[slots * i + 4] += v8 * w70[i];
+        s[slots * (i + 1) + 4] += v8 * w71[i];
+        s[slots * i + 0] += v8 * w72[i];
+        s[slots * (i + 1) + 0] += v8 * w73[i];
+        s[slots * i + 1] += v8 * w74[i];
+        s[slots * (i + 1) + 1] += v8 * w75[i];
+        for (int k = 0; k < fibres; k++) {
+            s[slots * i + 5 + k] += v8 * each14[fibres * i + k];
+            s[slots * i + 5 + 1 * fibres + k] += v8 * each15[fibres * i + k];
         }
     }
 }
@@ -1428,21 +1428,25 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
                  double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
-    rates_0(n, y, f);
-    rates_1(n, y, f);
-    rates_2(n, y, w);
-    rates_3(n, y, w);
+    for (int k = 0; k < n * slots; k++) f[k] = 0.0;
+    rates_0(n, slots, y, f);
+    rates_1(n, slots, y, f);
+    rates_2(n, slots, y, w);
+    rates_3(n, slots, y, w);
     rates_4(n, w);
     rates_5(n, w);
     rates_6(n, p, g, w);
-    rates_7(n, p, y, w, f);
+    rates_7(n, fibres, slots, zeta, weight, p, y, w, f);
     rates_8(n, p, g, w);
-    rates_9(n, p, g, w, f);
-    rates_10(n, t, p, g, w, f);
-    rates_11(n, t, p, g, w, f);
+    rates_9(n, slots, p, g, w, f);
+    rates_10(n, slots, t, p, g, w, f);
+    rates_11(n, slots, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -1450,22 +1454,27 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
                     double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const int entries = ENTRIES;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
-    jacobian_0(n, e);
-    jacobian_1(n, e);
-    jacobian_2(n, y, w);
-    jacobian_3(n, y, w);
+    for (int k = 0; k < n * entries; k++) e[k] = 0.0;
+    jacobian_0(n, entries, e);
+    jacobian_1(n, entries, e);
+    jacobian_2(n, slots, y, w);
+    jacobian_3(n, slots, y, w);
     jacobian_4(n, w);
     jacobian_5(n, w);
     jacobian_6(n, p, g, w);
-    jacobian_7(n, p, y, w, e);
-    jacobian_8(n, p, g, w);
-    jacobian_9(n, p, g, w, e);
-    jacobian_10(n, p, g, w, e);
-    jacobian_11(n, p, g, w, e);
+    jacobian_7(n, fibres, slots, entries, zeta, weight, p, y, w, e);
+    jacobian_8(n, fibres, p, g, w);
+    jacobian_9(n, fibres, entries, p, g, w, e);
+    jacobian_10(n, fibres, entries, p, g, w, e);
+    jacobian_11(n, fibres, entries, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -1473,10 +1482,14 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
                 double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, y, w);
+    work_0(n, fibres, slots, zeta, weight, p, y, w);
     work_1(n, t, p, g, w, q);
     work_2(n, p, g, w, q);
     return SOFTCAT_SOLVED;
@@ -1486,12 +1499,16 @@ static int work_slope(const softcat_filament *filament, double t, const double *
                       double *w)
 {
     const int n = filament->sites;
+    const int fibres = FIBRES;
+    const int slots = SLOTS;
+    const double *zeta = fibre_zeta;
+    const double *weight = fibre_weight;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
-    work_slope_0(n, p, y, w);
-    work_slope_1(n, t, p, g, s);
-    work_slope_2(n, p, g, w, s);
+    for (int k = 0; k < n * 3 * slots; k++) s[k] = 0.0;
+    work_slope_0(n, fibres, slots, zeta, weight, p, y, w);
+    work_slope_1(n, slots, t, p, g, s);
+    work_slope_2(n, fibres, slots, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
@@ -1499,12 +1516,13 @@ static int rates_in_time(const softcat_filament *filament, double t, const doubl
                          double *w)
 {
     const int n = filament->sites;
+    const int slots = SLOTS;
     const double *p = filament->parameters;
     (void)y;
     (void)w;
-    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
-    rates_in_time_10(n, t, p, f);
-    rates_in_time_11(n, t, p, f);
+    for (int k = 0; k < n * slots; k++) f[k] = 0.0;
+    rates_in_time_10(n, slots, t, p, f);
+    rates_in_time_11(n, slots, t, p, f);
     return SOFTCAT_SOLVED;
 }
 

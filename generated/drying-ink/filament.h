@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 15df772ee602bcba84f71e6cf0a283d6f2ee193f540d7b6bab1e4b98f79af3a8
+ * Digest of the structure: 6f66e2dcc073a0a0e1a2689277ce8a07f588f2d3587f922e31002d1a6a442650
  */
 
 #ifndef SOFTCAT_FILAMENT_H

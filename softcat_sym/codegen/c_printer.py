@@ -13,6 +13,7 @@ import casadi as ca
 from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_reciprocals
 from softcat_sym.discretization.cell import Program
+from softcat_sym.discretization.point_rule import POINT_TABLES
 from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf
 from softcat_sym.discretization.unknowns import PER_FIBRE, Where
 from softcat_sym.errors import PrintingError
@@ -166,7 +167,15 @@ def _expression(one: Instruction, args: list[str]) -> str:
     return shapes[name].format(*args)
 
 
+SIZES = {"fibres": "FIBRES", "slots": "SLOTS", "entries": "ENTRIES"}
+"""Numbers that depend on how many fibres a section has, by the names of functions for them; what they are follows."""
+
+TABLES = ("zeta", *POINT_TABLES)
+"""Numbers of each fibre."""
+
 _ARGUMENTS = (
+    *((size, "int ") for size in SIZES),
+    *((table, "const double *") for table in TABLES),
     ("t", "double "),
     ("p", "const double *"),
     ("g", "const double *"),
@@ -185,7 +194,7 @@ class Writer:
 
     def __init__(self, program: Program) -> None:
         self._leaves = program.leaves
-        self.slots = Row("SLOTS", [slot.name for slot in program.slots])
+        self.slots = Row("slots", [slot.name for slot in program.slots])
         self._place = {name: k for k, name in enumerate(program.places)}
         self._parameter = {name: k for k, name in enumerate(program.parameters)}
         self._scratch: dict[str, int] = {}
@@ -209,7 +218,7 @@ class Writer:
     def _stored(self, name: str, site: int) -> str:
         if PER_FIBRE in name:
             number = self._scratch_each.setdefault(name, len(self._scratch_each))
-            return f"each{number}[FIBRES * {f'(i {_signed(site)})' if site else 'i'} + k]"
+            return f"each{number}[fibres * {f'(i {_signed(site)})' if site else 'i'} + k]"
         number = self._scratch.setdefault(name, len(self._scratch))
         return f"w{number}[i{f' {_signed(site)}' if site else ''}]"
 
@@ -243,19 +252,20 @@ class Writer:
         within = found[When.SITE]
         if found[When.FIBRE]:
             within = [f"double {self.leaf(leaf)} = 0.0;" for leaf in sums] + within
-            within += ["for (int k = 0; k < FIBRES; k++) {", *(f"    {one}" for one in found[When.FIBRE]), "}"]
+            within += ["for (int k = 0; k < fibres; k++) {", *(f"    {one}" for one in found[When.FIBRE]), "}"]
         within = within + found[When.AFTER]
         before = found[When.BEFORE]
         body = "\n".join([*before, *within])
-        letters = [(c, kind) for c, kind in _ARGUMENTS if re.search(rf"\b{c}\b", body) or (c == "w" and _STORED(body))]
+        rows = sorted({int(row) for row in re.findall(r"\beach(\d+)\[", body)})
+        each = [
+            f"    double *restrict each{row} = w + (SCRATCH{f' + {row} * fibres' if row else ''}) * n;" for row in rows
+        ]
+        whole = "\n".join([body, *each])
+        letters = [(c, kind) for c, kind in _ARGUMENTS if re.search(rf"\b{c}\b", whole) or (c == "w" and _STORED(body))]
         lines = [f"static void {name}(int n{''.join(f', {kind}{c}' for c, kind in letters)})", "{"]
         rows = sorted({int(row) for row in re.findall(r"\bw(\d+)\[", body)})
         lines += [f"    double *restrict w{row} = w{f' + {row} * n' if row else ''};" for row in rows]
-        rows = sorted({int(row) for row in re.findall(r"\beach(\d+)\[", body)})
-        lines += [
-            f"    double *restrict each{row} = w + (SCRATCH{f' + {row} * FIBRES' if row else ''}) * n;" for row in rows
-        ]
-        lines += [f"    {line}" for line in before]
+        lines += [*each, *(f"    {line}" for line in before)]
         if where.alone:
             lines.append(f"    const int i = {where.first if where.first >= 0 else f'n - {-where.first}'};")
             lines += [f"    {line}" for line in within] + ["    (void)n;"]
@@ -298,7 +308,7 @@ class Row:
         if PER_FIBRE not in name:
             return f"{self._size} * {site} + {self.plain.index(name)}"
         kind = self.each.index(name)
-        return f"{self._size} * {site} + {len(self.plain)}{f' + {kind} * FIBRES' if kind else ''} + k"
+        return f"{self._size} * {site} + {len(self.plain)}{f' + {kind} * fibres' if kind else ''} + k"
 
 
 def _signed(distance: int) -> str:

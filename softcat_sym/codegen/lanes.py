@@ -11,7 +11,7 @@ SYMBOL = "softcat_filament_lanes"
 """Name of the softcat_lanes_model in the text."""
 
 _HELPERS = re.compile(r"^(?:/\*.*\*/\n)?static inline double \w+\(.*\n", re.MULTILINE)
-_TABLE = re.compile(r"static const double (\w+)\[\]")
+_TABLE = re.compile(r"static const double fibre_(\w+)\[\]")
 _NUMBER = re.compile(r" = (\(?-?(?:HUGE_VAL|\d+\.\d+(?:e[-+]?\d+)?|\d+e[-+]?\d+)\)?);")
 _MODEL = re.compile(r"^const softcat_model softcat_filament_model = \{(.*?)^\};", re.MULTILINE | re.DOTALL)
 _FUNCTIONS = re.compile(r"^    (rates, jacobian, .*),$", re.MULTILINE)
@@ -32,7 +32,8 @@ def lanes_text(text: str) -> str:
     body = re.sub(r"\bdouble\b", "real", body.replace("const softcat_filament *", "const softcat_lanes_filament *"))
     body = _NUMBER.sub(r" = REAL(\1);", body)
     for name in names:
-        body = body.replace(f"static const real {name}[]", f"static const double {name}[]")
+        body = re.sub(rf"\bconst real (\*?{name}\b)", r"const double \1", body)
+        body = body.replace(f"static const real fibre_{name}[]", f"static const double fibre_{name}[]")
         body = body.replace(f"{name}[k]", f"REAL({name}[k])")
     functions = _FUNCTIONS.search(model)
     if functions is None:

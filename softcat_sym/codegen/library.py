@@ -320,8 +320,12 @@ OPTIMISED: tuple[str, ...] = ("-O3", "-fno-math-errno", "-fno-trapping-math")
 # For what is compiled once a scene: a third of the time to compile, for a twentieth more to run. No number changes.
 SOON: tuple[str, ...] = ("-O1", *OPTIMISED[1:])
 
-# What gcc takes longest for in such a text is handing out registers, loop by loop: a third of its time, for nothing.
-_SOON_GNU = ("-fira-region=one",)
+# For what a whole solve is spent in: as quick as -O3, for two thirds of the time to compile.
+STEADY: tuple[str, ...] = ("-O2", *OPTIMISED[1:])
+
+# What gcc does for nothing: in the text of a scene it hands out registers loop by loop for a third of its time, in that
+# of the runtime it looks for jumps and ranges for a fifth.
+_GNU = {SOON: ("-fira-region=one",), STEADY: ("-fno-tree-dominator-opts", "-fno-tree-vrp")}
 
 _ALWAYS = ("-std=c99", "-fPIC", "-shared")
 _MARKS = re.compile(r"error|undefined|failed|no space|killed", re.IGNORECASE)
@@ -344,7 +348,7 @@ def compile_library(
         named = os.environ.get("CC")
         found = f"CC is {named!r}, which is no C compiler that runs" if named else "no C compiler that runs was found"
         raise SoftcatError(f"{found}; {TO_INSTALL}")
-    own = _SOON_GNU if flags == SOON and compiler.name.startswith("gcc") else ()
+    own = _GNU.get(tuple(flags), ()) if compiler.name.startswith("gcc") else ()
     whole = (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
     chosen = tuple(units) if units is not None else tuple(name for name in sorted(sources) if name.endswith(".c"))
     parts = {

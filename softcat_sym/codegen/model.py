@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import casadi as ca
 
-from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, times
+from softcat_sym.codegen.c_printer import SIZES, TABLES, Row, Target, Writer, helpers_of, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
 from softcat_sym.codegen.structure import Template
 from softcat_sym.discretization.cell import Program
@@ -45,7 +45,7 @@ def template_of(program: Program) -> Template:
     in_time = Chain(leaves, by_time=True, by_unknowns=False)
     forced = _in_time(writer, in_time, "rates_in_time", levels, rate) if moves else []
     powers, work, slopes, changing = _work(writer, program, chain, fields, in_time if moves else None)
-    size, found = writer.slots.count, Row("ENTRIES", [entry_label(entry) for entry in entries])
+    size, found = writer.slots.count, Row("entries", [entry_label(entry) for entry in entries])
     text = "\n\n".join(
         [
             *writer.functions,
@@ -69,7 +69,7 @@ int softcat_filament_observe(const softcat_filament *filament, int count, const 
 {{
     const int n = filament->sites;
     const double *p = filament->parameters, *g = filament->places;
-    for (int frame = 0; frame < count; frame++) {{
+{given}    for (int frame = 0; frame < count; frame++) {{
         const double t = times[frame], *y = states + (size_t)frame * (size_t)(n * {slots});
         (void)p, (void)g, (void)t, (void)y, (void)w;
 {calls}
@@ -89,7 +89,7 @@ def _observables(program: Program) -> tuple[tuple[Shown, ...], str, tuple[int, i
     targets: dict[str, Target] = {}
     for row, one in enumerate(shown):
         of, each = program.shown[one.name], PER_FIBRE in one.name
-        place = f"({plain} + {row - plain} * FIBRES + k) * n + i" if each else f"{times(row, 'n')}i"
+        place = f"({plain} + {row - plain} * fibres + k) * n + i" if each else f"{times(row, 'n')}i"
         for k, part in enumerate(of if isinstance(of, tuple) else (of,)):
             name = f"shown_{row}_{k}{PER_FIBRE if each else ''}"
             items.append(replace(part, name=name))
@@ -105,8 +105,10 @@ def _observables(program: Program) -> tuple[tuple[Shown, ...], str, tuple[int, i
         )
         for k, loop in enumerate(loops)
     ]
-    rows = f"{plain} + {len(shown) - plain} * FIBRES" if plain < len(shown) else str(plain)
-    body = _OBSERVE.format(slots=writer.slots.count, calls="\n".join(f"    {call}" for call in calls), rows=rows)
+    rows = f"{plain} + {len(shown) - plain} * fibres" if plain < len(shown) else str(plain)
+    given = "".join(f"{line}\n" for line in _given("\n".join([rows, writer.slots.count, *calls])))
+    calls = [f"    {call}" for call in calls]
+    body = _OBSERVE.format(slots=writer.slots.count, given=given, calls="\n".join(calls), rows=rows)
     text = "\n\n".join([*writer.functions, body])
     return tuple(shown), f"{helpers_of(text)}\n{text}", writer.scratch
 
@@ -166,20 +168,21 @@ def _jacobian(
     """The entries, and the calls that compute them."""
     order = {slot.name: k for k, slot in enumerate(program.slots)}
     marks: dict[tuple[str, str, int], int] = {}
+    mark = f"entries{_MARK}" if writer.slots.each else _MARK  # by its name a function asks for it
 
-    def mark(name: str, one: Entry) -> Target:
+    def target(name: str, one: Entry) -> Target:
         label = (name[2:], *one)
-        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in entry_label(label))
+        return Target(f"e[{mark}{marks.setdefault(label, len(marks))}]", PER_FIBRE in entry_label(label))
 
-    calls = _derivatives(writer, chain, levels, "jacobian", mark)
+    calls = _derivatives(writer, chain, levels, "jacobian", target)
     outputs = [name for level in levels for loop in level for name in loop.names if not writer.is_field(name)]
     entries = sorted(
         {(name[2:], entry[0], entry[1]) for name in outputs for entry in chain.patterns[name]},
         key=lambda one: (order[one[0]], one[2], order[one[1]]),
     )
-    row = Row("ENTRIES", [entry_label(entry) for entry in entries])
+    row = Row("entries", [entry_label(entry) for entry in entries])
     number = {marks[one]: row.at(entry_label(one)) for one in entries}
-    found = re.compile(re.escape(_MARK) + r"(\d+)")
+    found = re.compile(re.escape(mark) + r"(\d+)")
     writer.functions = [found.sub(lambda match: number[int(match[1])], text) for text in writer.functions]
     return tuple(entries), calls
 
@@ -217,9 +220,15 @@ def _work(
     return tuple(program.powers), calls, changes, forced
 
 
+def _given(text: str) -> list[str]:
+    """What the text has of the numbers of fibres, and of where they are."""
+    sizes = [f"    const int {name} = {size};" for name, size in SIZES.items() if re.search(rf"\b{name}\b", text)]
+    return sizes + [f"    const double *{name} = fibre_{name};" for name in TABLES if re.search(rf"\b{name}\b", text)]
+
+
 def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str:
     body = "\n".join(calls)
-    unpacked = [
+    unpacked = _given(f"{zero}\n{body}") + [
         text
         for letter, text in (
             ("p", "    const double *p = filament->parameters;"),

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TypeVar
 
 from softcat_sym import store
@@ -25,12 +25,91 @@ from softcat_sym.physics.terms import Formulation
 class Model:
     """What the C texts of a filament amount to."""
 
-    text: str  # The C file of its rates, their derivatives and its powers
-    observables: str  # The C file of what a run stores
+    template: Template = field(repr=False)
+    rule: SectionRule | PointRule | None  # Where the fibres are; None without
     signature: Signature  # Whose fields `observables` computes in this order
     powers: tuple[str, ...]  # What is integrated beside the unknowns
     entries: tuple[tuple[str, str, int], ...]  # Row, column and distance of each entry of the Jacobian
-    scratch: int  # Doubles per site that `observables` needs
+
+    @property
+    def fibres(self) -> int:
+        """Points of a section; 0 where it is not resolved."""
+        return self.rule.points if self.rule else 0
+
+    @property
+    def scratch(self) -> int:
+        """Doubles per site that `observables` needs."""
+        return _per_site(self.template.scratch_shown, self.fibres)
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Numbers of a softcat_model, in its order."""
+        return {
+            "slots": len(self.slots),
+            "sections": sum(slot.section for slot in self.slots),
+            "parameters": len(self.parameters),
+            "places": len(self.places),
+            "scratch": _per_site(self.template.scratch, self.fibres),
+            "entries": len(self.entries),
+            "powers": len(self.template.powers),
+            "moves_in_time": int(self.template.moves),
+        }
+
+    @property
+    def columns(self) -> dict[str, list[int]]:
+        """Tables of a softcat_model, in its order."""
+        place = {slot.name: k for k, slot in enumerate(self.slots)}
+        return {
+            "rate": [place[s.rate] if s.rate else -1 for s in self.slots],
+            "differential": [int(s.differential) for s in self.slots],
+            "held_first": [int(s.where.first > 0) for s in self.slots],
+            "held_last": [int(s.where.behind > 0) for s in self.slots],
+            "row": [place[row] for row, _, _ in self.entries],
+            "offset": [distance for _, _, distance in self.entries],
+            "column": [place[column] for _, column, _ in self.entries],
+        }
+
+    @cached_property
+    def text(self) -> str:
+        """The C file of the rates, their derivatives and the powers, with the number of fibres in it."""
+        sizes = {"FIBRES": self.fibres, "SLOTS": len(self.slots), "ENTRIES": len(self.entries)}
+        head = _constants(self.rule, sizes | {"SCRATCH": self.template.scratch[0]})
+        tables = [c_array("int", name, list(map(str, numbers))) for name, numbers in self.columns.items()]
+        model = self._model(map(str, self.sizes.values()), self.columns)
+        return _joined([_HEAD, *head, self.template.functions, "\n".join([*tables, "", model])])
+
+    @cached_property
+    def of_any_fibres(self) -> str:
+        """The same C file for any number of fibres, which a run is given with what depends on it."""
+        functions, empty = self.template.functions, self._model("0" * len(self.sizes), "0" * len(self.columns))
+        return _joined([_HEAD, *self._given(self.template.scratch), functions, empty])
+
+    @cached_property
+    def observables(self) -> str:
+        """The C file of what a run stores, likewise."""
+        head = f"#include <stddef.h>\n{_HEAD}"
+        return _joined([head, *self._given(self.template.scratch_shown), self.template.observables])
+
+    def _given(self, scratch: tuple[int, int]) -> list[str]:
+        """Numbers of fibres, and where they are, as what a run is given; nothing without fibres."""
+        if self.rule is None:
+            return []
+        lines = ["#define FIBRES (filament->fibres)", f"#define SCRATCH {scratch[0]}"]
+        for size, names in (
+            ("SLOTS", [slot.name for slot in self.template.signature.slots]),
+            ("ENTRIES", [row + column for row, column, _ in self.template.entries]),
+        ):
+            each = sum(PER_FIBRE in name for name in names)
+            lines.append(f"#define {size} ({len(names) - each} + {each} * FIBRES)")
+        lines += [f"#define fibre_{name} (filament->points + {k} * FIBRES)" for k, name in enumerate(self.rule.tables)]
+        return ["\n".join(lines)]
+
+    def _model(self, sizes: Iterable[str], columns: Iterable[str]) -> str:
+        moves, powers = self.template.moves, self.template.powers
+        functions = ["rates", "jacobian", *(["work", "work_slope"] if powers else ["0", "0"])]
+        functions += ["rates_in_time" if moves else "0", "work_in_time" if moves and powers else "0"]
+        rows = "".join(f"    {', '.join(row)},\n" for row in (sizes, columns, functions))
+        return f"const softcat_model softcat_filament_model = {{\n{rows}}};"
 
     @property
     def slots(self) -> tuple[Slot, ...]:
@@ -77,19 +156,20 @@ class Template:
             for k in range(count if PER_FIBRE in name else 1)
         }
         # As they are numbered at a site: what each fibre has comes last.
-        entries = [
+        entries = tuple(
             (row.replace(PER_FIBRE, str(k)), column.replace(PER_FIBRE, str(k)), distance)
             for row, column, distance in sorted(self.entries, key=lambda entry: PER_FIBRE in entry[0] + entry[1])
             for k in range(count if PER_FIBRE in row + column else 1)
-        ]
-        each, each_shown = (one[0] + count * one[1] for one in (self.scratch, self.scratch_shown))
-        sizes = {"FIBRES": count, "SLOTS": len(slots), "ENTRIES": len(entries), "SCRATCH": self.scratch[0]}
-        shown_sizes = {"FIBRES": count, "SLOTS": len(slots), "SCRATCH": self.scratch_shown[0]}
-        parts = [_HEAD, *_constants(rule, sizes), self.functions, _tables(self, slots, entries, each)]
-        shown_parts = [f"#include <stddef.h>\n{_HEAD}", *_constants(rule, shown_sizes), self.observables]
-        signature = replace(of, slots=slots, shown=shown, profiles=profiles)
-        text, observables = ("\n\n".join(one) + "\n" for one in (parts, shown_parts))
-        return Model(text, observables, signature, self.powers, tuple(entries), each_shown)
+        )
+        return Model(self, rule, replace(of, slots=slots, shown=shown, profiles=profiles), self.powers, entries)
+
+
+def _per_site(scratch: tuple[int, int], fibres: int) -> int:
+    return scratch[0] + fibres * scratch[1]
+
+
+def _joined(parts: Sequence[str]) -> str:
+    return "\n\n".join(parts) + "\n"
 
 
 def _of_fibres(named: Sequence[Names], count: int) -> tuple[Names, ...]:
@@ -111,36 +191,11 @@ def _constants(rule: SectionRule | PointRule | None, sizes: Mapping[str, int]) -
     """Numbers of what a site has, and where the fibres are; nothing without fibres."""
     if rule is None:
         return []
-    tables = [c_array("double", name, [number(float(one)) for one in values]) for name, values in rule.tables.items()]
-    return ["\n".join([*(f"#define {name} {size}" for name, size in sizes.items()), "", rule.heading, *tables])]
-
-
-def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[str, str, int]], scratch: int) -> str:
-    place = {slot.name: k for k, slot in enumerate(slots)}
-    columns = {
-        "rate": [place[s.rate] if s.rate else -1 for s in slots],
-        "differential": [int(s.differential) for s in slots],
-        "held_first": [int(s.where.first > 0) for s in slots],
-        "held_last": [int(s.where.behind > 0) for s in slots],
-        "row": [place[row] for row, _, _ in entries],
-        "offset": [distance for _, _, distance in entries],
-        "column": [place[column] for _, column, _ in entries],
-    }
-    lines = [c_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
-    sections, powers = sum(s.section for s in slots), len(template.powers)
-    given = len(template.signature.parameters), len(template.signature.places)
-    sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
-    functions = ["rates", "jacobian", *(["work", "work_slope"] if powers else ["0", "0"])]
-    functions += ["rates_in_time" if template.moves else "0", "work_in_time" if template.moves and powers else "0"]
-    lines += [
-        "",
-        "const softcat_model softcat_filament_model = {",
-        f"    {', '.join(map(str, sizes))},",
-        "    rate, differential, held_first, held_last, row, offset, column,",
-        f"    {', '.join(functions)},",
-        "};",
+    tables = [
+        c_array("double", f"fibre_{name}", [number(float(one)) for one in values])
+        for name, values in rule.tables.items()
     ]
-    return "\n".join(lines)
+    return ["\n".join([*(f"#define {name} {size}" for name, size in sizes.items()), "", rule.heading, *tables])]
 
 
 @lru_cache(maxsize=128)

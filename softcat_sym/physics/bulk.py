@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.laws import bingham_rate
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, E, enter, eta, sigma, sigma_Y
 
@@ -174,7 +174,7 @@ def _equations() -> tuple[Equation, ...]:
     )
 
 
-BULK_EQUATIONS: tuple[Equation, ...] = _equations()
+BULK_EQUATIONS = Equations(_equations)
 
 _PLANE = ("11", "12", "21", "22")
 
@@ -350,4 +350,4 @@ def _step_equations() -> tuple[Equation, ...]:
     )
 
 
-BULK_STEP_EQUATIONS: tuple[Equation, ...] = _step_equations()
+BULK_STEP_EQUATIONS = Equations(_step_equations)

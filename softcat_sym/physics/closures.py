@@ -9,7 +9,7 @@ from typing import cast
 
 import sympy as sp
 
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.kinematics import StrainMeasure
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
 from softcat_sym.physics.symbols import (
@@ -209,16 +209,20 @@ def _evolution(section: Section, contraction: Contraction, order: int) -> tuple[
     )
 
 
-THROUGH_THICKNESS_EQUATIONS: tuple[Equation, ...] = (
-    Equation("stress of a fibre", sigma, fibre_stress(RECTANGLE, UNIFORM, amplitudes), "2.6, 2.8"),
-    Equation("stress of a fibre of a sheet", sigma, fibre_stress(SHEET, WIDE, amplitudes), "2.6, 2.8"),
-    Equation("stress of a fibre of a round filament", sigma, fibre_stress(CIRCLE, UNIFORM, amplitudes), "2.6, 2.8"),
-    Equation("axial force", Q, conjugate_force(UNIFORM), "THEORY 4"),
-    Equation("axial force of a sheet", Q, conjugate_force(WIDE), "THEORY 4"),
-    *_evolution(RECTANGLE, UNIFORM, 3),
-    *_evolution(SHEET, WIDE, 3),
-    *_evolution(CIRCLE, UNIFORM, 3),
-)
+def _through_thickness_equations() -> tuple[Equation, ...]:
+    return (
+        Equation("stress of a fibre", sigma, fibre_stress(RECTANGLE, UNIFORM, amplitudes), "2.6, 2.8"),
+        Equation("stress of a fibre of a sheet", sigma, fibre_stress(SHEET, WIDE, amplitudes), "2.6, 2.8"),
+        Equation("stress of a fibre of a round filament", sigma, fibre_stress(CIRCLE, UNIFORM, amplitudes), "2.6, 2.8"),
+        Equation("axial force", Q, conjugate_force(UNIFORM), "THEORY 4"),
+        Equation("axial force of a sheet", Q, conjugate_force(WIDE), "THEORY 4"),
+        *_evolution(RECTANGLE, UNIFORM, 3),
+        *_evolution(SHEET, WIDE, 3),
+        *_evolution(CIRCLE, UNIFORM, 3),
+    )
+
+
+THROUGH_THICKNESS_EQUATIONS = Equations(_through_thickness_equations)
 
 h = enter("h", "h", LENGTH, "thickness of the section", "2.26", positive=True)
 D = enter("D", "D", LENGTH, "width of the section", "2.26", positive=True)
@@ -286,23 +290,27 @@ def coefficient_rate(order: int, states: Sequence[sp.Expr]) -> sp.Expr:
     return sp.Integral(flow_rule(stress) * scaled_legendre(order), (z, -h / 2, h / 2))
 
 
-PAPER_SECTION_EQUATIONS: tuple[Equation, ...] = (
-    Equation("strain of a fibre, as printed", printed_fibre_strain, PRINTED_STRAIN, "2.6"),
-    Equation("area", A, A0 / s, "2.9"),
-    Equation("thickness", h, h0 / sp.sqrt(s), "2.9"),
-    Equation("second moment of area of a rectangle", I_z, A0 * h0**2 / (12 * s**2), "2.9"),
-    Equation("tension", T, TENSION, "2.11"),
-    Equation("moment", M, MOMENT, "2.11"),
-    Equation("plastic stretch of a Maxwell fluid", sp.Derivative(plastic_stretch, t), T / eta, "2.12"),
-    Equation("plastic bend of a Maxwell fluid", sp.Derivative(plastic_bend, t), M / eta, "2.12"),
-    Equation("tension of a linear stress", T, sigma_0 * A, "2.23"),
-    Equation("moment of a linear stress", M, stress_slope * I_z, "2.23"),
-    Equation("stress of a fibre", sigma, STRESS_FIELD, "2.23"),
-    Equation("Bingham-Norton flow rule", flow_rule(sigma), bingham_rate(), "2.25"),
-    Equation("plastic stretch", sp.Derivative(plastic_stretch, t), plastic_stretch_rate(), "2.26"),
-    Equation("plastic bend", sp.Derivative(plastic_bend, t), plastic_bend_rate(), "2.27"),
-    *(
-        Equation(f"coefficient {n}", sp.Derivative(a, t), coefficient_rate(n, coefficients), "A 2, as printed")
-        for n, a in enumerate(coefficients)
-    ),
-)
+def _paper_section_equations() -> tuple[Equation, ...]:
+    return (
+        Equation("strain of a fibre, as printed", printed_fibre_strain, PRINTED_STRAIN, "2.6"),
+        Equation("area", A, A0 / s, "2.9"),
+        Equation("thickness", h, h0 / sp.sqrt(s), "2.9"),
+        Equation("second moment of area of a rectangle", I_z, A0 * h0**2 / (12 * s**2), "2.9"),
+        Equation("tension", T, TENSION, "2.11"),
+        Equation("moment", M, MOMENT, "2.11"),
+        Equation("plastic stretch of a Maxwell fluid", sp.Derivative(plastic_stretch, t), T / eta, "2.12"),
+        Equation("plastic bend of a Maxwell fluid", sp.Derivative(plastic_bend, t), M / eta, "2.12"),
+        Equation("tension of a linear stress", T, sigma_0 * A, "2.23"),
+        Equation("moment of a linear stress", M, stress_slope * I_z, "2.23"),
+        Equation("stress of a fibre", sigma, STRESS_FIELD, "2.23"),
+        Equation("Bingham-Norton flow rule", flow_rule(sigma), bingham_rate(), "2.25"),
+        Equation("plastic stretch", sp.Derivative(plastic_stretch, t), plastic_stretch_rate(), "2.26"),
+        Equation("plastic bend", sp.Derivative(plastic_bend, t), plastic_bend_rate(), "2.27"),
+        *(
+            Equation(f"coefficient {n}", sp.Derivative(a, t), coefficient_rate(n, coefficients), "A 2, as printed")
+            for n, a in enumerate(coefficients)
+        ),
+    )
+
+
+PAPER_SECTION_EQUATIONS = Equations(_paper_section_equations)

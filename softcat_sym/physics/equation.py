@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -29,6 +32,23 @@ class Equation:
     def residual(self) -> sp.Expr:
         """Left side minus right side, zero where the equation holds."""
         return self.left - self.right
+
+
+class Equations(Sequence[Equation]):
+    """Equations that are derived when first looked at: SymPy takes its time, and a run needs none of them."""
+
+    def __init__(self, derive: Callable[[], Iterable[Equation]]) -> None:
+        self._derive = derive
+
+    @cached_property
+    def _all(self) -> tuple[Equation, ...]:
+        return tuple(self._derive())
+
+    def __getitem__(self, at: Any) -> Any:
+        return self._all[at]
+
+    def __len__(self) -> int:
+        return len(self._all)
 
 
 class Mean(sp.Function):  # type: ignore[misc]  # SymPy has no types
@@ -108,12 +128,12 @@ def _spelled(name: str) -> str:
     return name.removeprefix("custom_").replace("_", r"\_")
 
 
-def all_equations() -> dict[str, tuple[Equation, ...]]:
+def all_equations() -> dict[str, Sequence[Equation]]:
     """The ``EQUATIONS`` and ``..._EQUATIONS`` of every module of :mod:`softcat_sym.physics`, by module and name.
 
     Importing them all also completes the table of symbols.
     """
-    found: dict[str, tuple[Equation, ...]] = {}
+    found: dict[str, Sequence[Equation]] = {}
     for info in pkgutil.iter_modules(softcat_sym.physics.__path__):
         module = importlib.import_module(f"{softcat_sym.physics.__name__}.{info.name}")
         for name, equations in vars(module).items():

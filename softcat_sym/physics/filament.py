@@ -181,7 +181,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         neck=NECKS[shape.name] if terms.necking_gradient else None,
         surface=SURFACES[shape.name] if terms.surface_tension else None,
         force=internal_force(centreline, bending=terms.bending, stretches=terms.stretches),
-        exchange=lateral_area(shape, thins=terms.thins),
+        exchange=sp.S.Zero if terms.heat is None else lateral_area(shape, thins=terms.thins),
     )
 
 

@@ -8,7 +8,7 @@ from functools import cache
 import sympy as sp
 
 from softcat_sym.physics import sections
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.kinematics import axial_force
 from softcat_sym.physics.kinematics import stretch as stretch_field
 from softcat_sym.physics.necking import aspect, s_slope, tension
@@ -144,4 +144,4 @@ def _equation(surface: Surface) -> Equation:
     return Equation(name, axial_force, tension + pull, "Eggers & Dupont 1994")
 
 
-SURFACE_EQUATIONS: tuple[Equation, ...] = tuple(map(_equation, SURFACES.values()))
+SURFACE_EQUATIONS = Equations(lambda: map(_equation, SURFACES.values()))

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.physics import sections
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.kinematics import axial_force, stretch
 from softcat_sym.physics.laws import bingham_rate
 from softcat_sym.physics.symbols import FORCE, ONE, PER_LENGTH, RATE, T, X, enter, enter_field, h0, s, sigma, t
@@ -110,4 +110,4 @@ def _equations(neck: Neck) -> tuple[Equation, ...]:
     )
 
 
-EQUATIONS: tuple[Equation, ...] = tuple(equation for neck in NECKS.values() for equation in _equations(neck))
+EQUATIONS = Equations(lambda: (equation for neck in NECKS.values() for equation in _equations(neck)))

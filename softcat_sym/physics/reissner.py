@@ -8,7 +8,7 @@ import sympy as sp
 
 from softcat_sym.physics import backstress, kinematics
 from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
-from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.equation import Equation, Equations
 from softcat_sym.physics.kinematics import mass_per_length
 from softcat_sym.physics.laws import Branch, Law, bingham_rate
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
@@ -179,14 +179,18 @@ def fibre_spring(
     """
     carried = sp.exp(-carry * eps_e) if shear else sp.S.One
     lengthened = eps_e + gamma_e**2 / 4 if shear else eps_e
-    stored = modulus * lengthened**2 / 2 + shearing * gamma_e**2 / 2
-    along = modulus * sp.expand(sp.diff(stored, eps_e) / modulus)
+    drawn, sheared = modulus * lengthened**2 / 2, shearing * gamma_e**2 / 2
+    along = modulus * sp.expand(sp.diff(drawn, eps_e) / modulus)
     # What the shear stress has of the axial one, as a multiple of it.
     share = sp.diff(lengthened, gamma_e)
     return FibreSpring(
         elastic=(eps - relaxed - eps_p, gamma - gamma_p * carried),
-        stored=stored,
-        stress=(along, sp.simplify(sp.diff(stored, gamma_e) - share * along) + share * sigma),
+        stored=drawn + sheared,
+        # Expanded nothing is left of the first: to simplify the whole takes a quarter of a second.
+        stress=(
+            along,
+            sp.expand(sp.diff(drawn, gamma_e) - share * along) + sp.factor(sp.diff(sheared, gamma_e)) + share * sigma,
+        ),
         conjugate=sigma + carry * gamma_p * tau_d if shear else sigma,
         driving=carried * tau_f,
     )
@@ -360,7 +364,7 @@ def _cell_equations() -> tuple[Equation, ...]:
 
 
 BALANCE: tuple[Equation, ...] = _balance()
-EQUATIONS: tuple[Equation, ...] = (*_cell_equations(), *BALANCE)
+EQUATIONS = Equations(lambda: (*_cell_equations(), *BALANCE))
 
 SHEAR_CORRECTION: dict[str, sp.Rational] = {
     "rectangle": RECTANGLE_SHEAR,

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from softcat_sym.codegen.compiler import beside
-from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
+from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
@@ -33,7 +33,7 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
-_RUNTIME, _SHOWN = OPTIMISED, ("-O2",)
+_SHOWN = ("-O2",)
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 _OUTCOMES = {
@@ -52,7 +52,24 @@ _MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs
 class Filament(ct.Structure):
     """softcat_filament."""
 
-    _fields_ = (("sites", ct.c_int), ("parameters", Doubles), ("places", Doubles))
+    _fields_ = (
+        ("sites", ct.c_int),
+        ("parameters", Doubles),
+        ("places", Doubles),
+        ("fibres", ct.c_int),
+        ("points", Doubles),
+    )
+
+
+class Physics(ct.Structure):
+    """softcat_model."""
+
+    _fields_ = (
+        *((name, ct.c_int) for name in ("slots", "sections", "parameters", "places", "scratch", "entries")),
+        *((name, ct.c_int) for name in ("powers", "moves_in_time")),
+        *((name, Integers) for name in ("rate", "differential", "held_first", "held_last", "row", "offset", "column")),
+        *((name, ct.c_void_p) for name in ("rates", "jacobian", "work", "work_slope", "rates_in_time", "work_in_time")),
+    )
 
 
 class Options(ct.Structure):
@@ -153,15 +170,27 @@ class CModel:
             self.model = model()
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
-            self._library = load(self._compiled("filament.c", self.model.text, SOON), _MODEL)
+            self._library = load(self._compiled("filament.c", self.model.of_any_fibres, SOON), _MODEL)
         self._lock = threading.Lock()
         self._runtime = _runtime()
-        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
+        # The library has the functions, for any number of fibres; what depends on it is given.
+        self._physics = Physics.from_buffer_copy(Physics.in_dll(self._library, _MODEL))
+        self._columns = {name: np.array(values, dtype=np.intc) for name, values in self.model.columns.items()}
+        for name, size in self.model.sizes.items():
+            setattr(self._physics, name, size)
+        for name, column in self._columns.items():
+            setattr(self._physics, name, column.ctypes.data_as(Integers))
+        rule = self.model.rule
+        self._points = np.concatenate(list(rule.tables.values())) if rule else None
+        self._address = ct.c_void_p(ct.addressof(self._physics))
 
     @staticmethod
     def _compiled(name: str, text: str, flags: tuple[str, ...]) -> Path:
         header = "softcat_model.h"
         return compile_library({name: text, header: runtime_sources()[header]}, flags=flags, versions=_VERSIONS)
+
+    def _filament(self, sites: int, parameters: Floats, places: Floats) -> Filament:
+        return Filament(sites, doubles(parameters), doubles(places), self.model.fibres, doubles(self._points))
 
     @cached_property
     def _observe(self) -> Any:
@@ -200,7 +229,7 @@ class CModel:
             function = self._observe
         sites, rows = len(places), len(self.model.signature.shown)
         out, scratch = np.zeros((len(times), rows, sites)), np.empty(self.model.scratch * sites)
-        filament = Filament(sites, doubles(parameters), doubles(places))
+        filament = self._filament(sites, parameters, places)
         given = [np.ascontiguousarray(part) for part in (times, states)]
         function(ct.byref(filament), len(times), *map(doubles, (*given, out, scratch)))
         fields, points = dict[str, Floats](), dict[str, Floats]()
@@ -256,7 +285,7 @@ class CModel:
     def consistent(self, run: RunInput, status: Status) -> Floats:
         """The state that a run begins with, its algebraic unknowns in balance."""
         state, absolute = run.state.copy(), np.full(run.state.shape[1], run.absolute)
-        filament = Filament(len(state), doubles(run.parameters), doubles(run.places))
+        filament = self._filament(len(state), run.parameters, run.places)
         options = Options(relative=run.relative, absolute=doubles(absolute), method=run.method)
         found = [ct.byref(part) for part in (filament, options)]
         self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
@@ -273,7 +302,7 @@ class CModel:
     ) -> None:
         sites, slots = run.state.shape
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
-        filament = Filament(sites, doubles(run.parameters), doubles(run.places))
+        filament = self._filament(sites, run.parameters, run.places)
         options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
         options.work_absolute, options.method, options.largest_step = run.work_absolute, run.method, run.max_step
         if len(run.kinks):
@@ -307,7 +336,11 @@ def runtime_sources() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
-    library = load(compile_library(runtime_sources(), flags=_RUNTIME), "softcat_sensitivities", "softcat_message")
+    sources = runtime_sources()
+    # One text that includes all: the compiler starts once.
+    whole = {"softcat_runtime.c": "".join(f'#include "{name}"\n' for name in sources if name.endswith(".c"))}
+    path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
+    library = load(path, "softcat_sensitivities", "softcat_message")
     setup: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
     results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]

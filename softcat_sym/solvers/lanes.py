@@ -10,7 +10,7 @@ import numpy as np
 
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.lanes import SYMBOL, lanes_sources, lanes_text
-from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
+from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import (
     SOLVED,
@@ -29,7 +29,7 @@ from softcat_sym.solvers.compiled import (
 # The binary stays on this machine. Sums and products become one operation where the processor has it.
 _NATIVE = ("-march=native", "-ffp-contract=fast", "-Wno-psabi")
 _MODEL = (*SOON, *_NATIVE)
-_RUNTIME = ("-O2", *OPTIMISED[1:], *_NATIVE)
+_RUNTIME = (*STEADY, *_NATIVE)
 _INTEGRATE = "softcat_lanes_integrate"
 
 

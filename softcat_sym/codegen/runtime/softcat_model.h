@@ -28,6 +28,10 @@ typedef struct softcat_filament {
     int sites;
     const double *parameters; /* [model->parameters] */
     const double *places;     /* [sites * model->places] geometry of each site */
+    /* Looked at only by code that serves any number of fibres: how many points a section has, and
+     * [tables * fibres] where they are. */
+    int fibres;
+    const double *points;
 } softcat_filament;
 
 /* The physics, M y' = f(t, y) with M diagonal, ones and zeros. Every function returns

@@ -16,7 +16,7 @@ static double *doubles(size_t count)
 }
 
 /* Slots that the plan speaks of, and entries inside the site's unknowns. */
-static int contradictory(const softcat_model *model, int sites)
+static int contradictory_model(const softcat_model *model, int sites)
 {
     if (sites < 1 || model->slots < 1) return 1;
     if (model->sections < 0 || model->sections > model->slots) return 1;
@@ -256,7 +256,7 @@ int softcat_plan_make(softcat_linear *linear)
 {
     const softcat_model *model = linear->model;
     int lower = 0, upper = 0;
-    if (contradictory(model, linear->sites)) return SOFTCAT_ARGUMENT;
+    if (contradictory_model(model, linear->sites)) return SOFTCAT_ARGUMENT;
     linear->slots = model->slots;
     linear->kept = model->slots - model->sections;
     linear->padded = softcat_fours(model->sections);

@@ -9,8 +9,9 @@
 /* Steps are chosen after Hairer & Wanner (1996), section IV.8, and Gustafsson (1994). */
 static const double safety = 0.9, most_growth = 6.0, most_shrinking = 0.2;
 
-static int contradictory(const softcat_model *model, const softcat_options *options,
-                         const double *times, int count, const softcat_directions *directions)
+static int contradictory_options(const softcat_model *model, const softcat_options *options,
+                                 const double *times, int count,
+                                 const softcat_directions *directions)
 {
     if (!(options->work_absolute >= 0.0)) return 1;
     if (count < 1 || !(options->relative > 0.0) || !softcat_method_of(options->method)) return 1;
@@ -220,7 +221,7 @@ int softcat_sensitivities(const softcat_model *model, const softcat_filament *fi
 {
     memset(status, 0, sizeof *status);
     status->worst_site = status->worst_slot = -1;
-    if (contradictory(model, options, times, count, directions))
+    if (contradictory_options(model, options, times, count, directions))
         return status->code = SOFTCAT_ARGUMENT;
     softcat_run r = {.model = model, .options = options, .status = status};
     r.outputs.times = times;

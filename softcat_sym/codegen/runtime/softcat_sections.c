@@ -55,8 +55,8 @@ static int invert(double *block, int size, int *order)
 }
 
 /* out = (W_ss)^-1 in, for one vector of section states. */
-static void apply(const softcat_linear *linear, const double *inverse, const double *in,
-                  double *out)
+static void apply_blocks(const softcat_linear *linear, const double *inverse, const double *in,
+                         double *out)
 {
     for (int b = 0; b < linear->block_count; b++) {
         int first = linear->block[b].first, size = linear->block[b].size;
@@ -112,7 +112,7 @@ int softcat_sections_eliminate(softcat_linear *linear, int site, const double *e
         if (code) return code;
     }
     for (size_t c = 0; c < wide; c += padded)
-        apply(linear, blocks, linear->coupling + c, answers + c);
+        apply_blocks(linear, blocks, linear->coupling + c, answers + c);
     return SOFTCAT_SOLVED;
 }
 
@@ -143,8 +143,8 @@ void softcat_sections_first(const softcat_linear *linear, double *k)
         for (int s = 0; s < sections; s++) linear->gathered[s] = here[linear->section_slot[s]];
         softcat_subtract(linear->gathered, drag, padded, x, columns);
         drag += columns * padded;
-        apply(linear, linear->blocks + (size_t)site * (size_t)linear->block_doubles,
-              linear->gathered, linear->solved);
+        apply_blocks(linear, linear->blocks + (size_t)site * (size_t)linear->block_doubles,
+                     linear->gathered, linear->solved);
         for (int s = 0; s < sections; s++) here[linear->section_slot[s]] = linear->solved[s];
         for (int g = 0; g < linear->group_count; g++) {
             const softcat_group *group = linear->group + g;
