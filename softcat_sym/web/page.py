@@ -41,7 +41,7 @@ def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) ->
     # In a function of its own, the page's names do not meet the model's.
     script = f"\n(() => {{\n{_read('drawing.js')}{_read('page.js')}}})();\n"
     parts = {
-        "TITLE": escape(" ".join(str(data["title"]).split()) or str(data["name"])),
+        "TITLE": escape(" ".join(str(data["title"] or "").split()) or str(data["name"])),
         "STYLE": _read("common.css") + _read("page.css"),
         "DATA": inlined(data),
         # Without a time in it, the same page at every writing.

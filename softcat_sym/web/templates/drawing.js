@@ -141,11 +141,12 @@ function drawMidpoints(canvas, curves, { end, now, seconds = true, empty = "no m
   const heights = ticksOf(low, high, 5), labels = heights.map((h) => significant(h / tall[0], 3));
   const left = 14 + Math.max(...labels.map((label) => pen.measureText(label).width)), right = width - 14, top = 24, bottom = height - 32;
   const px = (t) => left + (t / end) * (right - left), py = (h) => bottom - ((h - low) / (high - low)) * (bottom - top);
-  pen.lineWidth = 1; pen.strokeStyle = styleOf("--faint"); pen.fillStyle = styleOf("--quiet");
+  pen.lineWidth = 1; pen.strokeStyle = pen.fillStyle = styleOf("--quiet"); pen.setLineDash([1, 4]);
   heights.forEach((h, k) => {
-    pen.beginPath(); pen.moveTo(left - 4, py(h)); pen.lineTo(right, py(h)); pen.stroke();
+    pen.beginPath(); pen.moveTo(left, py(h)); pen.lineTo(right, py(h)); pen.stroke();
     pen.textAlign = "right"; pen.fillText(labels[k], left - 7, py(h) + 4);
   });
+  pen.setLineDash([]);
   ticksOf(0, end, Math.max(2, Math.min(6, (right - left) / 60))).forEach((t) => {
     pen.beginPath(); pen.moveTo(px(t), bottom); pen.lineTo(px(t), bottom + 4); pen.stroke();
     pen.textAlign = "center"; pen.fillText(significant(t / long[0], 3), px(t), bottom + 15);

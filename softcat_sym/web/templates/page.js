@@ -2,13 +2,14 @@
 const byId = (id) => document.getElementById(id), main = document.querySelector("main");
 const data = JSON.parse(byId("data").textContent);
 const LONGEST = 5000; // ms after which a run is stopped
-const SHORT = 30; // ms that an older preview may take before it is dropped
 const IDLE = 150; // ms without a move until the full resolution is asked for
 
 let state, version = 0, shown = null;
 
 // ---- Runs: one worker computes, another stands ready, so that a run can be dropped at once. ----
-const runs = { running: null, queued: null, stopped: -1, timer: 0 };
+// While a slider moves, previews of where it was on the way end and are shown with their values; nothing else that is
+// older than the sliders is ever shown.
+const runs = { running: null, wanted: [], inFull: -1, moving: false, timer: 0, idle: 0 };
 let compiled, address, worker, spare;
 
 function spawn() {
@@ -24,64 +25,81 @@ function drop() {
   worker.terminate();
   [worker, spare] = [spare, spawn()];
 }
-function begin(job) {
-  runs.running = { ...job, begun: performance.now() };
-  runs.timer = setTimeout(() => overdue(job), LONGEST);
-  worker.postMessage({ number: job.version, state: job.state, resolution: data[job.kind] });
+function next() {
+  if (runs.running || !runs.wanted.length) return;
+  const job = (runs.running = { kind: runs.wanted.shift(), version, state: structuredClone(state) });
+  runs.timer = setTimeout(overdue, LONGEST);
+  worker.postMessage({ state: job.state, resolution: data[job.kind] });
 }
-// A run of the state as it is now. One of an older state is dropped, unless it is a preview that ends about now.
-function ask(kind) {
-  const job = { kind, version, state: structuredClone(state) }, { running } = runs;
-  const ends = running && running.kind === "preview" && kind === "preview" && performance.now() - running.begun < SHORT;
-  if (running && running.version !== version && !ends) drop();
-  runs.queued = runs.running && job;
-  if (!runs.running) begin(job);
-}
-function answered(answer) {
-  const job = runs.running, next = runs.queued;
+function answered({ run, error }) {
+  const job = runs.running;
+  if (!job) return;
   clearTimeout(runs.timer);
-  runs.running = runs.queued = null;
-  if (answer.error) drop();
-  if (next) begin(next);
-  if (!job || job.version !== version) return;
-  if (answer.error) { show(null); tell(["The program failed with these values.", answer.error, "Move a slider back, or reset."]); return; }
-  show({ ...answer.run, kind: job.kind });
+  runs.running = null;
+  if (error) drop();
+  if (job.version === version && error) {
+    runs.wanted = [];
+    show(null);
+    tell(["The program failed with these values.", error, "Move a slider back, or reset."]);
+  } else if (!error && (job.version === version || runs.moving)) show({ ...run, ...job });
+  next();
 }
-function overdue(job) {
-  const next = runs.queued && runs.queued.version !== job.version ? runs.queued : null;
+function overdue() {
+  const job = runs.running;
   drop();
-  runs.queued = null;
-  if (next) { begin(next); return; }
-  runs.stopped = job.version;
-  if (!shown || shown.version !== version) show(null);
-  main.classList.remove("behind");
-  tell([
-    `The run was stopped after ${LONGEST / 1000} s without an end: move a slider back, or copy as scene.toml and let softcat run take its time.`,
-    ...(shown ? ["The preview of it is shown."] : []),
-  ]);
+  if (job.version === version) {
+    [runs.wanted, runs.inFull] = [[], version];
+    if (shown && shown.version !== version) show(null);
+    tell([
+      `The run was stopped after ${LONGEST / 1000} s without an end: move a slider back, or copy as scene.toml and let softcat run take its time.`,
+      ...(shown ? ["What is shown is its preview."] : []),
+    ]);
+  }
+  next();
 }
 
-let idle = 0;
-function changed() {
+function changed(moving) {
   version += 1;
-  main.classList.add("behind");
-  main.dataset.shown = "";
+  runs.moving = moving;
+  runs.wanted = data.preview ? ["preview"] : [];
+  if (runs.running && !(moving && runs.running.kind === "preview")) drop();
   sliders.forEach(writeSlider);
-  if (data.preview) ask("preview");
-  clearTimeout(idle);
-  idle = setTimeout(settled, IDLE);
+  clearTimeout(runs.idle);
+  if (moving) runs.idle = setTimeout(settled, IDLE); else settled();
+  mark();
+  next();
 }
+// Let go, or left alone.
 function settled() {
-  clearTimeout(idle);
-  const at = (job) => job && job.version === version && job.kind === "resolution";
-  if (at(runs.running) || at(runs.queued) || (shown && shown.version === version && shown.kind === "resolution") || runs.stopped === version) return;
-  ask("resolution");
+  clearTimeout(runs.idle);
+  runs.moving = false;
+  if (runs.running && runs.running.version !== version) drop();
+  if (runs.inFull !== version) runs.wanted.push("resolution");
+  runs.inFull = version;
+  mark();
+  next();
+}
+// Says of what is shown whether it is of the sliders as they stand.
+function mark() {
+  const old = shown !== null && shown.version !== version;
+  main.dataset.shown = old || !shown ? "" : shown.kind;
+  main.classList.toggle("behind", old && !runs.moving);
+  const where = old ? sliders.filter(({ spec: { key } }) => shown.state.values[key] !== state.values[key]).map((slider) => `${slider.spec.name} ${slider.text(shown.state)}`) : [];
+  byId("way").textContent = where.length ? `On the way, at ${where.join(", ")}` : "";
 }
 
 // ---- Parameters. ----
-const SPOKEN = { m: "metres", mm: "millimetres", "µm": "micrometres", um: "micrometres", s: "seconds", ms: "milliseconds", min: "minutes", Pa: "pascals",
-  kPa: "kilopascals", MPa: "megapascals", GPa: "gigapascals", "Pa*s": "pascal seconds", "Pa s": "pascal seconds", "kg/m^3": "kilograms per cubic metre",
-  "N/m": "newtons per metre", "mN/m": "millinewtons per metre", "m/s^2": "metres per second squared", deg: "degrees", "%": "percent" };
+const UNITS = { m: "metres", s: "seconds", min: "minutes", h: "hours", g: "grams", Pa: "pascals", N: "newtons", Hz: "hertz", rad: "radians", deg: "degrees", "%": "percent" };
+const PREFIXES = { G: "giga", M: "mega", k: "kilo", c: "centi", m: "milli", "µ": "micro", u: "micro", n: "nano" };
+// As a screen reader is to say it: kPa*s is "kilopascals seconds", kg/m^3 "kilograms per metre cubed".
+function spoken(unit) {
+  const one = (text) => {
+    const [name, power] = text.replace(/[()]/g, "").split("^"), whole = UNITS[name] || (PREFIXES[name[0]] && UNITS[name.slice(1)] && PREFIXES[name[0]] + UNITS[name.slice(1)]);
+    return name === "1" ? "" : `${whole || name}${power ? ({ 2: " squared", 3: " cubed" }[power] || ` to the ${power}`) : ""}`;
+  };
+  const [above, ...below] = unit.split("/").map((part) => part.split("*").map(one).join(" "));
+  return [above, ...below.map((part) => `per ${part.replace(/s\b/, "")}`)].join(" ").trim();
+}
 const SUPERSCRIPTS = { 2: "²", 3: "³", 4: "⁴" };
 const written = (unit) => unit.replace(/\^([234])/g, (_, digit) => SUPERSCRIPTS[digit]).replace(/\*/g, " ");
 
@@ -98,30 +116,31 @@ const sliders = data.sliders.map((spec, k) => {
   name.htmlFor = handle.id;
   handle.dataset.key = field.dataset.key = spec.key;
   row.title = `${spec.key}, ${range}`;
-  field.setAttribute("aria-label", `${spec.name}${unit && ` in ${SPOKEN[spec.unit] || unit}`}, ${range}`);
+  field.setAttribute("aria-label", `${spec.name}${unit && ` in ${spoken(spec.unit)}`}, ${range}`);
   field.setAttribute("aria-describedby", wrong.id);
   head.append(name, output);
   body.append(handle, field, element("span", unit, "unit"));
   row.append(head, body, wrong);
   byId("sliders").append(row);
-  const slider = { spec, unit, handle, field, output, wrong, share: (u) => (measure(u) - low) / (high - low) };
-  const accept = (u) => {
+  const text = ({ values }) => `${significant(values[spec.key] / spec.si)} ${unit}`.trim();
+  const slider = { spec, unit, handle, field, output, wrong, text, share: (u) => (measure(u) - low) / (high - low) };
+  const accept = (u, moving) => {
     state.values[spec.key] = Number((u * spec.si).toPrecision(12));
     refuse(slider, "");
-    changed();
+    changed(moving);
   };
   handle.addEventListener("input", () => {
     const u = back(low + Number(handle.value) * (high - low));
-    slider.held = true;
-    accept(Math.max(spec.low, Math.min(spec.high, Number(u.toPrecision(3)))));
+    slider.held = true; // the handle stays where the hand has it, beside the rounded value
+    accept(Math.max(spec.low, Math.min(spec.high, Number(u.toPrecision(3)))), true);
     slider.held = false;
   });
-  handle.addEventListener("pointerup", () => settled());
+  handle.addEventListener("pointerup", settled);
   field.addEventListener("change", () => {
-    const text = field.value.trim(), u = Number(text.replace("−", "-"));
-    const why = text === "" || !Number.isFinite(u) ? `“${text}” is no number` : u < spec.low || u > spec.high ? `${text} ${unit} is beyond the slider` : "";
+    const given = field.value.trim(), u = Number(given.replace("−", "-"));
+    const why = given === "" || !Number.isFinite(u) ? `“${given}” is no number` : u < spec.low || u > spec.high ? `${given} ${unit} is beyond the slider` : "";
     if (why) refuse(slider, `${why}: ${spec.name} goes ${range}, and stays at ${output.textContent}.`);
-    else { accept(u); settled(); }
+    else accept(u, false);
   });
   return slider;
 });
@@ -129,11 +148,11 @@ function refuse({ field, wrong }, why) {
   field.setAttribute("aria-invalid", String(Boolean(why)));
   wrong.textContent = why;
 }
-function writeSlider({ spec, unit, handle, field, output, share, held }) {
-  const u = state.values[spec.key] / spec.si, text = `${significant(u)} ${unit}`.trim();
+function writeSlider({ spec, unit, handle, field, output, text, share, held }) {
+  const u = state.values[spec.key] / spec.si;
   if (!held) handle.value = share(u);
-  handle.setAttribute("aria-valuetext", `${significant(u)} ${SPOKEN[spec.unit] || unit}`.trim());
-  output.textContent = text;
+  handle.setAttribute("aria-valuetext", `${significant(u)} ${spoken(spec.unit)}`.trim());
+  output.textContent = text(state);
   if (field.getAttribute("aria-invalid") !== "true") field.value = String(Number(u.toPrecision(6)));
 }
 // Every slider has a value: what a link leaves out is the scene's own.
@@ -141,8 +160,7 @@ function take(next) {
   state = { scene: next.scene, values: { ...ownValues(next.scene), ...next.values } };
   byId("scene").value = String(state.scene);
   sliders.forEach((slider) => refuse(slider, ""));
-  changed();
-  settled();
+  changed(false);
 }
 function ownValues(scene) { return Object.fromEntries(data.sliders.map(({ key }) => [key, data.scenes[scene].keys[key]])); }
 
@@ -166,10 +184,11 @@ function rows(list, pairs) {
 }
 
 function show(run) {
-  shown = run && { ...run, version, end: run.time.length ? run.time[run.time.length - 1] : 0 };
-  main.dataset.shown = shown ? shown.kind : "";
-  main.classList.remove("behind");
+  shown = run && { ...run, end: run.time.length ? run.time[run.time.length - 1] : 0 };
+  mark();
   byId("csv").disabled = !shown;
+  if (shown && !clock.begun && !matchMedia("(prefers-reduced-motion: reduce)").matches) { clock.share = 0; setPlaying(true); }
+  clock.begun ||= shown !== null;
   if (shown) writeResults(); else { rows(byId("numbers"), []); byId("warnings").replaceChildren(); byId("resolution").textContent = ""; }
   draw();
 }
@@ -177,7 +196,7 @@ function show(run) {
 function writeResults() {
   const { verdict, midpoint, kind } = shown, full = kind === "resolution", last = midpoint.length ? midpoint[midpoint.length - 1] : NaN;
   const answer = verdict.is_success || verdict.outcome === "broken";
-  const duration = state.values["run.duration"] ?? data.scenes[state.scene].duration;
+  const { values, scene } = shown.state, duration = values["run.duration"] ?? data.scenes[scene].duration;
   const place = lengthText(Math.abs(last)) + (last > 0 ? " up" : "");
   const pairs = [["outcome", verdict.outcome]];
   if (Number.isFinite(last)) pairs.push(answer ? ["sag at the end", place] : ["reached", `midpoint ${place} when the run ended: no answer`]);
@@ -185,14 +204,13 @@ function writeResults() {
   if (verdict.regime) pairs.push(["regime", verdict.regime]);
   if (shown.reached < 0.999 * duration) pairs.push(["computed until", `${timeText(shown.reached)} of ${timeText(duration)}`]);
   rows(byId("numbers"), pairs);
-  const notes = data.notes.filter(({ key, above, below }) => {
-    const value = state.values[key];
-    return (typeof above === "number" && value > above) || (typeof below === "number" && value < below);
+  const beyond = sliders.flatMap((slider) => {
+    const value = values[slider.spec.key], words = data.notes.filter(({ key, above, below }) => key === slider.spec.key && ((typeof above === "number" && value >= above) || (typeof below === "number" && value <= below))).map((note) => note.words);
+    return words.length ? [`${slider.spec.name} ${slider.text(shown.state)}: ${words.join("; ")}`] : [];
   });
-  byId("warnings").replaceChildren(...[...verdict.warnings, ...notes.map(({ words }) => words)].map((words) => element("li", words)));
+  byId("warnings").replaceChildren(...[...verdict.warnings, ...beyond].map((words) => element("li", words)));
   const { cells, frames } = data[kind], half = data.half ? " a half span" : "";
-  byId("resolution").textContent =
-    `Shown: ${full ? "the full resolution" : "a preview"}, ${cells} cells${half}, ${frames} frames; computed in ${timeText(shown.milliseconds / 1000)}.`;
+  byId("resolution").textContent = `Shown: ${full ? "the full resolution" : "a preview"}, ${cells} cells${half}, ${frames} frames; computed in ${timeText(shown.milliseconds / 1000)}.`;
   // Whoever hears the page is told of what is let go, not of every move on the way.
   if (!full) { tell([]); return; }
   byId("said").textContent = pairs.map(([name, text]) => `${name} ${text}`).join("; ");
@@ -200,8 +218,6 @@ function writeResults() {
   if (verdict.is_success) tell([]);
   else tell(answer ? because : [`NOT TO BE TRUSTED (${verdict.outcome})`, ...because, `advice: ${verdict.advice || "none"}`]);
   history.replaceState(null, "", hash());
-  if (!clock.begun && !matchMedia("(prefers-reduced-motion: reduce)").matches) { clock.share = 0; setPlaying(true); }
-  clock.begun = true;
 }
 function hash() { return `#${linkOf(data, state).replace(/^#/, "")}`; }
 
