@@ -109,11 +109,14 @@ function drawStrip({ px, py }, pen, x, y, pixels, colourOf) {
     return [px(fineX[k]) - (rise / length) * half, py(fineY[k]) - (run / length) * half];
   });
   const upper = edge(1), lower = edge(-1);
-  for (let k = 0; k < last; k++) {
-    pen.fillStyle = pen.strokeStyle = colourOf(k); pen.lineWidth = 0.7;
+  // Pieces of one colour at once, and a piece beyond, over which the next ones are painted: no seams between them.
+  for (let start = 0, end; start < last; start = end) {
+    pen.fillStyle = colourOf(start);
+    for (end = start + 1; end < last && colourOf(end) === colourOf(start); end++);
     pen.beginPath();
-    pen.moveTo(...upper[k]); pen.lineTo(...upper[k + 1]); pen.lineTo(...lower[k + 1]); pen.lineTo(...lower[k]);
-    pen.closePath(); pen.fill(); pen.stroke();
+    for (let k = start; k <= Math.min(last, end + 1); k++) pen.lineTo(...upper[k]);
+    for (let k = Math.min(last, end + 1); k >= start; k--) pen.lineTo(...lower[k]);
+    pen.fill();
   }
   pen.strokeStyle = styleOf("--edge"); pen.lineWidth = 1;
   for (const side of [upper, lower]) { pen.beginPath(); side.forEach((point, k) => (k ? pen.lineTo(...point) : pen.moveTo(...point))); pen.stroke(); }

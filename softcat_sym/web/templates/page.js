@@ -1,7 +1,7 @@
 // The page: sliders ask for runs, a worker computes them, the newest is drawn; and the clock.
 const byId = (id) => document.getElementById(id), main = document.querySelector("main");
 const data = JSON.parse(byId("data").textContent);
-const LONGEST = 5000; // ms after which a run is stopped
+const LONGEST = { preview: 5, resolution: 20 }; // seconds after which a run is stopped
 const IDLE = 150; // ms without a move until the full resolution is asked for
 
 let state, version = 0, shown = null;
@@ -28,7 +28,7 @@ function drop() {
 function next() {
   if (runs.running || !runs.wanted.length) return;
   const job = (runs.running = { kind: runs.wanted.shift(), version, state: structuredClone(state) });
-  runs.timer = setTimeout(overdue, LONGEST);
+  runs.timer = setTimeout(overdue, 1000 * LONGEST[job.kind]);
   worker.postMessage({ state: job.state, resolution: data[job.kind] });
 }
 function answered({ run, error }) {
@@ -50,8 +50,9 @@ function overdue() {
   if (job.version === version) {
     [runs.wanted, runs.inFull] = [[], version];
     if (shown && shown.version !== version) show(null);
+    writeResolution();
     tell([
-      `The run was stopped after ${LONGEST / 1000} s without an end: move a slider back, or copy as scene.toml and let softcat run take its time.`,
+      `The run was stopped after ${LONGEST[job.kind]} s without an end: move a slider back, or copy as scene.toml and let softcat run take its time.`,
       ...(shown ? ["What is shown is its preview."] : []),
     ]);
   }
@@ -189,7 +190,7 @@ function show(run) {
   byId("csv").disabled = !shown;
   if (shown && !clock.begun && !matchMedia("(prefers-reduced-motion: reduce)").matches) { clock.share = 0; setPlaying(true); }
   clock.begun ||= shown !== null;
-  if (shown) writeResults(); else { rows(byId("numbers"), []); byId("warnings").replaceChildren(); byId("resolution").textContent = ""; }
+  if (shown) writeResults(); else { rows(byId("numbers"), []); byId("warnings").replaceChildren(); writeResolution(); }
   draw();
 }
 
@@ -197,20 +198,20 @@ function writeResults() {
   const { verdict, midpoint, kind } = shown, full = kind === "resolution", last = midpoint.length ? midpoint[midpoint.length - 1] : NaN;
   const answer = verdict.is_success || verdict.outcome === "broken";
   const { values, scene } = shown.state, duration = values["run.duration"] ?? data.scenes[scene].duration;
-  const place = lengthText(Math.abs(last)) + (last > 0 ? " up" : "");
+  const span = shown.fields.x[shown.nodes - 1] - shown.fields.x[0], sags = last <= 0 && !(data.ends || []).includes("free");
+  const name = sags ? "sag" : "midpoint", place = lengthText(Math.abs(last)) + (sags ? "" : last > 0 ? " up" : " down");
   const pairs = [["outcome", verdict.outcome]];
-  if (Number.isFinite(last)) pairs.push(answer ? ["sag at the end", place] : ["reached", `midpoint ${place} when the run ended: no answer`]);
-  if (Number.isFinite(shown.sag)) pairs.push(["largest sag", lengthText(shown.sag)]);
-  if (verdict.regime) pairs.push(["regime", verdict.regime]);
+  if (Number.isFinite(last)) pairs.push(answer ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
+  if (Number.isFinite(shown.sag)) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
+  if (verdict.regime) pairs.push(["regime", data.words.regimes?.[verdict.regime] || verdict.regime]);
   if (shown.reached < 0.999 * duration) pairs.push(["computed until", `${timeText(shown.reached)} of ${timeText(duration)}`]);
   rows(byId("numbers"), pairs);
   const beyond = sliders.flatMap((slider) => {
-    const value = values[slider.spec.key], words = data.notes.filter(({ key, above, below }) => key === slider.spec.key && ((typeof above === "number" && value >= above) || (typeof below === "number" && value <= below))).map((note) => note.words);
+    const value = values[slider.spec.key], words = data.notes.filter(({ key, above, below }) => key === slider.spec.key && ((typeof above === "number" && value >= above) || (typeof below === "number" && value <= below))).map((note) => note.words).filter((words) => !verdict.warnings.some((warning) => warning.split(":")[0] === words.split(":")[0]));
     return words.length ? [`${slider.spec.name} ${slider.text(shown.state)}: ${words.join("; ")}`] : [];
   });
   byId("warnings").replaceChildren(...[...verdict.warnings, ...beyond].map((words) => element("li", words)));
-  const { cells, frames } = data[kind], half = data.half ? " a half span" : "";
-  byId("resolution").textContent = `Shown: ${full ? "the full resolution" : "a preview"}, ${cells} cells${half}, ${frames} frames; computed in ${timeText(shown.milliseconds / 1000)}.`;
+  writeResolution(full ? "" : `; the full resolution follows, or is stopped after ${LONGEST.resolution} s`);
   // Whoever hears the page is told of what is let go, not of every move on the way.
   if (!full) { tell([]); return; }
   byId("said").textContent = pairs.map(([name, text]) => `${name} ${text}`).join("; ");
@@ -218,6 +219,11 @@ function writeResults() {
   if (verdict.is_success) tell([]);
   else tell(answer ? because : [`NOT TO BE TRUSTED (${verdict.outcome})`, ...because, `advice: ${verdict.advice || "none"}`]);
   history.replaceState(null, "", hash());
+}
+function writeResolution(then = "") {
+  if (!shown) { byId("resolution").textContent = ""; return; }
+  const { cells, frames } = data[shown.kind], what = shown.kind === "preview" ? "a preview" : "the full resolution";
+  byId("resolution").textContent = `Shown: ${what}, ${cells} cells${data.half ? " a half span" : ""}, ${frames} frames; computed in ${timeText(shown.milliseconds / 1000)}${then}.`;
 }
 function hash() { return `#${linkOf(data, state).replace(/^#/, "")}`; }
 
@@ -297,7 +303,7 @@ function drawFilament(time) {
   pen.setLineDash([]);
   const ends = data.ends || [], yielded = fields.yielded_fraction && at(fields.yielded_fraction);
   const cell = yielded && yielded.length === nodes ? (k) => Math.round(k / PIECES) : (k) => Math.floor(k / PIECES);
-  const shades = yielded && Array.from(yielded, (share) => mixed(Math.max(0, Math.min(1, share)))), plain = mixed(0);
+  const shades = yielded && Array.from(yielded, (share) => mixed(Math.round(32 * Math.max(0, Math.min(1, share))) / 32)), plain = mixed(0);
   drawStrip(view, pen, x, y, thickness.map((each) => each * scale), (k) => (shades ? shades[cell(k)] : plain));
   if (ends[0]) support(ends[0], pen, px(x[0]), py(y[0]), -1, scale * thickness[0]);
   if (ends[1]) support(ends[1], pen, px(x[last]), py(y[last]), 1, scale * thickness[last]);
