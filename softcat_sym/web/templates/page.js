@@ -202,7 +202,7 @@ function writeResults() {
   const name = sags ? "sag" : "midpoint", place = lengthText(Math.abs(last)) + (sags ? "" : last > 0 ? " up" : " down");
   const pairs = [["outcome", verdict.outcome]];
   if (Number.isFinite(last)) pairs.push(answer ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
-  if (Number.isFinite(shown.sag)) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
+  if (answer && Number.isFinite(shown.sag)) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
   if (verdict.regime) pairs.push(["regime", data.words.regimes?.[verdict.regime] || verdict.regime]);
   if (shown.reached < 0.999 * duration) pairs.push(["computed until", `${timeText(shown.reached)} of ${timeText(duration)}`]);
   rows(byId("numbers"), pairs);
@@ -376,7 +376,8 @@ async function unpacked(text) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 async function open() {
-  rows(byId("effects"), Object.entries(data.effects));
+  const out = Object.entries(data.left_out || {}).map(([name, why]) => [`left out: ${name}`, why]);
+  rows(byId("effects"), [...Object.entries(data.effects), ...out]);
   byId("accuracy").textContent = data.accuracy.words;
   byId("csv").disabled = true;
   try {
