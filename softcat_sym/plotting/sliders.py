@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import base64
-import json
 import math
-import re
 from html import escape
 from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+
+from softcat_sym.web.page import filled, inlined
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -179,7 +179,8 @@ def _colours() -> list[list[int]]:
     return rounded
 
 
-_SCRIPTS = ("sliders_data.js", "sliders_filament.js", "sliders.js")
+_STYLES = ("common.css", "sliders.css")
+_SCRIPTS = ("drawing.js", "sliders_data.js", "sliders_filament.js", "sliders.js")
 """In the order in which they need one another."""
 
 
@@ -188,18 +189,16 @@ def sliders_page(dataset: xr.Dataset, title: str) -> str:
 
     Dragging one chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
     """
-    folder = resources.files("softcat_sym.plotting") / "templates"
+    folders = [resources.files(f"softcat_sym.{package}") / "templates" for package in ("plotting", "web")]
 
-    def read(name: str) -> str:
-        return (folder / name).read_text(encoding="utf-8")
+    def read(*names: str) -> str:
+        files = [next(file for folder in folders if (file := folder / name).is_file()) for name in names]
+        return "\n".join(file.read_text(encoding="utf-8") for file in files)
 
-    # In a script element only "<" can end the element; JSON may write it otherwise.
-    data = json.dumps(packed(dataset), allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     parts = {
         "TITLE": escape(" ".join(title.split()) or "Sweep"),
-        "STYLE": read("sliders.css"),
-        "SCRIPT": "\n".join(read(name) for name in _SCRIPTS),
-        "DATA": data,
+        "STYLE": read(*_STYLES),
+        "SCRIPT": read(*_SCRIPTS),
+        "DATA": inlined(packed(dataset)),
     }
-    # In one pass: a title that looks like a mark stays a title.
-    return re.sub("@(TITLE|STYLE|SCRIPT|DATA)@", lambda mark: parts[mark[1]], read("sliders.html"))
+    return filled(read("sliders.html"), parts)

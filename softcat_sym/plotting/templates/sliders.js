@@ -18,13 +18,6 @@ const chosen = {
   },
 };
 
-function element(tag, text = "", className = "") {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  if (className) made.className = className;
-  return made;
-}
-
 function buildSliders() {
   varied.forEach((axis, k) => {
     const row = element("div"), name = element("label", axis.name);

@@ -1,4 +1,3 @@
-"use strict";
 // What the page holds, unpacked; and which member is nearest to a place on the axes.
 const data = JSON.parse(document.getElementById("data").textContent);
 const MISSING = -32768;
@@ -20,14 +19,6 @@ const shapes = data.shapes && {
   x: unpack(data.shapes.x), y: unpack(data.shapes.y), stretch: unpack(data.shapes.stretch),
 };
 const midpoints = data.midpoint && { at: data.midpoint.at, height: unpack(data.midpoint) };
-
-function significant(value, digits = 4) {
-  if (value === null || !Number.isFinite(value)) return "–";
-  if (value === 0) return "0";
-  const size = Math.abs(value);
-  const text = size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(digits))) : value.toExponential(digits - 1);
-  return text.replace("-", "−");
-}
 
 // Each axis maps its values to 0 .. 1.
 const axes = data.axes.map((axis) => {
@@ -70,16 +61,4 @@ function neighbour(member, axis, direction) {
   if (!steps.length) return member;
   const step = Math.min(...steps);
   return nearest(target, (other) => ahead(other) > 1e-9 && ahead(other) < step + 1e-9);
-}
-
-function styleOf(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
-
-// A canvas as sharp as the screen, cleared; drawing is in CSS pixels.
-function fresh(canvas) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
-  canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
-  const pen = canvas.getContext("2d");
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.font = '11px "DejaVu Sans", Verdana, sans-serif';
-  return { pen, width, height };
 }

@@ -1,0 +1,1 @@
+"""A scene as one page that solves it in the browser."""

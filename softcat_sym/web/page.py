@@ -1,0 +1,89 @@
+"""The live page of a scene as one file: it needs no server, no network and no other file."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+from html import escape
+from importlib import resources
+from typing import Any, Final
+
+from softcat_sym.errors import SoftcatError
+
+LARGEST: Final = 400_000
+"""Bytes of a page."""
+
+_ROOMS: Final = {"MODULE": "the compiled solver", "DATA": "what is known of the scenes"}
+"""Parts that a scene makes large."""
+
+
+def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) -> str:
+    """Write the page of a scene, which solves it in the browser.
+
+    Parameters
+    ----------
+    data : mapping
+        What `softcat_sym.web.description` says of the scene.
+    module : bytes
+        Its solver, compiled to WebAssembly.
+    model : str, optional
+        Instead of the package's model.js.
+
+    Raises
+    ------
+    SoftcatError
+        If the page would be larger than `LARGEST`.
+    """
+    # In a function of its own, the page's names do not meet the model's.
+    script = f"\n(() => {{\n{_read('drawing.js')}{_read('page.js')}}})();\n"
+    parts = {
+        "TITLE": escape(" ".join(str(data["title"] or "").split()) or str(data["name"])),
+        "STYLE": _read("common.css") + _read("page.css"),
+        "DATA": inlined(data),
+        # Without a time in it, the same page at every writing.
+        "MODULE": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),
+        "WORKER": _read("worker.js"),
+        "MODEL": _read("model.js") if model is None else model,
+        "SCRIPT": script,
+    }
+    policy = {
+        "default-src": "'none'",
+        "script-src": f"{_hash(parts['MODEL'])} {_hash(script)} 'wasm-unsafe-eval'",
+        "worker-src": "blob:",
+        "style-src": _hash(parts["STYLE"]),
+        "img-src": "data: blob:",
+        "base-uri": "'none'",
+        "form-action": "'none'",
+    }
+    parts["POLICY"] = "; ".join(f"{name} {given}" for name, given in policy.items())
+    page = filled(_read("page.html"), parts)
+    if (size := len(page.encode())) > LARGEST:
+        rooms = ", ".join(f"{words} {len(parts[name].encode()) // 1000} kB" for name, words in _ROOMS.items())
+        raise SoftcatError(
+            f"the page would take {size // 1000} kB, more than the {LARGEST // 1000} kB of a page ({rooms}): give it "
+            "fewer scenes, or leave effects out by run.effects"
+        )
+    return page
+
+
+def inlined(data: Mapping[str, Any]) -> str:
+    """JSON for a script element: only "<" can end one, and JSON may write it otherwise."""
+    return json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def filled(template: str, parts: Mapping[str, str]) -> str:
+    """Put the parts at their marks, such as @TITLE@, in one pass: a title that looks like a mark stays a title."""
+    return re.sub(f"@({'|'.join(parts)})@", lambda mark: parts[mark[1]], template)
+
+
+def _read(name: str) -> str:
+    return (resources.files("softcat_sym.web") / "templates" / name).read_text(encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    """By which a policy knows an inlined script or style."""
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode('ascii')}'"

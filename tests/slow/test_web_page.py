@@ -1,0 +1,252 @@
+"""The live page in a browser, opened from a file: sliders, clock, keyboard, links, errors, phones, darkness."""
+
+from __future__ import annotations
+
+import json
+import platform
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.common.browser import CHROMIUM, Browser, browser
+from tests.common.parabola import page
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CHROMIUM, reason="needs Chromium, such as Debian's package chromium"),
+]
+
+FULL = "document.querySelector('main')?.dataset.shown === 'resolution'"
+
+
+@pytest.fixture(scope="module")
+def chromium(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    with browser(tmp_path_factory.mktemp("profile")) as found:
+        yield found
+
+
+@pytest.fixture
+def strand(chromium: Browser, tmp_path: Path) -> Iterator[Browser]:
+    """The page of a parabola; no test leaves an error on the console or a request behind."""
+    chromium.messages.clear()
+    chromium.requests.clear()
+    opened(chromium, tmp_path / "strand.html")
+    yield chromium
+    assert chromium.messages == []
+    assert [address for address in chromium.requests if not address.startswith(("file:", "about:", "blob:"))] == []
+
+
+def opened(chromium: Browser, file: Path, link: str = "", **window: Any) -> None:
+    if not file.exists():
+        file.write_text(page(), encoding="utf-8")
+    chromium.open(file, link, **window)
+    chromium.until(FULL)
+
+
+def text(chromium: Browser, name: str) -> str:
+    return chromium.ask(f"document.getElementById('{name}').textContent")
+
+
+def move(chromium: Browser, key: str, share: float) -> None:
+    """Move a slider as a hand does."""
+    chromium.ask(
+        f"(() => {{ const handle = document.querySelector('input[type=range][data-key=\"{key}\"]');"
+        f"handle.value = {share}; handle.dispatchEvent(new Event('input', {{bubbles: true}})); }})()"
+    )
+
+
+def typed(chromium: Browser, key: str, what: str) -> None:
+    chromium.ask(
+        f"(() => {{ const field = document.querySelector('input[type=text][data-key=\"{key}\"]');"
+        f"field.value = {json.dumps(what)}; field.dispatchEvent(new Event('change', {{bubbles: true}})); }})()"
+    )
+
+
+def processor() -> str:
+    lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines() if Path("/proc/cpuinfo").exists() else []
+    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(names, platform.processor() or platform.machine())
+
+
+def test_a_slider_gives_another_filament_first_coarse_and_then_in_full(strand: Browser):
+    before = text(strand, "numbers")
+    assert "arrested" in before
+    strand.ask(
+        "window.seen = []; new MutationObserver(() => seen.push(document.querySelector('main').dataset.shown))"
+        ".observe(document.querySelector('main'), {attributes: true, attributeFilter: ['data-shown']})"
+    )
+    move(strand, "filament.span", 0.6)
+    strand.until(FULL)
+    assert strand.ask("[...new Set(seen.filter(Boolean))]") == ["preview", "resolution"]
+    assert text(strand, "numbers") != before
+    assert "40 cells a half span, 201 frames" in text(strand, "resolution")
+    assert strand.ask("document.querySelector('[data-key=\"filament.span\"]').getAttribute('aria-valuetext')") == (
+        "7.96 millimetres"
+    )
+    strand.ask("document.getElementById('reset').click()")
+    strand.until(FULL)
+    assert text(strand, "numbers") == before
+
+
+def test_what_is_older_than_the_sliders_says_so_or_is_not_shown(strand: Browser):
+    strand.ask(
+        "window.seen = []; new MutationObserver(() => seen.push(['way', 'resolution', 'numbers'].map((name) =>"
+        "document.getElementById(name).textContent))).observe(document.getElementById('numbers'), {childList: true})"
+    )
+    for share in range(1, 10):
+        move(strand, "load.gravity", share / 20)
+        time.sleep(0.02)
+    strand.until(FULL)
+    time.sleep(0.3)
+    *before, preview, last = strand.ask("seen")
+    assert (preview[0], last[0]) == ("", "")
+    assert ("a preview" in preview[1], "the full" in last[1]) == (True, True)
+    assert all(way.startswith("On the way, at gravity") and "a preview" in what for way, what, _ in before if way)
+    typed(strand, "filament.span", "16")
+    assert strand.ask("document.querySelector('main').className") == "behind", "no longer plain to see"
+
+
+def test_fields_take_numbers_and_say_why_they_take_no_others(strand: Browser):
+    typed(strand, "filament.span", "8")
+    strand.until(FULL)
+    eight = text(strand, "numbers")
+    for what, why in (("abc", "“abc” is no number"), ("", "“” is no number"), ("25", "25 mm is beyond the slider")):
+        typed(strand, "filament.span", what)
+        told = strand.ask("document.getElementById('wrong-0').textContent")
+        assert told == f"{why}: span goes from 2 to 20 mm, and stays at 8 mm."
+    assert text(strand, "numbers") == eight
+    typed(strand, "filament.span", "5")
+    assert strand.ask("document.getElementById('wrong-0').textContent") == ""
+
+
+def test_what_fails_is_told_and_what_does_not_end_is_stopped(strand: Browser):
+    typed(strand, "load.gravity", "40")
+    strand.until(FULL)
+    told = text(strand, "problem")
+    assert told.startswith("NOT TO BE TRUSTED (non_finite)because: why: A strand")
+    assert told.endswith("advice: the state became infinite; shorten run.duration")
+    assert "no answer" in text(strand, "numbers")
+    assert text(strand, "warnings") == "gravity 40 m/s²: softcat run would take in more"
+    typed(strand, "load.gravity", "9.81")
+    strand.until(FULL)
+    assert text(strand, "problem") == ""
+    begun = time.monotonic()
+    typed(strand, "filament.span", "17")
+    strand.until("document.getElementById('problem').textContent")
+    assert 4.5 < time.monotonic() - begun < 8
+    assert text(strand, "problem").startswith("The run was stopped after 5 s without an end: move a slider back")
+    assert text(strand, "numbers") == "", "nothing old is shown"
+    typed(strand, "filament.span", "14.5")
+    strand.until("document.getElementById('problem').textContent.includes('after 20 s')", 30)
+    assert text(strand, "problem").endswith("What is shown is its preview.")
+    assert text(strand, "resolution").startswith("Shown: a preview, 12 cells")
+    typed(strand, "filament.span", "19")
+    strand.until("document.getElementById('problem').textContent.includes('memory access')")
+    typed(strand, "filament.span", "6")
+    strand.until(FULL)
+    assert text(strand, "problem") == ""
+
+
+def test_a_move_while_a_run_hangs_is_answered_at_once(strand: Browser):
+    typed(strand, "filament.span", "16")
+    time.sleep(0.5)
+    begun = time.monotonic()
+    typed(strand, "filament.span", "6")
+    strand.until(FULL)
+    assert time.monotonic() - begun < 2.5
+
+
+def test_keys_play_and_move_in_time(strand: Browser):
+    strand.ask("document.getElementById('time').focus()")
+    strand.call("Input.dispatchKeyEvent", type="keyDown", key=" ", code="Space", text=" ")
+    assert text(strand, "play") == "play"
+    strand.ask("document.activeElement.blur()")
+    strand.press("Home")
+    assert strand.ask("Number(document.getElementById('time').value)") == 0
+    strand.press("ArrowRight")
+    assert strand.ask("Number(document.getElementById('time').value)") == pytest.approx(0.01, abs=0.006)
+    assert text(strand, "now") == "5 of 500 ms"
+    assert text(strand, "pace") == "played 10 times slower than it moves"
+    typed(strand, "run.duration", "5")
+    strand.until(FULL)
+    assert text(strand, "pace") == "in real time"
+    slider = "document.querySelector('input[type=range][data-key=\"filament.span\"]')"
+    strand.ask(f"{slider}.focus()")
+    strand.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowRight", code="ArrowRight", windowsVirtualKeyCode=39)
+    strand.until(FULL)
+    assert strand.ask(f"{slider}.getAttribute('aria-valuetext')") == "5.08 millimetres"
+
+
+def test_links_scenes_and_what_is_taken_away(strand: Browser, tmp_path: Path):
+    typed(strand, "filament.span", "8")
+    strand.until(FULL)
+    held, link = text(strand, "numbers"), strand.ask("location.hash")
+    opened(strand, tmp_path / "strand.html", link)
+    assert text(strand, "numbers") == held
+    strand.ask("location.hash = '#nonsense=1'")
+    strand.until(f"{FULL} && !document.getElementById('numbers').textContent.includes({json.dumps(held)})")
+    choice = "document.getElementById('scene')"
+    strand.ask(f"{choice}.value = '1'; {choice}.dispatchEvent(new Event('change'))")
+    strand.until(FULL)
+    assert strand.ask("document.querySelector('input[type=text]').value") == "10"
+    # A browser that lets no page copy shows the text instead.
+    strand.ask("navigator.clipboard.writeText = () => Promise.reject(new Error('no'))")
+    strand.ask("document.getElementById('toml').click()")
+    strand.until("!document.getElementById('by-hand').hidden")
+    assert 'span = "0.01 m"' in strand.ask("document.getElementById('text').value")
+    folder = tmp_path / "loads"
+    strand.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+    strand.ask("document.getElementById('csv').click()")
+    end = time.monotonic() + 10
+    while not (folder / "strand.csv").exists():
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    assert len((folder / "strand.csv").read_text(encoding="utf-8").splitlines()) == 202
+
+
+def test_whoever_wants_no_motion_sees_the_end(strand: Browser, tmp_path: Path):
+    strand.call("Page.navigate", url="about:blank")
+    strand.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
+    strand.call("Page.navigate", url=(tmp_path / "strand.html").as_uri())
+    strand.until(FULL)
+    time.sleep(0.3)
+    assert (text(strand, "play"), text(strand, "now")) == ("play", "500 of 500 ms")
+
+
+def test_a_title_does_nothing(chromium: Browser, tmp_path: Path):
+    word = """<script>alert(1)</script>"' </title><img src=x onerror=alert(1)>"""
+    (tmp_path / "title.html").write_text(page(word), encoding="utf-8")
+    chromium.messages.clear()
+    opened(chromium, tmp_path / "title.html")
+    typed(chromium, "load.gravity", "40")
+    chromium.until("document.getElementById('problem').textContent")
+    assert chromium.ask("document.title") == text(chromium, "title") == word
+    assert word in text(chromium, "problem")
+    assert chromium.ask("document.querySelectorAll('img, #problem script, h1 script').length") == 0
+    assert chromium.messages == []
+
+
+def test_pictures_fit_desks_and_phones_by_day_and_night(strand: Browser, tmp_path: Path, record_property: Any):
+    strand.call("Emulation.setScrollbarsHidden", hidden=True)
+    for name, width, height in (("desk", 1280, 900), ("phone", 360, 800)):
+        for dark in (False, True):
+            opened(strand, tmp_path / "strand.html", width=width, height=height, dark=dark)
+            assert strand.ask("document.documentElement.scrollWidth") <= width
+            (tmp_path / f"{name}-{'dark' if dark else 'light'}.png").write_bytes(strand.picture())
+    took = []
+    for share in (0.3, 0.35, 0.4, 0.45, 0.5):
+        took.append(
+            strand.ask(
+                "new Promise((done) => { const main = document.querySelector('main'), begun = performance.now();"
+                "const handle = document.querySelector('[data-key=\"filament.span\"]');"
+                f"handle.value = {share}; handle.dispatchEvent(new Event('input'));"
+                "(function look() { if (main.dataset.shown) done(performance.now() - begun);"
+                "else requestAnimationFrame(look); })(); })"
+            )
+        )
+        strand.until(FULL)
+    size = (tmp_path / "strand.html").stat().st_size / 1000
+    print(f"slider to picture {min(took):.0f} to {max(took):.0f} ms, page {size:.0f} kB; {processor()}; {tmp_path}")
