@@ -1,0 +1,1 @@
+"""A scene as one page for a browser, in which its compiled solver runs."""
