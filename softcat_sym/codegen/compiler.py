@@ -20,7 +20,7 @@ import tempfile
 import threading
 import time
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
@@ -307,7 +307,13 @@ def find_compiler() -> Compiler | None:
     It is asked for its version once: as long as its file stays the same, what it said is read from the cache.
     """
     named = split_variable("CC")
-    for command in [named] if named else itertools.chain(([name] for name in _USUAL), _of_a_wheel()):
+    wheel = ([*command, "-mcpu=baseline"] for command in of_a_wheel())
+    return first_of([named] if named else itertools.chain(([name] for name in _USUAL), wheel))
+
+
+def first_of(commands: Iterable[Sequence[str]]) -> Compiler | None:
+    """The first of these commands that runs; None where none does."""
+    for command in commands:
         path = shutil.which(command[0])
         if path is not None:
             # Absolute, since it will be called from another folder.
@@ -318,11 +324,11 @@ def find_compiler() -> Compiler | None:
     return None
 
 
-def _of_a_wheel() -> Iterator[list[str]]:
-    """The C compiler of the package ziglang, for any processor of this kind; none where it is not installed."""
+def of_a_wheel() -> Iterator[list[str]]:
+    """The C compiler of the package ziglang, for processors of many kinds; none where it is not installed."""
     found = importlib.util.find_spec("ziglang")
     folders = found.submodule_search_locations if found is not None else None
-    yield from ([str(Path(folder) / "zig"), "cc", "-mcpu=baseline"] for folder in folders or ())
+    yield from ([str(Path(folder) / "zig"), "cc"] for folder in folders or ())
 
 
 def build_identity() -> list[str]:

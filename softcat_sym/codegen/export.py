@@ -74,8 +74,8 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
         "defaults": {
             "cells": described.cells,
             "grading": described.grading,
-            "relative": described.relative,
-            "absolute": described.absolute,
+            "relative": described.steps.relative,
+            "absolute": described.steps.absolute,
             "duration_s": scene.run.duration,
             "frames": scene.run.frames,
         },
@@ -117,8 +117,8 @@ def parameter_text(described: Description, command: str, *, has_start: bool) -> 
         (f"grading = {described.grading!r}", "longest cell over the shortest"),
         (f"duration = {run.duration!r} s", ""),
         (f"frames = {run.frames}", "times, evenly spaced from 0"),
-        (f"relative = {described.relative!r}", "tolerance of a step"),
-        (f"absolute = {described.absolute!r}", "tolerance of a step, in rest lengths"),
+        (f"relative = {described.steps.relative!r}", "tolerance of a step"),
+        (f"absolute = {described.steps.absolute!r}", "tolerance of a step, in rest lengths"),
     ]
     if has_start:
         settings.append((f"start = {START}", "shape to begin from, at rest with the parameters above only"))

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
-from typing import Any
+from typing import Any, NamedTuple
 
 import jinja2
 import numpy as np
@@ -101,6 +101,16 @@ class Given:
     value: float  # That of the scene
 
 
+class Steps(NamedTuple):
+    """How a scene is integrated."""
+
+    relative: float  # Tolerances
+    absolute: float
+    absolutes: tuple[float, ...]  # Of each slot
+    method: int  # As softcat_rosenbrock.h numbers them
+    largest_step: float  # [s]; 0 for none
+
+
 @dataclass(frozen=True)
 class Description:
     """A scene's filament as C sees it."""
@@ -114,9 +124,8 @@ class Description:
     # What each slot is of a plastic strain that is linear through the thickness.
     profiles: tuple[tuple[float, float], ...]
     cells: int  # Per half span
-    grading: float  # Ratio of the longest cell to the shortest, and tolerances
-    relative: float
-    absolute: float
+    grading: float  # Ratio of the longest cell to the shortest
+    steps: Steps
     towards_middle: bool  # Whether cells are short at midspan, too
     natural: tuple[float, ...]  # Of cells from left to right: X, twist and curvatures of a shape [1/m]
 
@@ -132,7 +141,7 @@ class Description:
 
 
 def describe(
-    scene: Scene, effects: Effects, graph: Graph, structure: Structure, model: Model, tolerances: tuple[float, float]
+    scene: Scene, effects: Effects, graph: Graph, structure: Structure, model: Model, steps: Steps
 ) -> Description:
     """Gather what is known of a scene's filament."""
     values = parameter_values(scene)
@@ -154,8 +163,7 @@ def describe(
         profiles=tuple(graph.profiles.get(name, (0.0, 0.0)) for name in names),
         cells=cells,
         grading=float(grading),
-        relative=float(tolerances[0]),
-        absolute=float(tolerances[1]),
+        steps=steps,
         towards_middle=towards_middle(scene, effects),
         natural=_natural(graph, structure.body),
     )
@@ -343,6 +351,7 @@ def source_text(described: Description, name: str, command: str) -> str:
         "on_cells": ("int", [str(int(one)) for one in described.on_cells]),
         "mean": ("double", [number(one) for one, _ in described.profiles]),
         "bending": ("double", [number(one) for _, one in described.profiles]),
+        "absolutes": ("double", [number(one) for one in described.steps.absolutes]),
         **{key: ("double", list(map(number, values))) for key, values in _lists(described).items() if values},
     }
     return rendered(
@@ -399,7 +408,10 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         if values:
             rows = len(values) // (4 if key == "natural" else 1)
             fields |= {key: f"described_{key}", f"{key}_count": str(rows)}
-    fields |= {key: number(getattr(described, key)) for key in ("grading", "relative", "absolute")}
+    steps = described.steps
+    fields |= {"grading": number(described.grading), "relative": number(steps.relative)}
+    fields |= {"absolute": number(steps.absolute), "absolutes": "described_absolutes"}
+    fields |= {"largest_step": number(steps.largest_step), "method": str(steps.method)}
     fields |= {"towards_middle": str(int(described.towards_middle)), "duration": number(scene.run.duration)}
     return fields | {"cells": str(described.cells), "frames": str(scene.run.frames)}
 
@@ -430,8 +442,8 @@ def header_text(described: Description, name: str, command: str) -> str:
         scene={
             "CELLS": described.cells,
             "GRADING": number(described.grading),
-            "RELATIVE": number(described.relative),
-            "ABSOLUTE": number(described.absolute),
+            "RELATIVE": number(described.steps.relative),
+            "ABSOLUTE": number(described.steps.absolute),
             "DURATION": number(scene.run.duration),
             "FRAMES": scene.run.frames,
         },

@@ -350,18 +350,31 @@ def compile_library(
         raise SoftcatError(f"{found}; {TO_INSTALL}")
     own = _GNU.get(tuple(flags), ()) if compiler.name.startswith("gcc") else ()
     whole = (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
+    return compiled_by(compiler, sources, _ALWAYS, whole, units=units, versions=versions)
+
+
+def compiled_by(
+    compiler: Compiler,
+    sources: Mapping[str, str],
+    always: Sequence[str],
+    flags: Sequence[str],
+    *,
+    units: Sequence[str] | None = None,
+    versions: Mapping[str, str] | None = None,
+) -> Path:
+    """What a compiler makes of these sources, now or found in the cache, by flags besides those it always has."""
     chosen = tuple(units) if units is not None else tuple(name for name in sorted(sources) if name.endswith(".c"))
     parts = {
         "compiler": [*compiler.command, compiler.version],
-        "processor": processor(compiler, [*compiler.command[1:], *whole]),
-        "flags": [*_ALWAYS, *whole],
+        "processor": processor(compiler, [*compiler.command[1:], *flags]),
+        "flags": [*always, *flags],
         "units": list(chosen),
         "sources": {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
         "versions": dict(versions or {}),
     }
     key = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
-    about = f"{' '.join(chosen)} by {compiler.name}, {' '.join(whole)}"
-    return find(key) or store(key, functools.partial(_build, sources, chosen, compiler, whole), about)
+    about = f"{' '.join(chosen)} by {compiler.name}, {' '.join(flags)}"
+    return find(key) or store(key, functools.partial(_build, sources, chosen, compiler, [*always, *flags]), about)
 
 
 def load(path: Path, *symbols: str) -> ctypes.CDLL:
@@ -381,7 +394,7 @@ def _build(
 ) -> None:
     for name, text in sources.items():
         (folder / name).write_text(text, encoding="utf-8")
-    command = [*compiler.command, *_ALWAYS, *flags, "-o", LIBRARY, *units, "-lm"]
+    command = [*compiler.command, *flags, "-o", LIBRARY, *units, "-lm"]
     try:
         done = run(command, _PATIENCE, folder)
     except subprocess.TimeoutExpired as error:

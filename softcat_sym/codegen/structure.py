@@ -37,6 +37,11 @@ class Model:
         return self.rule.points if self.rule else 0
 
     @property
+    def points(self) -> list[float]:
+        """Where they are, as a softcat_filament has it: all of one table, then all of the next."""
+        return [float(one) for values in self.rule.tables.values() for one in values] if self.rule else []
+
+    @property
     def scratch(self) -> int:
         """Doubles per site that `observables` needs."""
         return _per_site(self.template.scratch_shown, self.fibres)

@@ -180,8 +180,7 @@ class CModel:
             setattr(self._physics, name, size)
         for name, column in self._columns.items():
             setattr(self._physics, name, column.ctypes.data_as(Integers))
-        rule = self.model.rule
-        self._points = np.concatenate(list(rule.tables.values())) if rule else None
+        self._points = np.array(self.model.points)
         self._address = ct.c_void_p(ct.addressof(self._physics))
 
     @staticmethod

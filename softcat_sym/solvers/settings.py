@@ -33,7 +33,7 @@ Name = Literal["cvodes", "idas", "rosenbrock"]
 ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
 NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a row of equilibria"
 
-RODAS5P, RODAS4 = 0, 1
+RODAS5P, RODAS4 = 1, 2
 """Methods of the compiled solver, as softcat_rosenbrock.h numbers them."""
 
 # BDF of order 3-5 is unstable on the imaginary axis, where the elastic waves are; order 2 is A-stable.

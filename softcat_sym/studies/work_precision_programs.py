@@ -230,7 +230,7 @@ def _pointer(array: Floats) -> ct._Pointer[ct.c_double]:
 
 Kind = Literal["own", "rival"]
 
-_RODAS4 = 1
+_RODAS4 = 2
 _FIFTH = 5
 _TRIAL_STEPS = 50
 

@@ -18,7 +18,7 @@ RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"
 STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic")
 
-RODAS5P, RODAS4, RODAS3P = range(3)
+RODAS5P, RODAS4, RODAS3P = range(1, 4)
 METHODS = (RODAS5P, RODAS4, RODAS3P)
 
 

@@ -86,6 +86,7 @@ static const softcat_method rodas3p = {
 const softcat_method *softcat_method_of(int method)
 {
     switch (method) {
+    case 0:
     case SOFTCAT_RODAS5P: return &rodas5p;
     case SOFTCAT_RODAS4: return &rodas4;
     case SOFTCAT_RODAS3P: return &rodas3p;

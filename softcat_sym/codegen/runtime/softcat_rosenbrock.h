@@ -14,7 +14,7 @@ extern "C" {
 
 /* Methods; coefficients and sources in softcat_methods.c. */
 enum {
-    SOFTCAT_RODAS5P = 0, /* order 5, 8 stages, dense output of order 4 */
+    SOFTCAT_RODAS5P = 1, /* order 5, 8 stages, dense output of order 4 */
     SOFTCAT_RODAS4,      /* order 4, 6 stages, dense output of order 3 */
     SOFTCAT_RODAS3P      /* order 3, 5 stages, dense output of order 3 */
 };
@@ -29,7 +29,7 @@ typedef struct softcat_options {
     double smallest_step;      /* 0: ten roundings of the time */
     double largest_step;       /* 0: the whole span */
     long max_steps;            /* accepted and rejected ones; 0: 100000 */
-    int method;                /* SOFTCAT_RODAS5P ... */
+    int method;                /* SOFTCAT_RODAS5P ...; 0: that one */
     const double *kinks;       /* [kink_count] increasing times at which f is not smooth: */
     int kink_count;            /*              no step runs over one of them */
     const volatile int *stop;  /* or NULL: set non-zero from outside (a signal, a thread) to stop */

@@ -32,9 +32,11 @@ static int check_settings(const softcat_structure *s, const softcat_settings *c)
     const double numbers[] = {c->grading, c->relative, c->absolute, c->largest_step};
     for (int i = 0; i < 4; i++)
         if (!within(numbers[i], SOFTCAT_NOT_NEGATIVE)) return SOFTCAT_BAD_SETTINGS;
+    for (int k = 0; c->absolutes && k < s->model->slots; k++)
+        if (!within(c->absolutes[k], SOFTCAT_POSITIVE)) return SOFTCAT_BAD_SETTINGS;
     if (c->relative >= 1.0 || c->max_steps < 0 || c->by_count < 0 || c->kink_count < 0)
         return SOFTCAT_BAD_SETTINGS;
-    if (c->method < SOFTCAT_RODAS5P || c->method > SOFTCAT_RODAS3P) return SOFTCAT_BAD_SETTINGS;
+    if (c->method < 0 || c->method > SOFTCAT_RODAS3P) return SOFTCAT_BAD_SETTINGS;
     if (c->thickness && (!s->profiled || c->thickness_count < 1)) return SOFTCAT_BAD_SETTINGS;
     for (int i = 0; c->thickness && i < c->thickness_count; i++)
         if (!within(c->thickness[i], SOFTCAT_POSITIVE)) return SOFTCAT_BAD_SETTINGS;

@@ -78,14 +78,17 @@ static void set_options(run *r, int n, int works)
     const softcat_model *m = r->s->model;
     int speed = m->rate[r->s->y], inertia = speed >= 0 && m->differential[speed];
     const softcat_settings *c = r->settings;
-    double absolute = c->absolute > 0.0 ? c->absolute : r->s->absolute;
-    for (int k = 0; k < m->slots; k++) r->absolute[k] = absolute;
+    double of_scene = c->absolute > 0.0 ? c->absolute / r->s->absolute : 1.0;
+    for (int k = 0; k < m->slots; k++)
+        r->absolute[k] = c->absolutes ? c->absolutes[k] : of_scene * r->s->absolutes[k];
     r->options.relative = c->relative > 0.0 ? c->relative : r->s->relative;
     r->options.absolute = r->absolute;
-    if (works && !inertia) r->options.work_absolute = absolute; /* nothing else limits the steps */
-    r->options.largest_step = c->largest_step / r->scale;
+    if (works && !inertia) /* nothing else limits the steps */
+        r->options.work_absolute = r->absolute[r->s->y];
+    r->options.largest_step =
+        (c->largest_step > 0.0 ? c->largest_step : r->s->largest_step) / r->scale;
     r->options.max_steps = c->max_steps > 0 ? c->max_steps : (long)STEPS_PER_TIME * n;
-    r->options.method = c->method;
+    r->options.method = c->method ? c->method : r->s->method;
     r->options.stop = c->stop;
     gather_kinks(r);
 }

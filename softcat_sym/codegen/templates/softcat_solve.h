@@ -71,6 +71,9 @@ typedef struct softcat_structure {
                                              [1/m] of cells from left to right */
     int natural_count;
     double grading, relative, absolute;   /* of the scene */
+    const double *absolutes;              /* [model->slots] those that go with `absolute` */
+    double largest_step;                  /* [s] of the scene; 0: none */
+    int method;                           /* of the scene */
     int towards_middle;                   /* whether cells are short at midspan, too */
     double duration;                      /* of the scene [s] */
     int cells, frames;                    /* of the scene */
@@ -87,7 +90,9 @@ typedef struct softcat_table {
 /* Set all to zero first ({0}); what stays zero is as the scene has it. */
 typedef struct softcat_settings {
     double grading;            /* longest cell, at midspan, over the shortest, at the supports */
-    double relative, absolute; /* error a step may make; absolute: lengths in rest lengths */
+    double relative, absolute; /* error a step may make; absolute: lengths in rest lengths, other
+                                  unknowns in the proportions of the scene */
+    const double *absolutes;   /* [model->slots] or NULL: instead, of each unknown */
     double largest_step;       /* [s] */
     long max_steps;            /* 0: 100000 for each time asked */
     int method;                /* SOFTCAT_RODAS5P ... of softcat_rosenbrock.h */

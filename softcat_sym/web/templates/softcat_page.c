@@ -1,0 +1,140 @@
+/* What a page in a browser calls: one filament at a time, solved and seen as `softcat run` does.
+ *
+ * Compiled with filament.c, the runtime and the text of the observables into one WebAssembly
+ * module. It has state, unlike all else here: buffers stay valid until the next page_solve. */
+#include "filament.h"
+#include "page_sizes.h"
+#include "softcat_places.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef __wasm__
+#define EXPORTED(name) __attribute__((export_name(#name))) name
+#else
+#define EXPORTED(name) name
+#endif
+
+enum { PARAMETERS = SOFTCAT_PARAMETERS, SLOTS = SOFTCAT_SLOTS, STATUS = 8 };
+
+/* The text of the observables: rows of sites for each of `count` times in units of the scale. */
+int softcat_filament_observe(const softcat_filament *, int count, const double *times,
+                             const double *states, double *out, double *scratch);
+
+static const softcat_structure *const structure = &softcat_filament_structure;
+static double parameters[PARAMETERS], absolute[SLOTS], known[STATUS];
+static double *start, *memory, *fields, *midpoint, *work;
+static int start_rows;
+
+double *EXPORTED(page_parameters)(void)
+{
+    return parameters;
+}
+
+double *EXPORTED(page_absolute)(void)
+{
+    return absolute;
+}
+
+/* Room for X of the nodes, then for the unknowns; NULL without memory, and for no rows. */
+double *EXPORTED(page_start)(int rows)
+{
+    free(start);
+    start = rows > 0 ? calloc((size_t)rows * (1 + SLOTS), sizeof(double)) : NULL;
+    start_rows = start ? rows : 0;
+    return start;
+}
+
+double *EXPORTED(page_fields)(void)
+{
+    return fields;
+}
+
+double *EXPORTED(page_midpoint)(void)
+{
+    return midpoint;
+}
+
+double *EXPORTED(page_work)(void)
+{
+    return work;
+}
+
+double *EXPORTED(page_status)(void)
+{
+    return known;
+}
+
+const char *EXPORTED(page_explain)(int code)
+{
+    return softcat_explain(code);
+}
+
+/* Fields of the first `count` frames; `places` has room for X, places and scratch of the sites. */
+static void observe(int cells, int sites, double grading, int count, double *times,
+                    const double *states, double *places)
+{
+    double given[PARAMETERS], *X = places + (size_t)sites * (size_t)structure->model->places;
+    softcat_filament filament = {sites, given, places, PAGE_FIBRES, page_points};
+    memcpy(given, parameters, sizeof given);
+    double *scale = &given[structure->time_scale];
+    if (*scale == 0.0) *scale = sqrt(given[structure->rest_length] / given[structure->gravity]);
+    for (int j = 0; j < count; j++) times[j] /= *scale;
+    softcat_nodes(structure, cells, grading, X);
+    softcat_places(structure, cells, X, structure->thickness, structure->thickness_count, places);
+    softcat_filament_observe(&filament, count, times, states, fields, X + sites);
+}
+
+/* All that a run fills, in one piece; 0 if there is no such memory. */
+static int make_room(size_t frames, size_t sites, double **times, double **states, double **places)
+{
+    const softcat_model *m = structure->model;
+    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * PAGE_ROWS, frames,
+                      frames * sites * SLOTS, sites * ((size_t)m->places + 1 + PAGE_SCRATCH)};
+    double **parts[] = {&midpoint, &work, &fields, times, states, places};
+    size_t sum = 0;
+    for (int k = 0; k < 6; k++) sum += sizes[k];
+    free(memory);
+    memory = calloc(sum, sizeof(double));
+    double *at = memory;
+    for (int k = 0; k < 6; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
+    return memory != NULL;
+}
+
+static int finish(const softcat_status *status, int reached, int sites)
+{
+    const double numbers[STATUS] = {
+        status->code, status->reached, (double)status->steps, (double)status->rejected,
+        status->worst_site, status->worst_slot, reached, sites};
+    memcpy(known, numbers, sizeof known);
+    return status->code;
+}
+
+/* Solve at `frames` even times from 0 to `duration`; largest_step and max_steps 0: no limit. */
+int EXPORTED(page_solve)(int cells, int frames, double duration, double grading, double relative,
+                         double largest_step, int method, int max_steps)
+{
+    softcat_status status = {.worst_site = -1, .worst_slot = -1};
+    int reached = 0, sites = softcat_structure_row(structure, cells) / softcat_axes(structure);
+    double *times, *states, *places;
+    const softcat_table table = {start_rows, start, start + start_rows};
+    const softcat_settings settings = {
+        .grading = grading, .relative = relative, .absolutes = absolute, .method = method,
+        .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps, .start = start ? &table : NULL};
+    if (frames < 2) status.code = SOFTCAT_BAD_TIMES;
+    else if (sites == 0) status.code = SOFTCAT_BAD_CELLS;
+    else if (!make_room((size_t)frames, (size_t)sites, &times, &states, &places))
+        status.code = SOFTCAT_MEMORY;
+    if (status.code) return finish(&status, 0, 0);
+    for (int j = 0; j < frames; j++) {
+        times[j] = duration * j / (frames - 1);
+        midpoint[j] = NAN;
+    }
+    const softcat_results results = {.midpoint = midpoint, .states = states, .work = work};
+    softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
+                            &status);
+    while (reached < frames && isfinite(midpoint[reached])) reached++;
+    if (reached) observe(cells, sites, grading, reached, times, states, places);
+    return finish(&status, reached, sites);
+}
