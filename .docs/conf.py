@@ -2,7 +2,8 @@
 
 Build with ``python -m sphinx -W -b html .docs out/docs``. The pages here hold little more than titles; what they show
 is put in while they are read, so that nothing stands written twice. The how-to notebooks are run for what they print
-and draw, which takes a minute; ``-t without_outputs`` leaves that out.
+and draw, which takes a minute; ``-t without_outputs`` leaves that out. ``-t pages`` adds the live pages of the bundled
+scenes, for which a compiler for WebAssembly is needed and some minutes.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import inspect
 import os
 import re
 import tempfile
+from html import escape
 from importlib.metadata import version as version_of
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +22,7 @@ import nbclient
 import typer.main
 
 import softcat_sym
+from softcat_sym.scene.bundled import bundled_names, bundled_title
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -58,7 +61,7 @@ GROUPS = {
     "Many runs": ("simulate_many", "Ensemble", "sweep", "Sweep"),
     "What effects are worth": ("price_effects", "Pricing"),
     "From measurements": ("fit", "Fit", "Measurements", "fit_flow_curve"),
-    "C to take away": ("generate",),
+    "C to take away": ("generate", "live_page"),
     "Refusals": ("SoftcatError", "SceneError"),
 }
 
@@ -68,8 +71,27 @@ PAGES = {"generated/README.md": "generated.md", "derivations/ERRATA.md": "errata
 
 def setup(app: Sphinx) -> None:
     """Put in what pages hold but for their titles."""
+    app.connect("builder-inited", live_pages)
     app.connect("source-read", fill)
     app.connect("autodoc-process-signature", of_functions_only)
+
+
+def live_pages(app: Sphinx) -> None:
+    """Write the live pages of the bundled scenes beside the others."""
+    if "pages" in app.tags:
+        from softcat_sym.web.page import bundled_pages
+
+        bundled_pages(Path(app.outdir) / "pages")
+
+
+def list_of_pages(app: Sphinx) -> str:
+    """The live pages that were written, by title."""
+    folder = Path(app.outdir) / "pages"
+    names = [name for name in bundled_names() if (folder / f"{name}.html").is_file()]
+    if not names:
+        return "`python -m sphinx -t pages -b html .docs out/docs` lists here the pages of all bundled scenes.\n"
+    rows = [f'<li><a href="../pages/{name}.html">{escape(bundled_title(name))}</a></li>' for name in names]
+    return "\n".join(["## Bundled scenes", "", "<ul>", *rows, "</ul>", ""])
 
 
 def fill(app: Sphinx, name: str, source: list[str]) -> None:
@@ -77,7 +99,7 @@ def fill(app: Sphinx, name: str, source: list[str]) -> None:
     if name == "index":
         source[0] = front_page() + source[0]
     elif name.startswith("manual/"):
-        source[0] = manual_page(source[0])
+        source[0] = manual_page(source[0]) + (list_of_pages(app) if name.endswith("/live-page") else "")
     elif name == "api":
         source[0] += api()
     elif name == "commands":

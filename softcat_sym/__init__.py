@@ -1,11 +1,10 @@
 """softcat_sym: slender soft filaments that sag, stretch, yield and stop.
 
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
-``generate`` writes it as C; every function that takes a scene also takes its name, its path or a dict.
-``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what each effect is worth; ``fit``
-finds the material of a filament that was filmed, ``card`` puts all on one page; ``register_effect`` adds physics.
-SymPy, CasADi and matplotlib are loaded
-when they are first used.
+``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
+name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
+each effect is worth; ``fit`` finds the material of a filament that was filmed, ``card`` puts all on one page;
+``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
     from softcat_sym.studies.explanation import Explanation, explain
     from softcat_sym.studies.pricing import Pricing, price_effects
     from softcat_sym.studies.sweep import Sweep, sweep
+    from softcat_sym.web.page import live_page
 
     __version__: str
 
@@ -55,6 +55,7 @@ _HOMES = {
     "studies.explanation": ("Explanation", "explain"),
     "studies.pricing": ("Pricing", "price_effects"),
     "studies.sweep": ("Sweep", "sweep"),
+    "web.page": ("live_page",),
 }
 
 __all__ = [
@@ -80,6 +81,7 @@ __all__ = [
     "fit",
     "fit_flow_curve",
     "generate",
+    "live_page",
     "load_scene",
     "open_run",
     "price_effects",

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,6 +20,11 @@ from softcat_sym.cli.application import (
     scene_and_directory,
 )
 
+if TYPE_CHECKING:
+    from softcat_sym.scene.scene import Scene
+
+_NAME = "filament"
+
 
 @commands.command()
 def generate(
@@ -32,36 +39,85 @@ def generate(
     ] = False,
     name: Annotated[
         str, typer.Option("--name", metavar="NAME", help="Of the C file and of what it exports: one for each filament.")
-    ] = "filament",
+    ] = _NAME,
+    web: Annotated[
+        bool, typer.Option("--web", help="A page instead, NAME.html, that solves the scene in a browser, with sliders.")
+    ] = False,
+    sliders: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--slider",
+            metavar="KEY=LOW:HIGH[:log]",
+            help="With --web: one more key to move, or another range. Can be repeated.",
+        ),
+    ] = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Write the solver of a scene as C99 to take away.
+    """Write the solver of a scene as C99, or as a web page with sliders.
 
-    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README.
+    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README; with --web one HTML file that
+    needs no server and no network. The page needs a compiler for WebAssembly: pip install "softcat_sym[web]".
     """
-    if bundled is (scene is not None):
-        raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
-    if bundled and (changes or rhs or name != "filament"):
-        raise typer.BadParameter("--bundled goes with neither --set nor --rhs nor --name", param_hint="--bundled")
+    _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
+    if sliders and not web:
+        raise typer.BadParameter("sliders are those of a page: give --web, too", param_hint="--slider")
+    refused: dict[str, str] = {}
     try:
         if scene is None:
             output = output_directory(output, "generate")
-            from softcat_sym import generation
-            from softcat_sym.plotting.terminal import StepProgress
-            from softcat_sym.scene.bundled import bundled_names
-
-            with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
-                written = generation.write(output, progress.step)
+            written, refused = _all_bundled(output, web=web, quiet=quiet)
         else:
             asked, output = scene_and_directory(scene, changes, output, "generate")
-            from softcat_sym import generation
+            if web:
+                page = name if name != _NAME else Path(scene).stem
+                written = _page(asked, output, sliders or (), page, quiet=quiet)
+            else:
+                from softcat_sym import generation
 
-            written = generation.generate(asked, output, rhs, name)
+                written = generation.generate(asked, output, rhs, name)
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None
-    if not quiet:
-        size = sum(path.stat().st_size for path in written)
-        typer.echo(f"wrote {len(written)} files, {size / 1000:.0f} kB, to {output}")
-        if not bundled:
-            typer.echo(f"next: make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv")
+    if quiet:
+        return
+    size = sum(path.stat().st_size for path in written)
+    typer.echo(f"wrote {len(written)} file{'s' * (len(written) != 1)}, {size / 1000:.0f} kB, to {output}")
+    for one, why in refused.items():
+        typer.echo(f"no page of {one}: {why}")
+    if not bundled:
+        made = f"make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv"
+        typer.echo(f"next: {f'open {written[0]} in a browser' if web else made}")
+
+
+def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, rhs: bool) -> None:
+    """Refuse options that do not go together."""
+    if bundled is (scene is not None):
+        raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
+    if bundled and own:
+        raise typer.BadParameter("--bundled goes with no option of one scene", param_hint="--bundled")
+    if web and rhs:
+        raise typer.BadParameter("a page has no right-hand side to take away", param_hint="--rhs")
+
+
+def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:
+    """Write the products or the pages of all bundled scenes; why some have none."""
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.scene.bundled import bundled_names
+
+    with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
+        if web:
+            from softcat_sym.web.page import bundled_pages
+
+            return bundled_pages(output, progress.step)
+        from softcat_sym import generation
+
+        return generation.write(output, progress.step), {}
+
+
+def _page(scene: Scene, output: Path, sliders: Sequence[str], name: str, *, quiet: bool) -> list[Path]:
+    """Write the live page of a scene."""
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.web.page import STEPS, live_page
+
+    with StepProgress(STEPS, "a live page", quiet=quiet) as progress:
+        return [live_page(scene, output, sliders, name, progress.step)]

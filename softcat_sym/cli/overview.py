@@ -43,7 +43,7 @@ COMMANDS: Final = {
         "figures": "Draw the paper's figures 2, 3(a), 3(b) and 4.",
     },
     "Developer": {
-        "generate": "Write the solver of a scene as C99 to take away.",
+        "generate": "Write the solver of a scene as C99, or as a web page with sliders.",
         "cache": "Show the libraries and results that are kept, or clear them.",
     },
 }

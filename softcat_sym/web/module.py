@@ -81,11 +81,16 @@ def module_sources(described: Description) -> dict[str, str]:
     }
 
 
-def wasm_module(described: Description) -> bytes:
-    """The solver of a scene as a WebAssembly module that imports nothing, compiled now or found in the cache."""
+def wasm_compiler() -> Compiler:
+    """The compiler for WebAssembly; SoftcatError where there is none."""
     compiler = find_wasm_compiler()
     if compiler is None:
         named = os.environ.get(VARIABLE)
         found = f"{VARIABLE} is {named!r}, which does not run" if named else "no C compiler for WebAssembly was found"
         raise SoftcatError(f"{found}; {TO_INSTALL}")
-    return compiled_by(compiler, module_sources(described), _ALWAYS, FLAGS).read_bytes()
+    return compiler
+
+
+def wasm_module(described: Description) -> bytes:
+    """The solver of a scene as a WebAssembly module that imports nothing, compiled now or found in the cache."""
+    return compiled_by(wasm_compiler(), module_sources(described), _ALWAYS, FLAGS).read_bytes()

@@ -7,18 +7,94 @@ import gzip
 import hashlib
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from html import escape
 from importlib import resources
-from typing import Any, Final
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
 
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.files import write_all
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.web.description import describe_page
+from softcat_sym.web.module import wasm_compiler, wasm_module
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.reading import SceneLike
 
 LARGEST: Final = 400_000
 """Bytes of a page."""
 
 _ROOMS: Final = {"MODULE": "the compiled solver", "DATA": "what is known of the scenes"}
 """Parts that a scene makes large."""
+
+
+STEPS: Final = 3
+"""Of :func:`live_page`."""
+
+
+def live_page(
+    scene: SceneLike,
+    directory: str | Path,
+    sliders: Sequence[str] = (),
+    name: str = "filament",
+    on_progress: Callable[[str], None] = lambda _: None,
+) -> Path:
+    """Write a scene as a page with sliders, which solves it in any browser: no server, no network, no other file.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        What is asked. It is run once, for its effects and its resolution, which the page keeps.
+    directory : str or pathlib.Path
+        Where the page goes; made if missing.
+    sliders : sequence of str
+        Further keys to move, or other ranges, as ``KEY=low:high[:log]``; span, diameter, density, duration, and what
+        the law and the surface have, are there already.
+    name : str
+        Of the file, without ``.html``, and of the scene in the page's links.
+    on_progress : callable
+        Told which of the `STEPS` begins.
+
+    Returns
+    -------
+    pathlib.Path
+        The page.
+
+    Raises
+    ------
+    SceneError
+        If the scene has no compiled form, or a key cannot be a slider.
+    SoftcatError
+        If there is no compiler for WebAssembly (``pip install "softcat_sym[web]"``), or the page would be too large.
+    OSError
+        If the directory cannot be written. Nothing is written of a scene that is refused.
+    """
+    # Before the scene is run: without a compiler it need not be.
+    wasm_compiler()
+    on_progress("running the scene")
+    page = describe_page(scene, sliders, name)
+    on_progress("compiling its solver for browsers")
+    module = wasm_module(page.described)
+    on_progress("writing")
+    return write_all(directory, {f"{name}.html": page_of(page.data, module).encode()})[0]
+
+
+def bundled_pages(
+    directory: str | Path, on_progress: Callable[[str], None] = lambda _: None
+) -> tuple[list[Path], dict[str, str]]:
+    """Write the pages of all bundled scenes that can have one; those without, and why, are returned, too."""
+    wasm_compiler()
+    written, refused = list[Path](), dict[str, str]()
+    for name in bundled_names():
+        on_progress(name)
+        try:
+            written.append(live_page(name, directory, name=name))
+        except SceneError as error:
+            refused[name] = "; ".join(map(str, error.faults))
+        except SoftcatError as error:
+            refused[name] = str(error)
+    return written, refused
 
 
 def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) -> str:
