@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -19,6 +19,11 @@ from softcat_sym.cli.application import (
     scene_and_directory,
     study,
 )
+from softcat_sym.errors import SceneError, SoftcatError
+
+if TYPE_CHECKING:
+    from softcat_sym.solvers.solution import Progress
+    from softcat_sym.studies.card import Card
 
 _CURVE = typer.Option(metavar="CSV", help="Columns shear_rate_1_s, shear_stress_Pa.")
 _SAG = typer.Option(metavar="LENGTH", help="What the filament may sag: '1 mm', or '5 %' of the span (default).")
@@ -89,9 +94,29 @@ def card(
     words += [word for change in changes or [] for word in ("--set", change)]
     with study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         found = make_card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
+        live, why = _live_page(found, progress)
         progress.stage("drawing")
-        written = write_card(found, output, shlex.join([*words, "-o", "DIR"]))
+        written = write_card(found, output, shlex.join([*words, "-o", "DIR"]), live)
     if not quiet:
         print_card(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        if why:
+            typer.echo(f"no live page: {why}")
     judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
+
+
+def _live_page(found: Card, progress: Progress) -> tuple[str, str]:
+    """The text of the card's live page, or why there is none; nothing where no compiler for it is installed."""
+    from softcat_sym.web.module import find_wasm_compiler
+
+    if not found.run.outcome.is_success or find_wasm_compiler() is None:
+        return "", ""
+    from softcat_sym.web.page import page_text
+
+    progress.stage("making a live page")
+    try:
+        return page_text(found.scene, name="live"), ""
+    except SceneError as error:
+        return "", "; ".join(map(str, error.faults))
+    except SoftcatError as error:
+        return "", str(error)

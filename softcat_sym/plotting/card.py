@@ -301,8 +301,8 @@ def _draw_exponents(axes: Axes, card: Card) -> None:
     axes.set_title(f"longest span for {printable(card.limit, 12)}", fontsize=8.5, loc="left")
 
 
-def card_page(card: Card, picture: bytes | None, command: str = "") -> bytes:
-    """Write the page."""
+def card_page(card: Card, picture: bytes | None, command: str = "", live: str = "") -> bytes:
+    """Write the page, with a link to a live one if there is such a file."""
     sound, sentence = verdict(card)
     kinds = ["holds" if rule.holds else "idle" if rule.predicted is None else "" for rule in card.rules]
     return page(
@@ -318,6 +318,7 @@ def card_page(card: Card, picture: bytes | None, command: str = "") -> bytes:
         rules=list(zip(kinds, map(rule_texts, card.rules), strict=True)),
         right=_NUMBERS,
         command=command,
+        live=live,
     )
 
 
@@ -338,14 +339,20 @@ def _headline(card: Card) -> Iterator[tuple[str, str]]:
         yield f"{100 * card.error_estimate:.2g} %", "estimated error"
 
 
-def write_card(card: Card, directory: str | Path, command: str = "") -> list[Path]:
-    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``."""
+LIVE = "live.html"
+
+
+def write_card(card: Card, directory: str | Path, command: str = "", live: str = "") -> list[Path]:
+    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``; the text of a live page, too."""
     figure = card.figures().get("card")
     contents = {
-        "card.html": card_page(card, None if figure is None else png(figure, titled=False), command),
+        "card.html": card_page(
+            card, None if figure is None else png(figure, titled=False), command, LIVE if live else ""
+        ),
         "card.json": card.to_dict(),
         "card.csv": card.to_frame(),
         "scene.toml": card.scene.to_toml(),
         "card.png": figure,
+        **({LIVE: live.encode()} if live else {}),
     }
     return write_results(directory, contents)

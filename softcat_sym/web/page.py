@@ -70,14 +70,21 @@ def live_page(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
+    text = page_text(scene, sliders, name, on_progress)
+    on_progress("writing")
+    return write_all(directory, {f"{name}.html": text.encode()})[0]
+
+
+def page_text(
+    scene: SceneLike, sliders: Sequence[str] = (), name: str = "", on_progress: Callable[[str], None] = lambda _: None
+) -> str:
+    """The page itself, with errors as :func:`live_page`."""
     # Before the scene is run: without a compiler it need not be.
     wasm_compiler()
     on_progress("running the scene")
     page = describe_page(scene, sliders, name)
     on_progress("compiling its solver for browsers")
-    module = wasm_module(page.described)
-    on_progress("writing")
-    return write_all(directory, {f"{name}.html": page_of(page.data, module).encode()})[0]
+    return page_of(page.data, wasm_module(page.described))
 
 
 def bundled_pages(
