@@ -343,7 +343,7 @@ LIVE = "live.html"
 
 
 def write_card(card: Card, directory: str | Path, command: str = "", live: str = "") -> list[Path]:
-    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``; the text of a live page, too."""
+    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``; a live page, too."""
     figure = card.figures().get("card")
     contents = {
         "card.html": card_page(

@@ -21,8 +21,8 @@ VARIABLE = "SOFTCAT_WASM_CC"
 TO_INSTALL = f'pip install "softcat_sym[web]", or name a C compiler for WebAssembly in {VARIABLE}'
 """What a user without such a compiler can do."""
 
-# Sums may be taken in any order, so that vectors add them up: without it a run takes a tenth to a half longer. What is not
-# finite is still found; -ffast-math would say it never is.
+# Sums may be taken in any order, so that vectors add them up: without it a run takes a tenth to a half longer. What is
+# not finite is still found; -ffast-math would say it never is.
 FLAGS = (*OPTIMISED, "-fassociative-math", "-fno-signed-zeros")
 
 _ALWAYS = ("-std=c99", "-target", "wasm32-wasi", "-mexec-model=reactor", "-s")
