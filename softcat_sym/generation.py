@@ -80,16 +80,16 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     described, filament = export(scene)
     graph = filament.graph
     command = COMMAND if name == "filament" else f"{COMMAND} --name {name}"
-    straight = is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic)
+    start = start_of(described, filament)
     files = {
         **model_files(described, name, command),
         **runtime_files(),
         **program_files(described, name, command, rhs=rhs),
-        "parameters.txt": parameter_text(described, command, has_start=not straight),
+        "parameters.txt": parameter_text(described, command, has_start=start is not None),
         "scene.toml": scene.to_toml(),
     }
-    if not straight:
-        files[START] = start_text(described, graph.grid.nodes, _start(described, filament))
+    if start is not None:
+        files[START] = start_text(described, graph.grid.nodes, start)
     return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
@@ -119,9 +119,11 @@ def _newton(filament: Assembled) -> Newton | None:
     return CompiledNewton(filament.graph, code, filament.code_at_rest, settings)
 
 
-def _start(described: Description, filament: Assembled) -> Floats:
-    """Unknowns at t = 0 in rows of sites, what the ends hold filled in."""
+def start_of(described: Description, filament: Assembled) -> Floats | None:
+    """Unknowns at t = 0 in rows of sites, what the ends hold filled in; None of a filament that begins straight."""
     graph, scene = filament.graph, filament.scene
+    if is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic):
+        return None
     p = graph.vector(parameter_values(scene))
     start = starting_state(scene, graph, p, filament.at_rest, _newton(filament))
     if start is None:

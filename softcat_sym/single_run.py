@@ -20,7 +20,7 @@ from softcat_sym.solvers.solution import Progress, Silence
 
 _MIN_CELLS = 8
 
-_TRIES, _TIGHTER = 3, 30.0
+TRIES, TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
 
 OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
@@ -49,10 +49,10 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
     times = max(times, scene.run.frames)
     stride = (times - 1) // (scene.run.frames - 1)
     tried = resolved if stride == 1 else resolved.replace({"run.frames": times})
-    for left in reversed(range(_TRIES)):
+    for left in reversed(range(TRIES)):
         prepared = build(tried, effects, clock, progress)
         clock.lap("build")
-        progress.doing("solving" if left == _TRIES - 1 else "solving again, in shorter steps")
+        progress.doing("solving" if left == TRIES - 1 else "solving again, in shorter steps")
         solution = prepared.solve(progress)
         clock.lap("solve")
         heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
@@ -67,7 +67,7 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
             break
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
-        tried = tried.replace({"numerics.rtol": prepared.settings.rtol / _TIGHTER})
+        tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
     return replace(trajectory, heights=heights)
 
 

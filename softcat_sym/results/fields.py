@@ -84,7 +84,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
 }
 
 COORDINATES: Final = ("time", "X_node", "X_cell")
-_ENERGY, _WORK, _LOST = "energy_", "work_", "energy_dissipated_"
+_ENERGY, _WORK, LOST = "energy_", "work_", "energy_dissipated_"
 _OWN_POWERS = 3  # Plastic, of the load, of the necking gradient; then of the effects that dissipate
 _ODD = frozenset({"x", "shear", "shear_force"})
 
@@ -93,8 +93,8 @@ def variable_of(name: str) -> Variable:
     """What a variable is: one above, or the energy that the densities of an effect store or lose."""
     if name in VARIABLES or not name.startswith(_ENERGY):
         return VARIABLES[name]
-    if name.startswith(_LOST):
-        return Variable(_FRAME, "J", f"dissipated by {name.removeprefix(_LOST).replace('_', '-')} since t = 0", True)
+    if name.startswith(LOST):
+        return Variable(_FRAME, "J", f"dissipated by {name.removeprefix(LOST).replace('_', '-')} since t = 0", True)
     return Variable(_FRAME, "J", f"energy stored by {name.removeprefix(_ENERGY).replace('_', '-')} since t = 0", True)
 
 
@@ -127,9 +127,14 @@ def is_loss(name: str) -> bool:
     return name.startswith("energy_dissipated")
 
 
+def is_odd(name: str) -> bool:
+    """Whether a field changes its sign in the mirror image of a half."""
+    return name in _ODD
+
+
 def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
     """Whole-span field from its right half, in so many of its units."""
-    sign, middle = -1.0 if name in _ODD else 1.0, int(variable_of(name).dims == _NODE)
+    sign, middle = -1.0 if is_odd(name) else 1.0, int(variable_of(name).dims == _NODE)
     left = values.shape[1] - middle
     whole = np.empty((len(values), left + values.shape[1]))
     np.multiply(values, unit, out=whole[:, left:])
@@ -161,7 +166,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
         load = load + _work_of_torque(scene, observed)
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
     for name, loss in zip(graph.powers[_OWN_POWERS:], lost, strict=True):
-        observed[name if name in VARIABLES else f"{_LOST}{name}"] = loss[:, None]
+        observed[name if name in VARIABLES else f"{LOST}{name}"] = loss[:, None]
     if "heat_stored" in observed:
         observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * _heat_unit(scene) * span / unit
     against_gradient = gradient

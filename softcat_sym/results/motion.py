@@ -355,9 +355,8 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     if is_solid(scene):
         return "elastic"
     if not (effects.terms().flows or effects.terms().viscous):
-        limit = yield_stress_of(scene)
         stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
-        first = None if limit is None else extremes_of(limit, scene.run.duration)[0]
+        first = lowest_yield_stress(scene)
         return "no-yield" if first is not None and float(np.max(stress)) < first else "elastic"
     if not effects.terms().yields:
         return "viscous"
@@ -372,16 +371,28 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     return "arrested-underdamped" if turned_back(midpoint) > TURNED_BACK else "arrested-overdamped"
 
 
-def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
-    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`; by the material of the end."""
+def pace_of(scene: Scene) -> float | None:
+    """Plastic rate at an overstress as large as the yield stress of the end [1/s], sigma_Y/eta or (sigma_Y/K)^(1/n)."""
     scene = scene.at(scene.run.duration)
     material, yield_stress, viscosity = scene.material, yield_stress_of(scene), effective_viscosity(scene)
     if not yield_stress or not viscosity:
-        return False
-    # Plastic strain rate at an overstress as large as the yield stress: sigma_Y/eta, (sigma_Y/K)^(1/n).
-    pace = yield_stress / viscosity
+        return None
     if material.viscosity is not None:
-        pace = float((yield_stress / material.viscosity) ** (1 / material.index))
+        return float((yield_stress / material.viscosity) ** (1 / material.index))
+    return yield_stress / viscosity
+
+
+def lowest_yield_stress(scene: Scene) -> float | None:
+    """Lowest yield stress during a run [Pa]; None of a law without one."""
+    limit = yield_stress_of(scene)
+    return None if limit is None else extremes_of(limit, scene.run.duration)[0]
+
+
+def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
+    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`; by the material of the end."""
+    pace = pace_of(scene)
+    if pace is None:
+        return False
     frames, share = len(plastic_rate), ARREST_TIME
     if scene.load.shake > 0:
         share = min(1.0, max(share, 1 / (scene.load.shake_frequency * scene.run.duration)))

@@ -86,26 +86,27 @@ stress the paper's ringing filament stops at 0.18 for G = 0.25 and at 0.33 for G
 elements stop too; for G = 0.4 it ruptures on every grid (tests/slow/test_necking.py).
 """
 
-_SMOOTH = 0.3
+SMOOTH = 0.3
 """Of the neighbours' strain: what a cell much longer than a neck may exceed them by without one."""
 
-_RUPTURED = 10.0  # strain beyond which only a thread is left: its number means nothing
+RUPTURED = 10.0
+"""Strain beyond which only a thread is left: its number means nothing."""
 
 STRONGEST = math.e
 """Stretch at which a bar of true strain is strongest, A0 E log(s)/s: an elastic solid drawn further runs away."""
 
-_GAIN = 0.2
+GAIN = 0.2
 """Share by which the energy of a filament may exceed what weight and supports gave it, where the closure is the paper's
 printed one and its balance is no more than approximate; a filament that has run away exceeds it a millionfold."""
 
-_NOISE = 0.01
+NOISE = 0.01
 """Of the largest energy: the first frames hold next to nothing, to no accuracy."""
 
 SHORTEST_CELL = 1 / 18
 """Of the thickness. A ringing filament whose hinge has cells of h0/17 stops where elements do, on 40, 80 and 160 cells;
 with cells of h0/19 to h0/35 it sags a tenth to four times further, differently on every grid."""
 
-_COMPRESSION = 0.02
+COMPRESSION = 0.02
 """Of the largest tension: what a string that does not bend may be compressed by."""
 
 
@@ -141,7 +142,7 @@ def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
 
     beside = np.maximum(mean(left - window), mean(left + window))
     # Over a cell longer than a neck strain also varies smoothly, and by more than a short neck holds.
-    smooth = _SMOOTH * (1 - neck / window) * np.maximum(np.where(np.isfinite(beside), beside, 0.0), 0.0)
+    smooth = SMOOTH * (1 - neck / window) * np.maximum(np.where(np.isfinite(beside), beside, 0.0), 0.0)
     excess = mean(left) - beside - smooth
     return float(np.max(np.where(np.isfinite(excess), excess, 0.0) * window / neck))
 
@@ -154,7 +155,7 @@ def neck_that_the_grid_decides(stretch: Floats, nodes: Floats, neck: float | Non
         text = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
         return text if share > SHARE_OF_ONE_CELL else ""
     strain = neck_strain(stretch, length, neck)
-    far = f"by {strain:.0%} of its length" if strain < _RUPTURED else f"to more than {_RUPTURED:g} times its length"
+    far = f"by {strain:.0%} of its length" if strain < RUPTURED else f"to more than {RUPTURED:g} times its length"
     text = f"the neck at {where} is drawn out {far} beyond its neighbourhood: near rupture"
     return text if strain > DRAWN_OUT else ""
 
@@ -199,8 +200,8 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     stored = np.sum([fields[name] for name in energies_of(fields) if name not in inner and not is_loss(name)], axis=0)
     works = np.sum([fields[name] for name, sign in audit_of(fields).items() if sign < 0], axis=0)
     given = held[0] + stored[0] - stored + works
-    noise = _NOISE * np.max(held) + least
-    excess = held - (1 + _GAIN) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
+    noise = NOISE * np.max(held) + least
+    excess = held - (1 + GAIN) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
     frame = int(np.argmax(excess))
     if not excess[frame] > 0:
         return ""
@@ -213,7 +214,7 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
 def pushed_string(time: Floats, tension: Floats) -> str:
     """When a string without bending is pushed together, or an empty text: it has no stiffness against folds."""
     # Waves along a string leave traces of compression in the first order of the grid.
-    pushed = np.flatnonzero(np.min(tension, axis=1) < -_COMPRESSION * np.max(tension))
+    pushed = np.flatnonzero(np.min(tension, axis=1) < -COMPRESSION * np.max(tension))
     if not len(pushed):
         return ""
     share = -float(np.min(tension[pushed[0]])) / float(np.max(tension))
@@ -242,7 +243,7 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     return min(short, default=None)
 
 
-_BEADED = 0.4
+BEADED = 0.4
 """Change of the logarithm of the stretch from cell to cell, a fifth of the radius, that shows a bead where it is."""
 
 
@@ -254,7 +255,7 @@ def beads_over_single_cells(nodes: Floats, fields: Mapping[str, Floats]) -> str:
     stretch = fields["stretch"]
     long = np.diff(nodes) * stretch / (fields["thickness"] / 2)
     uneven = np.abs(np.diff(np.log(np.maximum(stretch, 1e-300)), axis=1))
-    longer = np.where(uneven > _BEADED, np.minimum(long[:, 1:], long[:, :-1]), 0.0)
+    longer = np.where(uneven > BEADED, np.minimum(long[:, 1:], long[:, :-1]), 0.0)
     frame, at = np.unravel_index(int(np.argmax(longer)), longer.shape)
     if not longer[frame, at] > 1:
         return ""

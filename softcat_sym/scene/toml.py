@@ -143,10 +143,10 @@ def toml_value(value: object) -> str:
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(toml_value(item) for item in value)}]"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{_toml_key(key)} = {toml_value(item)}' for key, item in value.items())}}}"
+        return f"{{{', '.join(f'{toml_key(key)} = {toml_value(item)}' for key, item in value.items())}}}"
     return repr(value)
 
 
-def _toml_key(key: str) -> str:
+def toml_key(key: str) -> str:
     """Write a key: bare where TOML takes it so, else as text."""
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else toml_value(key)

@@ -36,7 +36,7 @@ _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
 _SHOWN = ("-O2",)
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
-_OUTCOMES = {
+OUTCOMES = {
     STEP_LIMIT: Outcome.step_limit,
     STEP_TOO_SMALL: Outcome.no_convergence,
     NON_FINITE: Outcome.non_finite,
@@ -460,7 +460,7 @@ class CompiledIntegration:
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code not in (SOLVED, STOPPED):
-            outcome, worst = _OUTCOMES[status.code], ""
+            outcome, worst = OUTCOMES[status.code], ""
             if status.worst_slot >= 0:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"

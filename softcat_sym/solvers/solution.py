@@ -75,14 +75,14 @@ Stretch = Callable[[Floats, Floats, Floats], Floats]
 """Stretch (frames, cells) at times (frames,) of unknowns in columns (nx, frames), (nz, frames)."""
 
 
-def _thread(terms: Terms) -> float:
+def thread_of(terms: Terms) -> float:
     """Stretch beyond which a filament of this law is followed no further."""
     return POLYMER_THREAD if terms.law.has_chains else THREAD
 
 
 def is_torn(terms: Terms, stretch: Floats) -> bool:
     """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
-    return bool(np.any(stretch > _thread(terms)))
+    return bool(np.any(stretch > thread_of(terms)))
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,9 @@ class Solution:
         while torn(frames - 2):
             frames -= 1
         time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
-        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {_thread(terms):g} times its length"
+        message = (
+            f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {thread_of(terms):g} times its length"
+        )
         return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
 
 

@@ -17,6 +17,8 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.ensemble.members import Row, is_group, is_number, kind_of
+from softcat_sym.ensemble.ranges import MAX_MEMBERS, SOURCE, SPACED, SweepAxis, Value, read_range, unit_of
+from softcat_sym.ensemble.ranges import refusal as refusal_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
 from softcat_sym.scene.keys import scene_keys
@@ -27,39 +29,16 @@ from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Wh
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
-MAX_MEMBERS: Final = 10_000_000
 Mode = Literal["grid", "zip", "lhs", "table"]
 MODES: Final = ("grid", "zip", "lhs")
-Value = object
 
-_SOURCE = "of a sweep"
 _FORM = (
     "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
 )
-_SPACED = "two ends and at least 2 values, a:b:n or a:b:n:log; positive ends for log"
-_UNIT = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$")
 _FAULTS_LISTED, _VALUES_LISTED = 10, 200
 _BLOCK, _BLOCKS, _SLOW_BLOCK = (10, 500), 200, 4
 """Members of a block, how many blocks a sweep should have, and members of a block where each takes seconds: what an
 interruption can cost, against a file for each."""
-
-
-@dataclass(frozen=True)
-class SweepAxis:
-    """One key and its values."""
-
-    key: str  # Dotted path in the scene
-    values: tuple[Value, ...]  # In the order given; plain numbers are in SI
-    scale: str = "lin"  # ``"log"`` where values are spaced evenly in their logarithm, otherwise ``"lin"``
-    ends: tuple[float, float] | None = None  # Of a range, in SI: what a Latin hypercube draws between. None for a list
-
-    def at(self, share: float) -> Value:
-        """The value at a share of the way, 0 to 1: between the ends of a range, or one of a list."""
-        if self.ends is None:
-            return self.values[min(int(share * len(self.values)), len(self.values) - 1)]
-        low, high = self.ends
-        value = low * (high / low) ** share if self.scale == "log" else low + share * (high - low)
-        return round(value) if isinstance(self.values[0], int) else value
 
 
 @dataclass(frozen=True)
@@ -235,7 +214,7 @@ def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
     for axis in axes if mode == "grid" else ():
         text, times = Counter(json.dumps(value, default=str) for value in axis.values).most_common(1)[0]
         if times > 1:
-            raise _refusal(axis.key, f"{text} is named twice", "different values")
+            raise refusal_of(axis.key, f"{text} is named twice", "different values")
 
 
 def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
@@ -252,7 +231,7 @@ def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
             except NotAQuantity as error:
                 faults.append(Fault(axis.key, str(error), kind.accepted if kind is not None else ""))
     if faults:
-        raise SceneError(list(dict.fromkeys(faults))[:_FAULTS_LISTED], _SOURCE)
+        raise SceneError(list(dict.fromkeys(faults))[:_FAULTS_LISTED], SOURCE)
 
 
 def read_axes(
@@ -267,64 +246,41 @@ def read_axes(
         try:
             key, values = (str(key), values) if values is not None else _split(key)
             if key in axes:
-                raise _refusal(key, "varied twice", "each key once")
+                raise refusal_of(key, "varied twice", "each key once")
             axes[key] = _axis(scene, key, values, drawn)
         except SceneError as error:
             faults += error.faults
     if not pairs:
         faults.append(Fault("", "nothing is varied", _FORM))
     if faults:
-        raise SceneError(faults, _SOURCE)
+        raise SceneError(faults, SOURCE)
     return tuple(axes.values())
 
 
 def _split(text: object) -> tuple[str, str]:
     key, equals, values = (part.strip() for part in str(text).partition("="))
     if not isinstance(text, str) or not key or not equals or not values:
-        raise _refusal("--vary", f"{shown(text)} varies nothing", _FORM)
+        raise refusal_of("--vary", f"{shown(text)} varies nothing", _FORM)
     return key, values
 
 
 def _axis(scene: Scene, key: str, values: Sequence[Value] | str, drawn: bool) -> SweepAxis:
     if isinstance(values, str):
         if values.count(":") >= (1 if drawn else 2):
-            return _range(scene, key, values, drawn)
+            return read_range(scene, key, values, drawn=drawn)
         if ":" in values and not values.lstrip().startswith(("[", "{", '"')):
-            raise _refusal(key, f"{shown(values)} is no range", _SPACED)
+            raise refusal_of(key, f"{shown(values)} is no range", SPACED)
         listed = _list(scene, key, values)
     elif not hasattr(values, "__len__"):
-        raise _refusal(key, f"{shown(values)} is no sequence of values", _FORM)
+        raise refusal_of(key, f"{shown(values)} is no sequence of values", _FORM)
     else:
         listed = [value.item() if isinstance(value, np.generic) else value for value in values]
     if not listed:
-        raise _refusal(key, "no value", _FORM)
+        raise refusal_of(key, "no value", _FORM)
     for value in listed:
         if is_number(value) and not math.isfinite(float(value)):
-            raise _refusal(key, f"{value} is not finite", "finite numbers")
+            raise refusal_of(key, f"{value} is not finite", "finite numbers")
     return SweepAxis(key, tuple(listed))
-
-
-def _range(scene: Scene, key: str, text: str, drawn: bool) -> SweepAxis:
-    parts = [part.strip().strip("\"'").strip() for part in text.split(":")]
-    scale = parts.pop() if parts[-1] == "log" else "lin"
-    if drawn and len(parts) == 2:
-        parts.append("2")  # how many does not matter
-    if len(parts) != 3 or not re.fullmatch(r"\d{1,8}", parts[2]) or not 2 <= int(parts[2]) <= MAX_MEMBERS:
-        raise _refusal(key, f"{shown(text)} is no range", _SPACED)
-    count = int(parts[2])
-    low, high = _ends(scene, key, parts[:2])
-    if scale == "log" and not (low > 0 and high > 0):
-        raise _refusal(key, f"{shown(text)} is logarithmic, and not positive", _SPACED)
-    if low == high:
-        raise _refusal(key, f"both ends of {shown(text)} are the same", _SPACED)
-    spaced = np.geomspace(low, high, count) if scale == "log" else np.linspace(low, high, count)
-    # Twelve digits: what rounding adds would end up in tables.
-    values: list[Value] = [float(f"{value:.12g}") for value in spaced]
-    if isinstance(kind_of(scene, {}, key), Whole):
-        values = [round(float(value)) for value in spaced]
-        if low != round(low) or high != round(high) or (len(set(values)) < count and not drawn):
-            raise _refusal(key, f"{shown(text)} does not give {count} whole numbers", "whole ends, and fewer values")
-    return SweepAxis(key, tuple(values), scale, (low, high))
 
 
 def _list(scene: Scene, key: str, text: str) -> list[Value]:
@@ -334,7 +290,7 @@ def _list(scene: Scene, key: str, text: str) -> list[Value]:
     except (ValueError, RecursionError):
         parts = [part.strip() for part in text.split(",")]
         if not all(parts):
-            raise _refusal(key, f"{shown(text)} has an empty value", _FORM) from None
+            raise refusal_of(key, f"{shown(text)} has an empty value", _FORM) from None
         overrides, faults = read_overrides([f"{key}={part}" for part in parts])
         if faults:
             raise SceneError(faults) from None
@@ -342,38 +298,10 @@ def _list(scene: Scene, key: str, text: str) -> list[Value]:
     kind = kind_of(scene, {}, key)
     if not isinstance(kind, Quantity):
         return values
-    unit = _unit_of(str(values[-1])) if values else ""
+    unit = unit_of(str(values[-1])) if values else ""
     if not unit and any(is_number(value) for value in values):
-        raise _refusal(key, f"{shown(text)} has no unit", kind.accepted)
+        raise refusal_of(key, f"{shown(text)} has no unit", kind.accepted)
     return [f"{value!r} {unit}" if is_number(value) else value for value in values]
-
-
-def _ends(scene: Scene, key: str, ends: Sequence[str]) -> list[float]:
-    """The two ends of a range as numbers, quantities in SI; the first may have the unit of the second."""
-    kind = kind_of(scene, {}, key)
-    if not isinstance(kind, Quantity):
-        try:
-            numbers = [float(end) for end in ends]
-        except ValueError:
-            name = key if is_group(key) or kind is None else f"{key}, which is {kind.accepted}"
-            raise _refusal(key, f"{shown(':'.join(ends))} are no plain numbers", f"plain numbers for {name}") from None
-        if not all(map(math.isfinite, numbers)):
-            raise _refusal(key, f"{shown(':'.join(ends))} is not finite", _SPACED)
-        return numbers
-    texts = [end if _unit_of(end) else f"{end} {_unit_of(ends[1])}".strip() for end in ends]
-    try:
-        return [kind.measured(text) for text in texts]
-    except NotAQuantity as error:
-        raise _refusal(key, str(error), kind.accepted) from None
-
-
-def _unit_of(text: str) -> str:
-    match = _UNIT.match(text)
-    return match[2] if match else ""
-
-
-def _refusal(key: str, found: str, accepted: str) -> SceneError:
-    return SceneError([Fault(key, found, accepted)], _SOURCE)
 
 
 _KIND = "table of a sweep"

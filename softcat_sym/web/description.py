@@ -1,0 +1,410 @@
+"""What a page knows of its scene: all that its JavaScript needs, computed once, as JSON holds it."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from softcat_sym.codegen.interface import Description
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.discretization.section_rule import POINT, SectionRule
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.effects import theory_limits
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.law import is_solid
+from softcat_sym.ensemble.members import Row, written
+from softcat_sym.error_control.estimate import Resolution, resolution_of
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.results import motion, verdict
+from softcat_sym.results.breaking import breakable
+from softcat_sym.results.fields import LOST, VARIABLES, energies_of, is_odd, midpoint_heights, variable_of
+from softcat_sym.results.run import Run
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import SceneLike, as_scene, load_scene
+from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.scene.toml import toml_key, toml_value
+from softcat_sym.simulate import recalled
+from softcat_sym.single_run import OF_A_STEP_TOO_LONG, TIGHTER, TRIES, build
+from softcat_sym.solvers.compiled import OUTCOMES
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.settings import RODAS5P, Settings, compiled_settings
+from softcat_sym.solvers.solution import Silence, thread_of
+from softcat_sym.web.fixed import Fixed, between, is_close, product, random_points, value_of
+from softcat_sym.web.sliders import Slider, choose_sliders, coefficients_of, follows, is_needed, middle_of, points_of
+
+_POINTS, _SCANNED = 32, 11
+_MAX_STEPS = 100_000
+_QUICK = 0.03
+"""Seconds below which a run follows a slider by itself."""
+
+_PREVIEWS: Final = ((12, 10.0), (20, 10.0), (20, 3.0))
+"""Cells, and how much looser the tolerances are: from the cheapest on."""
+
+_OWN: Final = ("too thick for a filament", "it never stops")
+"""Warnings that the page gives by itself, with the numbers of its state."""
+
+_EFFECT = "\t"
+
+_ENOUGH = 3.0
+"""Times the accuracy asked: what a preview may err by."""
+
+
+@dataclass(frozen=True)
+class Page:
+    """All that is put together to a page."""
+
+    data: dict[str, Any]  # As its JSON has it
+    described: Description  # The structure whose C text is compiled
+
+
+def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "") -> Page:
+    """Describe the live page of a scene.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        What is asked. It is run once, for the effects and the resolution that ``softcat run`` ends with.
+    sliders : sequence of str
+        Further keys to move, or other ranges, as ``KEY=low:high[:log]``.
+    name : str
+        Of the scene, for links; that of a bundled one by default.
+
+    Returns
+    -------
+    Page
+        The data of the page, and the structure that is to be compiled for it.
+
+    Raises
+    ------
+    SceneError
+        If the scene has no compiled form, or a key cannot be a slider.
+    """
+    given = as_scene(scene)
+    name = name or (scene if isinstance(scene, str) and scene in bundled_names() else "scene")
+    refuse_settled(given, "a page runs to the end of its duration")
+    run = recalled(given)
+    if run.scene.run.dimensions != given.run.dimensions:
+        accepted = "run.dimensions = 2 or 3"
+        raise SceneError([Fault("run.dimensions", "'auto', but it is unstable sideways", accepted)])
+    base, at = _fixed(given, run)
+    others = _alike(base, at)
+    chosen = choose_sliders(base, sliders, tuple(one.scene for one in others.values()))
+    middle = middle_of(base, chosen)
+    fitting = {key: one for key, one in others.items() if key != name and _fits(one, middle, chosen)}
+    described, filament = base.exported
+    settings = _settings(base, at, chosen)
+    absolute = settings.pop("absolute")
+    resolution = {
+        "cells": at.cells,
+        "frames": given.run.frames,
+        "grading": at.grading,
+        **settings,
+        "absolute": absolute,
+        "max_steps": _MAX_STEPS,
+        "nodes": filament.graph.grid.nodes.tolist(),
+    }
+    coefficients, points = coefficients_of(middle, chosen), points_of(base, chosen)
+    usual = {name for name, one in coefficients.items() if is_needed(base, name) or follows(points, chosen, name, one)}
+    model, rule = described.model, filament.graph.rule
+    shown = [
+        {"name": one.name, "first": one.first, "behind": one.behind, "summed": one.summed}
+        for one in model.signature.shown
+    ]
+    data = {
+        "title": described.title,
+        "name": name,
+        "effects": run.summary["effects"],
+        "left_out": {key: f"{value:.2g} of the sag" for key, value in run.summary["left_out"].items()},
+        "section": given.filament.section,
+        "ends": [given.ends.left, given.ends.right],
+        "half": filament.graph.grid.is_half,
+        "axes": 3 if filament.theory.is_spatial else 2,
+        "parameters": list(model.parameters),
+        "units": [one.unit for one in described.parameters],
+        "slots": [slot.name for slot in model.slots],
+        "powers": list(model.powers),
+        "rows": shown,
+        "points": rule
+        and {
+            "count": rule.points,
+            "weight": rule.weight.tolist(),
+            "zeta": rule.zeta.tolist() if isinstance(rule, SectionRule) else None,
+        },
+        "resolution": resolution,
+        "preview": _preview(base, at, resolution, chosen),
+        "accuracy": _accuracy(run),
+        "scenes": [
+            _scene(title, one, given if one is base else load_scene(title), base, chosen, usual)
+            for title, one in ({name: base} | fitting).items()
+        ],
+        "sliders": [slider.to_dict() for slider in chosen],
+        "notes": _notes(given, base, chosen),
+        "words": {
+            "outcomes": {outcome.name: outcome.value for outcome in Outcome},
+            "codes": {str(code): outcome.name for code, outcome in OUTCOMES.items()},
+        },
+        "limits": _limits(base, chosen, usual, given.numerics.rtol),
+    }
+    return Page(data, described)
+
+
+def _fixed(scene: Scene, run: Run) -> tuple[Fixed, Resolution]:
+    """The scene with the effects and the resolution that its run ended with."""
+    effects, found = run.summary["effects"], run.summary["resolution"]
+    named = scene.replace({"run.effects": list(effects)})
+    at = Resolution(**found) if found else resolution_of(named, choose_effects(named), compiled=True)
+    return Fixed(at.of(named)), at
+
+
+def _alike(base: Fixed, at: Resolution) -> dict[str, Fixed]:
+    """Bundled scenes of the same structure, at the same resolution."""
+    found = {}
+    for name in bundled_names():
+        scene = load_scene(name)
+        if scene.material.law != base.scene.material.law or scene.run.until == "settled":
+            continue
+        names = choose_effects(scene).names
+        if names != base.effects.names:
+            continue
+        other = Fixed(at.of(scene.replace({"run.effects": list(names)})))
+        other.__dict__["parameters"] = base.parameters
+        if other.structure == base.structure and not base.differs(other) and not base.starts_elsewhere(other):
+            found[name] = other
+    return found
+
+
+def _values(scene: Scene, sliders: Sequence[Slider]) -> dict[str, float | None]:
+    return {slider.key: value_of(scene, slider.key) for slider in sliders}
+
+
+def _fits(other: Fixed, middle: Fixed, sliders: Sequence[Slider]) -> bool:
+    """Whether another scene's numbers follow from the sliders as this one's do, within their ranges."""
+    values = _values(other.scene, sliders)
+    ends = {slider.key: (slider.low, slider.high) for slider in sliders}
+    if not all(value is not None and ends[key][0] <= value <= ends[key][1] for key, value in values.items()):
+        return False
+    moved = middle_of(other, sliders)
+    coefficients, exponents = coefficients_of(moved, sliders), {slider.key: slider.exponents for slider in sliders}
+    at = {key: value for key, value in values.items() if value is not None}
+    needed = [name for name in coefficients if is_needed(middle, name)]
+    return all(is_close(product(coefficients[name], exponents, name, at), other.numbers[name]) for name in needed)
+
+
+def _scene(
+    title: str, one: Fixed, asked: Scene, base: Fixed, sliders: Sequence[Slider], usual: set[str]
+) -> dict[str, Any]:
+    """One scene of a page: what its numbers are multiplied by, where it begins, and its TOML."""
+    coefficients = coefficients_of(middle_of(one, sliders), sliders)
+    start, grid = one.start, one.exported[1].graph.grid
+    return {
+        "name": title,
+        "title": one.scene.title or title,
+        "toml": toml_with(asked, sliders),
+        "keys": _values(one.scene, sliders),
+        "coefficients": [coefficients[name] for name in base.parameters],
+        "numbers": {name.removeprefix("."): coefficients[name] for name in sorted(usual) if name.startswith(".")},
+        "duration": one.scene.run.duration,
+        "start": None
+        if start is None
+        else {"rows": len(start), "numbers": np.column_stack([grid.nodes, start]).ravel().tolist()},
+    }
+
+
+def toml_with(scene: Scene, sliders: Sequence[Slider]) -> str:
+    """A scene as it was given, with a line of its own for each key that a slider moves."""
+    values: Row = {key: value for key, value in _values(scene, sliders).items() if value is not None}
+    tables = scene.replace(written(scene, values)).given()
+    plain = {name: value for name, value in tables.items() if not isinstance(value, Mapping)}
+    lines = [f"{name} = {toml_value(value)}" for name, value in plain.items()]
+    for table, entries in tables.items():
+        if isinstance(entries, Mapping) and entries:
+            lines += ["", f"[{table}]", *_lines(entries)]
+    return "\n".join([*lines, ""])
+
+
+def _lines(entries: Mapping[str, object], before: str = "") -> list[str]:
+    lines = []
+    for name, value in entries.items():
+        key = before + toml_key(name)
+        lines += _lines(value, f"{key}.") if isinstance(value, Mapping) else [f"{key} = {toml_value(value)}"]
+    return lines
+
+
+def _settings(base: Fixed, at: Resolution, sliders: Sequence[Slider]) -> dict[str, Any]:
+    """The tightest settings of random points of the ranges; the largest step in units of the time scale."""
+    slots = [slot.name for slot in base.exported[0].model.slots]
+    own = base.scene.replace({"numerics.rtol": None})
+    refined = at.rtol / compiled_settings(own, base.effects).rtol
+    found, longest = list[Settings](), [math.inf]
+    for _, moved in [({}, base), *random_points(base, {slider.key: slider.range for slider in sliders}, _POINTS)]:
+        scene = moved.scene.replace({"numerics.rtol": None})
+        try:
+            rtol = compiled_settings(scene, moved.effects).rtol * refined
+        except SceneError:
+            continue  # No filament withstands these numbers together.
+        found.append(compiled_settings(scene.replace({"numerics.rtol": rtol}), moved.effects))
+        longest.append((found[-1].max_step or math.inf) / moved.numbers["time_scale"])
+    largest = min(longest)
+    return {
+        "relative": min(one.rtol for one in found),
+        "largest_step": 0.0 if math.isinf(largest) else largest,
+        "method": found[0].method if len({one.method for one in found}) == 1 else RODAS5P,
+        "absolute": np.min([one.absolute(slots) for one in found], axis=0).tolist(),
+    }
+
+
+def _preview(base: Fixed, at: Resolution, full: dict[str, Any], sliders: Sequence[Slider]) -> dict[str, Any] | None:
+    """The cheapest resolution that errs by little more than the full one, measured at the scene's own values."""
+    exact, seconds = _solved(base.scene, base.effects)
+    if seconds < _QUICK or exact is None:
+        return None
+    best: dict[str, Any] | None = None
+    for cells, looser in _PREVIEWS:
+        if cells >= at.cells:
+            break
+        grading = base.scene.numerics.grading if cells == at.cells else choose_grading(base.scene, cells, base.effects)
+        coarse = base.scene.replace(
+            {"numerics.cells": cells, "numerics.grading": grading, "numerics.rtol": full["relative"] * looser}
+        )
+        rough, _ = _solved(coarse, base.effects)
+        if rough is None or len(rough) != len(exact):
+            continue
+        error = float(np.max(np.abs(rough - exact)) / np.max(np.abs(exact)))
+        nodes = Fixed(coarse).exported[1].graph.grid.nodes.tolist()
+        loose = {"relative": full["relative"] * looser, "absolute": [looser * one for one in full["absolute"]]}
+        found = {**full, **loose, "cells": cells, "grading": grading, "nodes": nodes, "error": error}
+        if best is None or error < best["error"]:
+            best = found
+        if error < _ENOUGH * base.scene.run.accuracy:
+            break
+    return best
+
+
+def _solved(scene: Scene, effects: Effects) -> tuple[Floats | None, float]:
+    """Midpoint and seconds of a run; no midpoint without an answer."""
+    prepared = build(scene, effects)
+    began = time.perf_counter()
+    solution = prepared.solve(Silence())
+    spent = time.perf_counter() - began
+    sound = solution.outcome.is_success
+    return midpoint_heights(prepared.graph, solution) * rest_length(scene) if sound else None, spent
+
+
+def _accuracy(run: Run) -> dict[str, Any]:
+    """How accurate the grid of the page is at the scene's own values."""
+    asked, errors = run.summary["accuracy"], run.summary["error_estimate"]
+    estimate = None if errors is None else errors["total"]
+    error = "was not estimated" if estimate is None else f"is about {100 * estimate:.2g} % of the sag"
+    words = f"at the scene's own values its error {error}; {100 * asked:.2g} % were asked"
+    return {"asked": asked, "estimate": estimate, "words": words}
+
+
+def _notes(scene: Scene, base: Fixed, sliders: Sequence[Slider]) -> list[dict[str, Any]]:
+    """From which value of each slider on ``softcat run`` would take other effects, or warn."""
+    always = _said(scene, base, {})
+    return [note for slider in sliders for note in _notes_of(scene, base, slider, always)]
+
+
+def _notes_of(scene: Scene, base: Fixed, slider: Slider, always: Mapping[str, str]) -> list[dict[str, Any]]:
+    """What is said somewhere in the range of a slider and not at the scene's own value."""
+    values = [between(*slider.range, share) for share in np.linspace(0.0, 1.0, _SCANNED)]
+    own = value_of(scene, slider.key) or values[0]
+    said = [_said(scene, base, {slider.key: value}) for value in values]
+    found = dict[tuple[float | None, float | None, str], list[str]]()
+    for kind in dict.fromkeys(one for some in said for one in some if one not in always):
+        where = [value for value, some in zip(values, said, strict=True) if kind in some]
+        above = min((value for value in where if value > own), default=None)
+        below = max((value for value in where if value < own), default=None)
+        begin, _, effect = next(some[kind] for some in said if kind in some).partition(_EFFECT)
+        found.setdefault((above, below, begin), []).append(effect)
+    return [
+        {"key": slider.key, "above": above, "below": below, "words": f"{begin} {', '.join(effects)}".strip()}
+        for (above, below, begin), effects in found.items()
+    ]
+
+
+def _said(scene: Scene, base: Fixed, values: Row) -> dict[str, str]:
+    """What there is to say of a scene at other values, by kind; names of effects stand behind a mark."""
+    try:
+        moved = scene.replace(written(scene, values))
+        effects = choose_effects(moved)
+    except SceneError as error:
+        return {"refused": f"softcat run would refuse it: {error.faults[0].found}"}
+    found = dict[str, str]()
+    if scene.run.effects == "auto":
+        ours, theirs = base.effects.names, effects.names
+        found |= {f"+{one}": f"softcat run would also take in{_EFFECT}{one}" for one in theirs if one not in ours}
+        found |= {f"-{one}": f"softcat run would leave out{_EFFECT}{one}" for one in ours if one not in theirs}
+    warnings = theory_limits.theory_limits(moved, expected_regime(moved, effects.names))
+    # Numbers in the words differ from value to value: a warning is known by how it begins.
+    kinds = {words.partition(":")[0].partition(" (")[0]: words for words in warnings}
+    return found | {kind: words for kind, words in kinds.items() if kind not in _OWN}
+
+
+def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol: float | None) -> dict[str, Any]:
+    """Numbers and flags from which the page judges a run as ``softcat run`` does."""
+    scene, effects, (described, filament) = base.scene, base.effects, base.exported
+    terms, graph, model = effects.terms(), filament.graph, described.model
+    work = ["energy_dissipated", "work_external", "energy_gradient"]
+    work += [name if name in VARIABLES else f"{LOST}{name}" for name in model.powers[3:]]
+    names = [*(one.name for one in model.signature.shown if not one.name.startswith(POINT)), *work]
+    regime = expected_regime(scene, effects.names)
+    exponents = {
+        name.removeprefix("."): {s.key: s.exponents[name] for s in sliders if name in s.exponents}
+        for name in sorted(usual)
+        if name.startswith(".")
+    }
+    flows = terms.flows or terms.viscous
+    kind = "elastic" if is_solid(scene) else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
+    turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
+    return {
+        "numbers": exponents,
+        "accuracy": scene.run.accuracy,
+        "regime": kind,
+        "flows": terms.flows,
+        "necks": terms.necking_gradient and terms.yields,
+        "bends": terms.bending,
+        "damped": terms.damped,
+        "shaken": scene.load.shake > 0,
+        "surface": terms.surface_tension,
+        "felt": int(terms.viscous and terms.surface_tension),
+        "audited": graph.conserves_energy and not turned,
+        "balanced": not turned,
+        "swells": terms.finite and not terms.thins and scene.run.closure == "material",
+        "gradient_by_frames": not graph.has_velocities,
+        "work": work,
+        "energies": list(energies_of(names)),
+        "per_area": [name for name in names if name in VARIABLES and variable_of(name).per_area],
+        "odd": [name for name in names if is_odd(name)],
+        "since_start": [name for name in energies_of(names) if name == "energy_surface" or name not in VARIABLES],
+        "fields": [*VARIABLES, *(name for name in energies_of(names) if name not in VARIABLES)],
+        "tries": 1 if scene_rtol is not None else TRIES,
+        "tighter": TIGHTER,
+        "of_a_step_too_long": [outcome.name for outcome in OF_A_STEP_TOO_LONG],
+        "thread": thread_of(terms),
+        "largest_stretch": verdict.largest_stretch(scene),
+        "share_of_one_cell": verdict.SHARE_OF_ONE_CELL,
+        "drawn_out": verdict.DRAWN_OUT,
+        "smooth": verdict.SMOOTH,
+        "ruptured": verdict.RUPTURED,
+        "compression": verdict.COMPRESSION,
+        "gain": verdict.GAIN,
+        "noise": verdict.NOISE,
+        "beaded": verdict.BEADED,
+        "arrest_rate": motion.ARREST_RATE,
+        "arrest_time": motion.ARREST_TIME,
+        "turned_back": motion.TURNED_BACK,
+        "frames_a_period": motion.FRAMES_A_PERIOD,
+        "seen": motion.SEEN,
+        "thick": theory_limits.THICK,
+        "uncertain": theory_limits.RESOLVED_PER_SLENDERNESS,
+        "moves": bool(scene.ends.motion),
+        "arrest": regime.arrest_exact,
+        "breaking": [scene.material.breaking_strain, scene.material.breaking_stress] if breakable(scene) else None,
+    }

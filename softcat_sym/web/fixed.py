@@ -1,0 +1,239 @@
+"""What a page fixes of a scene, the numbers that its sliders move, and the law by which these follow from keys."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from softcat_sym.codegen.interface import Description
+from softcat_sym.codegen.structure import Structure, structure_of
+from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.parameters import heat_unit, parameter_values, time_scale
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.expected_regime import worst_gravity_number
+from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.effects.scaling_estimates import (
+    neck_length,
+    pull_of_surface,
+    yield_stress_of,
+)
+from softcat_sym.ensemble.members import kind_of, written
+from softcat_sym.errors import SceneError
+from softcat_sym.generation import export, start_of
+from softcat_sym.physics.terms import Formulation
+from softcat_sym.results.fields import min_energy
+from softcat_sym.results.motion import lowest_yield_stress, pace_of
+from softcat_sym.scene.history import History
+from softcat_sym.scene.material import physical_path
+from softcat_sym.scene.scene import Scene, force_free_stretch, groups_of, is_held, rest_length, undeformed_area
+from softcat_sym.scene.units import Quantity
+from softcat_sym.solvers.initial_state import is_straight, starting_state
+from softcat_sym.solvers.run import Assembled
+
+_FEW_CELLS = 8
+_SAME_START = 1e-7
+"""Of the rest length: by what a starting shape may differ and still be the same."""
+
+NEEDED = ("area", "thickness", "least_energy", "neck", "pace", "yield_stress", "cycles", "heat")
+"""Numbers without which the page could not judge a run as ``softcat run`` does; the others are for warnings."""
+
+
+def _derived(scene: Scene) -> dict[str, float]:
+    """Numbers beside the parameters from which a run is judged, 0 where there is none."""
+    heat, density, length = scene.temperature, scene.filament.density, rest_length(scene)
+    # Of the material of the end, which is asked whether it has stopped.
+    last = scene.at(scene.run.duration)
+    weight, pull = worst_gravity_number(last), pull_of_surface(last) if is_held(last) else 0.0
+    limit = yield_stress_of(last) or 0.0
+    return {
+        "area": undeformed_area(scene),
+        "least_energy": min_energy(scene),
+        "neck": neck_length(scene),
+        "pace": pace_of(scene) or 0.0,
+        "yield_stress": lowest_yield_stress(scene) or 0.0,
+        "cycles": scene.load.shake_frequency * scene.run.duration,
+        "heat": heat_unit(density, heat.heat_capacity or 0.0, heat.initial or 0.0)
+        * time_scale(scene) ** 2
+        / (density * length**2),
+        "thickness": scene.filament.thickness,
+        "slenderness": groups_of(scene).delta,
+        "weight": 0.0 if weight is None else weight * (limit + pull),
+        "limit": limit,
+        "pull": pull,
+    }
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """A scene with all that a page fixes: its effects by name, and its resolution."""
+
+    scene: Scene
+
+    @cached_property
+    def effects(self) -> Effects:
+        """The physics in force."""
+        return choose_effects(self.scene)
+
+    @cached_property
+    def exported(self) -> tuple[Description, Assembled]:
+        """The filament, described for C and as CasADi has it."""
+        return export(self.scene)
+
+    @cached_property
+    def structure(self) -> Structure:
+        """What its C text depends on."""
+        return _structure(self.scene, self.effects)
+
+    @cached_property
+    def start(self) -> Floats | None:
+        """Unknowns from which it begins, where it does not begin straight."""
+        return start_of(*self.exported)
+
+    @cached_property
+    def numbers(self) -> dict[str, float]:
+        """Parameters in C, and the numbers beside them that are named with a dot."""
+        values = parameter_values(self.scene)
+        derived = {f".{name}": value for name, value in _derived(self.scene).items()}
+        return {name: float(values[name]) for name in self.parameters} | derived
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters in C, in their order."""
+        return self.exported[0].model.parameters
+
+    def moved(self, values: Mapping[str, float]) -> Fixed:
+        """The same with some keys at other values, SI; refused as the scene would be."""
+        moved = Fixed(self.scene.replace(written(self.scene, dict(values))))
+        moved.__dict__["parameters"] = self.parameters
+        return moved
+
+    def differs(self, other: Fixed) -> str:
+        """What of the C text of another one is not as here, in words; empty if they share it."""
+        # Where the fibres are is a matter of resolution, which stays as it is.
+        if other.structure.key != self.structure.key:
+            return "it changes the equations, for which another solver would have to be compiled"
+        stated = zip(*(_stated(one.scene, one.effects) for one in (self, other)), strict=True)
+        if not all(np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=1e-12) for a, b in stated):
+            return "it changes what the filament begins with, which the solver has been compiled with"
+        return ""
+
+    def starts_elsewhere(self, other: Fixed) -> bool:
+        """Whether another one begins in another shape."""
+        if self.start is None:
+            return not is_straight(other.scene)
+        ours, theirs = (self._few_cells_start(one.scene) for one in (self, other))
+        return ours is None or theirs is None or bool(np.max(np.abs(ours - theirs)) > _SAME_START)
+
+    @cached_property
+    def _few_cells(self) -> Assembled:
+        """The same on few cells, for whether its start depends on a key."""
+        return Fixed(self.scene.replace({"numerics.cells": _FEW_CELLS})).exported[1]
+
+    def _few_cells_start(self, scene: Scene) -> Floats | None:
+        """Unknowns with which another scene of the same equations begins."""
+        filament = self._few_cells
+        p = filament.graph.vector(parameter_values(scene))
+        found = starting_state(scene, filament.graph, p, filament.at_rest)
+        return None if found is None else np.concatenate([found.x, found.z])
+
+
+def _structure(scene: Scene, effects: Effects) -> Structure:
+    formulation, grid = Formulation(effects.terms(), scene.filament.section, scene.run.closure), choose_grid(scene)
+    theory = choose_theory(scene, formulation.terms)
+    return structure_of(effects, grid, formulation, theory, choose_body(scene, grid))
+
+
+def _stated(scene: Scene, effects: Effects) -> Sequence[Floats | tuple[float, ...] | float]:
+    """Numbers that stand in the C text itself."""
+    natural = choose_body(scene, choose_grid(scene, effects)).natural
+    given = (initial_strain(scene), scene.initial.C, scene.filament.profile, () if natural is None else natural)
+    return (*given, force_free_stretch(scene))
+
+
+def attribute(scene: Scene, path: str) -> object:
+    """What a scene holds at a dotted path; None of what it does not have."""
+    if (known := scene.named_constants().get(path)) is not None:
+        return known.value
+    found: object = scene
+    for name in path.split("."):
+        found = getattr(found, name, None)
+    return found
+
+
+def value_of(scene: Scene, key: str) -> float | None:
+    """Value of a key in SI, also of one that the scene gives in another way; None where it is no one number."""
+    physical = physical_path(key)
+    value = attribute(scene, physical)
+    if isinstance(value, (History, bool)) or not isinstance(value, (int, float)):
+        return None
+    table, _, name = key.partition(".")
+    given = getattr(scene, table).given().get(name) if table in scene.__class__.model_fields and name else None
+    kind = kind_of(scene, {}, key)
+    if isinstance(kind, Quantity) and isinstance(given, str):
+        return kind.measured(given)
+    if physical == key:
+        return float(value)
+    one = attribute(scene.replace(written(scene, {key: 1.0})), physical)
+    return float(value) / one if isinstance(one, float) and one else None
+
+
+def random_points(
+    base: Fixed, ranges: Mapping[str, tuple[float, float, str]], count: int, seed: int = 0
+) -> Iterator[tuple[dict[str, float], Fixed]]:
+    """Draw points of the ranges that the scene accepts, at most so many."""
+    random = np.random.default_rng(seed)
+    for _ in range(count):
+        shares = random.random(len(ranges))
+        point = {key: between(*one, float(share)) for (key, one), share in zip(ranges.items(), shares, strict=True)}
+        try:
+            yield point, base.moved(point)
+        except SceneError:
+            continue  # Together they make no sense, such as a filament thicker than its span.
+
+
+def between(low: float, high: float, scale: str, share: float = 0.5) -> float:
+    """The value at a share of a range."""
+    if scale == "log":
+        return float(low * (high / low) ** share)
+    value = low + share * (high - low)
+    # Amid a range about zero a power would say nothing.
+    return value if value or share != 0.5 else high / 2
+
+
+_CLOSE = 1e-12
+_HALVES = 1e-6
+_MORE = 1.25
+
+
+def exponents_of(base: Fixed, key: str) -> dict[str, float]:
+    """Exponents of one key in each number, by what a little more of it makes of them; NaN of what has no power."""
+    value = value_of(base.scene, key) or 0.0
+    first, second = (base.moved({key: factor * value}).numbers for factor in (1.0, _MORE))
+    found = {}
+    for name, before in first.items():
+        ratio = second[name] / before if before else math.nan if second[name] else 1.0
+        exponent = math.log(ratio) / math.log(_MORE) if ratio > 0 else math.nan
+        nearest = round(2 * exponent) / 2 if math.isfinite(exponent) else math.nan
+        found[name] = nearest if abs(exponent - nearest) < _HALVES else exponent
+    return {name: exponent for name, exponent in found.items() if exponent != 0}
+
+
+def product(
+    coefficient: float, exponents: Mapping[str, Mapping[str, float]], name: str, at: Mapping[str, float]
+) -> float:
+    """A number by its law."""
+    # Zero to a negative power is what no number of a scene equals.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return coefficient * math.prod(
+            float(np.power(value, exponents[key].get(name, 0.0))) for key, value in at.items()
+        )
+
+
+def is_close(one: float, other: float) -> bool:
+    """Whether two numbers are the same but for rounding."""
+    return math.isclose(one, other, rel_tol=_CLOSE) and math.isfinite(one)

@@ -1,0 +1,199 @@
+"""The page's model.js against Python: parameters, the scene as TOML, links, and what is said of a run."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+from softcat_sym.discretization.parameters import parameter_values, time_scale
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.ensemble.members import written
+from softcat_sym.errors import SceneError
+from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
+from softcat_sym.results.motion import regime_of
+from softcat_sym.results.run import judge
+from softcat_sym.results.verdict import rupture_frame, verdict
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.single_run import build
+from softcat_sym.solvers import compiled
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Silence
+from tests.common.javascript import evaluated
+from tests.common.pages import quick_page, random_states
+from tests.common.runs import scene_of
+
+INK: dict[str, dict[str, Any]] = {
+    "filament": {"span": "5 mm", "thickness": "0.4 mm", "section": "circle", "density": "2200 kg/m^3"},
+    "material": {
+        "law": "herschel-bulkley",
+        "index": 0.5,
+        "youngs_modulus": "300 kPa",
+        "shear_yield_stress": "200 Pa",
+        "shear_consistency": "10 Pa*s^0.5",
+    },
+    "load": {"ramp": "2 ms"},
+    "run": {"duration": "10 ms", "frames": 5, "accuracy": 0.02},
+    "surroundings": {"surface_tension": "72 mN/m"},
+    "numerics": {"cells": 6, "fibres": 4, "estimate": False},
+}
+
+
+def ink() -> Scene:
+    return Scene.model_validate({table: dict(values) for table, values in INK.items()})
+
+
+def test_parameters_toml_and_links_of_a_state_are_those_of_its_scene() -> None:
+    scene = ink()
+    data = quick_page(scene, "load.gravity=1:20 m/s^2", "load.ramp=1:10 ms")
+    keys = [one["key"] for one in data["sliders"]]
+    assert {"filament.span", "material.shear_consistency", "surroundings.surface_tension", "load.ramp"} <= set(keys)
+    states = random_states({**data, "sliders": [one for one in data["sliders"] if one["low"] > 0]}, 10)
+    asked = "given.states.map(state => [parametersOf(given.data, state), tomlOf(given.data, state), "
+    asked += "linkOf(given.data, state), stateOf(given.data, '#' + linkOf(given.data, state))])"
+    for state, (parameters, toml, link, back) in zip(states, evaluated(asked, data=data, states=states), strict=True):
+        moved = scene.replace(written(scene, state["values"]))
+        values = parameter_values(moved)
+        assert parameters == pytest.approx([values[name] for name in data["parameters"]], rel=1e-12)
+        assert load_scene_text(toml) == moved, toml
+        assert back == {"scene": 0, "values": data["scenes"][0]["keys"] | state["values"]}
+        assert "scene=" in link and "<" not in link
+
+
+def load_scene_text(text: str) -> Scene:
+    return Scene.model_validate(tomllib.loads(text))
+
+
+def test_a_broken_link_gives_the_scene_as_it_stands() -> None:
+    data = quick_page(ink(), only_numbers=True)
+    slider = {"key": "filament.span", "si": 1e-3, "low": 2, "high": 9, "exponents": {}, "written": "m"}
+    data = {**data, "sliders": [slider], "scenes": [{**data["scenes"][0], "keys": {"filament.span": 0.005}}]}
+    own = {"scene": 0, "values": {"filament.span": 0.005}}
+    for hash_text, span in {
+        "": 0.005,
+        "#%E0%A4%A": 0.005,
+        "#scene=other&filament.span=0.004": 0.005,
+        "#scene=scene&filament.span=0.004": 0.004,
+        "#scene=scene&filament.span=": 0.005,
+        "#scene=scene&filament.span=1e9": 0.005,
+        "#scene=scene&filament.span=NaN&__proto__=1&x": 0.005,
+        "#<script>": 0.005,
+    }.items():
+        state = evaluated("stateOf(given.data, given.hash)", data=data, hash=hash_text)
+        assert state == own | {"values": {"filament.span": span}}, hash_text
+
+
+def test_numbers_are_written_as_python_writes_them() -> None:
+    random = np.random.default_rng(1)
+    values = [0.0, -0.0, 1.0, 100000.0, 123456.7, 1e-5, 0.0001, 2.5e10, -3.26, 999999.5, 1e21, 1e-300]
+    values += [float(x) for x in np.sign(random.normal(size=200)) * 10 ** random.uniform(-9, 12, size=200)]
+    for digits in (2, 3, 4, 6):
+        found = evaluated(f"given.values.map(value => general(value, {digits}))", values=values)
+        assert found == [f"{value:.{digits}g}" for value in values]
+
+
+LONG = {"run": {"duration": "2 s", "frames": 41, "accuracy": 0.01}, "numerics": {"cells": 8}}
+STRING = ["inertia", "extensibility", "finite-stretch", "thinning", "large-rotation"]
+UNLIMITED = ["inertia", "bending", "extensibility", "large-rotation", "viscous-flow", "yielding", "gravity-ramp"]
+SQUEEZED = [["0 s", "0 m", "0 m"], ["0.1 s", "-20 mm", "0 m"]]
+
+
+def weak() -> Scene:
+    changes = {"material.youngs_modulus": "2 kPa", "run.effects": "paper", "load.ramp": "0 s", "run.duration": "1 s"}
+    return scene_of("elastic").replace(changes)
+
+
+CASES: Mapping[str, tuple[Any, str, str | None]] = {
+    "stops": (lambda: scene_of(**LONG, material={"yield_stress": "9.32 kPa"}), "solved", "arrested-overdamped"),
+    "swings back": (
+        # Pictures enough to show its ringing: how fast that is to be expected, the page does not know.
+        lambda: scene_of(
+            run={**LONG["run"], "frames": 201},
+            numerics={"cells": 8},
+            material={"yield_stress": "14.9 kPa", "viscosity": "213 Pa*s"},
+        ),
+        "solved",
+        "arrested-underdamped",
+    ),
+    "descends": (scene_of, "solved", "descending"),
+    "holds": (lambda: scene_of(material={"yield_stress": "400 kPa"}), "solved", "no-yield"),
+    "flows": (lambda: scene_of("maxwell"), "solved", "viscous"),
+    "elastic": (lambda: scene_of("elastic", ends={"right": "pinned"}), "solved", "elastic"),
+    "tears": (weak, "ruptured", None),
+    "necks": (scene_of, "localised", None),
+    "necks in one cell": (lambda: scene_of(run={"effects": UNLIMITED}), "localised", None),
+    "gives up": (scene_of, "step_limit", None),
+    "folds": (
+        lambda: scene_of("elastic", run={"effects": STRING}, ends={"motion": SQUEEZED, "left": "pinned"}),
+        "compressed",
+        None,
+    ),
+    "drifts": (scene_of, "energy_drift", None),
+    "breaks": (lambda: scene_of("elastic", material={"breaking_strain": 0.002}), "broken", None),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_run_is_judged_in_the_words_of_the_program(case: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    made, outcome, regime = CASES[case]
+    scene = made()
+    data = quick_page(scene, only_numbers=True)
+    scene = scene.replace({"run.effects": list(data["effects"])})
+    effects = choose_effects(scene)
+    prepared = build(scene, effects)
+    if case == "gives up":
+        monkeypatch.setattr(compiled, "_MAX_STEPS", 40)
+        monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", 1)
+    solution = prepared.solve(Silence())
+    fields, nodes = whole_span_fields(scene, prepared, solution), node_positions(prepared.graph, rest_length(scene))[0]
+    if case == "drifts":
+        fields["energy_dissipated"] = 1.2 * fields["energy_dissipated"]
+    if case.startswith("necks"):
+        fields["stretch"][-1, [0, -1]] += 3.0
+    residual = energy_residual(fields, min_energy(scene))
+    expected, message = verdict(scene, effects, solution, fields, nodes, residual)
+    code = next((code for code, one in compiled.OUTCOMES.items() if one is solution.outcome), 0)
+    run = {
+        "code": code,
+        "steps": solution.steps,
+        "message": solution.message,
+        "time": solution.time * time_scale(scene),
+        "X_node": nodes,
+        "fields": fields,
+    }
+    judged = evaluated("judge(given.data, ownState(given.data), unlisted(given.run))", data=data, run=run)
+    said = judged["verdict"]
+    assert (expected.name, said["outcome"], said["advice"]) == (outcome, outcome, expected.value)
+    if case == "breaks":
+        # The instant between two frames is by a straight line, not by a curve through all.
+        assert said["message"].split()[6:] == message.split()[6:]
+    else:
+        assert said["message"] == message
+    sound = rupture_frame(scene, fields["stretch"]) if expected is Outcome.ruptured else len(solution.time)
+    assert case == "breaks" or len(judged["time"]) == sound
+    assert judged["residual"] == pytest.approx(residual, rel=1e-9)
+    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
+    assert said["regime"] == regime == (regime_of(scene, effects, fields, midpoint) if expected.is_success else None)
+    assert said["is_success"] is expected.is_success
+    told = judge(scene, effects, prepared, solution, {}).summary["warnings"]
+    assert [text for text in said["warnings"] if not text.startswith(("too thick", "it never stops"))] == told
+
+
+def test_what_cannot_be_a_slider_is_refused_in_one_line_each() -> None:
+    scene = scene_of()
+    for asked, words in {
+        "numerics.cells=10:20": "it says how the filament is computed",
+        "ends.left": "it is no number",
+        "filament.span=1:2": "has no unit",
+        "load.point_mass=1:2 g": "it changes the equations",
+        "surroundings.surface_tension=0:1 N/m": "no number of the solver depends on it",
+        "filament.thickness=1 mm:1 m": "1000 mm is refused",
+        "filament.drop": "it is no number",
+        "load.gravity=0:20 m/s^2": "time_scale is no product of powers with it",
+    }.items():
+        with pytest.raises(SceneError) as refused:
+            quick_page(scene, asked)
+        assert words in str(refused.value), (asked, str(refused.value))
