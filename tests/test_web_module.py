@@ -78,10 +78,10 @@ def test_without_a_compiler_it_is_said_what_to_install(monkeypatch: pytest.Monke
     described = export(sc.load_scene(SCENE))[0]
     monkeypatch.setenv(module.VARIABLE, str(tmp_path / "none"))
     with pytest.raises(SoftcatError, match=r'does not run; pip install "softcat_sym\[web\]"'):
-        module.wasm_module(described)
+        module.wasm_module([described])
     monkeypatch.delenv(module.VARIABLE)
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(module, "of_a_wheel", lambda: iter(()))
     monkeypatch.setattr(module, "_PLACES", ())
     with pytest.raises(SoftcatError, match="no C compiler for WebAssembly was found"):
-        module.wasm_module(described)
+        module.wasm_module([described])

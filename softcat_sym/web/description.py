@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -35,16 +34,19 @@ from softcat_sym.solvers.compiled import OUTCOMES
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings, compiled_settings
 from softcat_sym.solvers.solution import Silence, thread_of
-from softcat_sym.web.fixed import Fixed, between, is_close, product, random_points, value_of
+from softcat_sym.web.fixed import Fixed, between, is_close, product, random_points, share_of, value_of
 from softcat_sym.web.sliders import Slider, choose_sliders, coefficients_of, follows, is_needed, middle_of, points_of
 
-_POINTS, _SCANNED = 32, 11
+_POINTS, _SCANNED = 96, 11
 _MAX_STEPS = 100_000
 _QUICK = 0.03
 """Seconds below which a run follows a slider by itself."""
 
-_PREVIEWS: Final = ((12, 10.0), (20, 10.0), (20, 3.0))
-"""Cells, and how much looser the tolerances are: from the cheapest on."""
+_PREVIEWS: Final = ((12, 0.5, 10.0), (20, 0.5, 10.0), (20, 1.0, 10.0), (20, 1.0, 3.0))
+"""Cells, share of the fibres, and how much looser the tolerances are: from the cheapest on."""
+
+_FEWEST = 4
+"""Fibres of a preview."""
 
 _OWN: Final = ("too thick for a filament", "it never stops")
 """Warnings that the page gives by itself, with the numbers of its state."""
@@ -60,7 +62,8 @@ class Page:
     """All that is put together to a page."""
 
     data: dict[str, Any]  # As its JSON has it
-    described: Description  # The structure whose C text is compiled
+    # The structures whose C text is compiled: that of the page, and that of a preview with fewer fibres
+    described: tuple[Description, ...]
 
 
 def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "") -> Page:
@@ -98,24 +101,10 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     middle = middle_of(base, chosen)
     fitting = {key: one for key, one in others.items() if key != name and _fits(one, middle, chosen)}
     described, filament = base.exported
-    settings = _settings(base, at, chosen)
-    absolute = settings.pop("absolute")
-    resolution = {
-        "cells": at.cells,
-        "frames": given.run.frames,
-        "grading": at.grading,
-        **settings,
-        "absolute": absolute,
-        "max_steps": _MAX_STEPS,
-        "nodes": filament.graph.grid.nodes.tolist(),
-    }
+    preview, coarse = _preview(base, at)
     coefficients, points = coefficients_of(middle, chosen), points_of(base, chosen)
     usual = {name for name, one in coefficients.items() if is_needed(base, name) or follows(points, chosen, name, one)}
-    model, rule = described.model, filament.graph.rule
-    shown = [
-        {"name": one.name, "first": one.first, "behind": one.behind, "summed": one.summed}
-        for one in model.signature.shown
-    ]
+    model = described.model
     data = {
         "title": described.title,
         "name": name,
@@ -127,17 +116,10 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "axes": 3 if filament.theory.is_spatial else 2,
         "parameters": list(model.parameters),
         "units": [one.unit for one in described.parameters],
-        "slots": [slot.name for slot in model.slots],
         "powers": list(model.powers),
-        "rows": shown,
-        "points": rule
-        and {
-            "count": rule.points,
-            "weight": rule.weight.tolist(),
-            "zeta": rule.zeta.tolist() if isinstance(rule, SectionRule) else None,
-        },
-        "resolution": resolution,
-        "preview": _preview(base, at, resolution, chosen),
+        "settings": _settings(base, at, chosen),
+        "resolution": {"layout": 0, "looser": 1.0, **_resolved(base)},
+        "preview": preview,
         "accuracy": _accuracy(run),
         "scenes": [
             _scene(title, one, given if one is base else load_scene(title), base, chosen, usual)
@@ -151,7 +133,7 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         },
         "limits": _limits(base, chosen, usual, given.numerics.rtol),
     }
-    return Page(data, described)
+    return Page(data, (described, coarse) if coarse else (described,))
 
 
 def _fixed(scene: Scene, run: Run) -> tuple[Fixed, Resolution]:
@@ -236,54 +218,89 @@ def _lines(entries: Mapping[str, object], before: str = "") -> list[str]:
     return lines
 
 
+def _resolved(one: Fixed) -> dict[str, Any]:
+    """Grid and section of a scene, and what its solver shows at a site."""
+    described, filament = one.exported
+    rule = filament.graph.rule
+    return {
+        "cells": described.cells,
+        "frames": one.scene.run.frames,
+        "grading": described.grading,
+        "max_steps": _MAX_STEPS,
+        "nodes": filament.graph.grid.nodes.tolist(),
+        "slots": [slot.name for slot in described.model.slots],
+        "rows": [
+            {"name": shown.name, "first": shown.first, "behind": shown.behind, "summed": shown.summed}
+            for shown in described.model.signature.shown
+        ],
+        "points": rule
+        and {
+            "count": rule.points,
+            "weight": rule.weight.tolist(),
+            "zeta": rule.zeta.tolist() if isinstance(rule, SectionRule) else None,
+        },
+    }
+
+
 def _settings(base: Fixed, at: Resolution, sliders: Sequence[Slider]) -> dict[str, Any]:
-    """The tightest settings of random points of the ranges; the largest step in units of the time scale."""
-    slots = [slot.name for slot in base.exported[0].model.slots]
+    """How ``softcat run`` would integrate at the scene's own values, which come first, and at random points.
+
+    ``at`` has the share of each slider's range; ``absolute`` the tolerances of the kinds of slots, which ``kinds``
+    numbers; ``largest_step`` is in units of the time scale, 0 for none. A page takes the tightest of the nearest.
+    """
+    slots = sorted({slot.name for slot in base.exported[0].model.slots})
     own = base.scene.replace({"numerics.rtol": None})
     refined = at.rtol / compiled_settings(own, base.effects).rtol
-    found, longest = list[Settings](), [math.inf]
-    for _, moved in [({}, base), *random_points(base, {slider.key: slider.range for slider in sliders}, _POINTS)]:
+    ranges = {slider.key: slider.range for slider in sliders}
+    first = {key: value or 0.0 for key, value in _values(base.scene, sliders).items()}
+    found, shares, longest = list[Settings](), list[list[float]](), list[float]()
+    for values, moved in [(first, base), *random_points(base, ranges, _POINTS)]:
         scene = moved.scene.replace({"numerics.rtol": None})
         try:
             rtol = compiled_settings(scene, moved.effects).rtol * refined
         except SceneError:
             continue  # No filament withstands these numbers together.
         found.append(compiled_settings(scene.replace({"numerics.rtol": rtol}), moved.effects))
-        longest.append((found[-1].max_step or math.inf) / moved.numbers["time_scale"])
-    largest = min(longest)
+        shares.append([round(share_of(*ranges[key], value), 4) for key, value in values.items()])
+        longest.append((found[-1].max_step or 0.0) / moved.numbers["time_scale"])
+    absolute = np.array([one.absolute(slots) for one in found])
+    kinds, number = np.unique(absolute, axis=1, return_inverse=True)
     return {
-        "relative": min(one.rtol for one in found),
-        "largest_step": 0.0 if math.isinf(largest) else largest,
-        "method": found[0].method if len({one.method for one in found}) == 1 else RODAS5P,
-        "absolute": np.min([one.absolute(slots) for one in found], axis=0).tolist(),
+        "at": shares,
+        "relative": [one.rtol for one in found],
+        "method": [one.method for one in found],
+        "largest_step": longest,
+        "absolute": [[float(f"{one:.4g}") for one in row] for row in kinds.tolist()],
+        "kinds": dict(zip(slots, number.ravel().tolist(), strict=True)),
+        "mixed": RODAS5P,
     }
 
 
-def _preview(base: Fixed, at: Resolution, full: dict[str, Any], sliders: Sequence[Slider]) -> dict[str, Any] | None:
-    """The cheapest resolution that errs by little more than the full one, measured at the scene's own values."""
+def _preview(base: Fixed, at: Resolution) -> tuple[dict[str, Any] | None, Description | None]:
+    """The cheapest resolution that errs by little at the scene's own values, and its structure if that is another."""
     exact, seconds = _solved(base.scene, base.effects)
     if seconds < _QUICK or exact is None:
-        return None
-    best: dict[str, Any] | None = None
-    for cells, looser in _PREVIEWS:
-        if cells >= at.cells:
-            break
-        grading = base.scene.numerics.grading if cells == at.cells else choose_grading(base.scene, cells, base.effects)
-        coarse = base.scene.replace(
-            {"numerics.cells": cells, "numerics.grading": grading, "numerics.rtol": full["relative"] * looser}
-        )
+        return None, None
+    best: tuple[dict[str, Any], Description | None] | None = None
+    for cells, share, looser in _PREVIEWS:
+        fewer = share < 1 and at.fibres is not None and not base.exported[1].theory.is_spatial and base.start is None
+        if cells >= at.cells or (share < 1 and not fewer):
+            continue
+        fibres = max(_FEWEST, round(share * at.fibres)) if at.fibres is not None and fewer else at.fibres
+        grading = base.scene.numerics.grading and choose_grading(base.scene, cells, base.effects)
+        changes = {"numerics.cells": cells, "numerics.grading": grading, "numerics.fibres": fibres}
+        coarse = base.scene.replace({**changes, "numerics.rtol": at.rtol * looser})
         rough, _ = _solved(coarse, base.effects)
         if rough is None or len(rough) != len(exact):
             continue
         error = float(np.max(np.abs(rough - exact)) / np.max(np.abs(exact)))
-        nodes = Fixed(coarse).exported[1].graph.grid.nodes.tolist()
-        loose = {"relative": full["relative"] * looser, "absolute": [looser * one for one in full["absolute"]]}
-        found = {**full, **loose, "cells": cells, "grading": grading, "nodes": nodes, "error": error}
-        if best is None or error < best["error"]:
-            best = found
+        if best is None or error < best[0]["error"]:
+            one = Fixed(coarse)
+            preview = {"layout": int(fewer), "looser": looser, **_resolved(one), "error": error}
+            best = preview, one.exported[0] if fewer else None
         if error < _ENOUGH * base.scene.run.accuracy:
             break
-    return best
+    return best or (None, None)
 
 
 def _solved(scene: Scene, effects: Effects) -> tuple[Floats | None, float]:

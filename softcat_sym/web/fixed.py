@@ -35,7 +35,7 @@ from softcat_sym.scene.units import Quantity
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled
 
-_FEW_CELLS = 8
+_FEW_CELLS = 16
 _SAME_START = 1e-7
 """Of the rest length: by what a starting shape may differ and still be the same."""
 
@@ -203,6 +203,11 @@ def between(low: float, high: float, scale: str, share: float = 0.5) -> float:
     value = low + share * (high - low)
     # Amid a range about zero a power would say nothing.
     return value if value or share != 0.5 else high / 2
+
+
+def share_of(low: float, high: float, scale: str, value: float) -> float:
+    """The share of a range at which a value is."""
+    return math.log(value / low) / math.log(high / low) if scale == "log" else (value - low) / (high - low)
 
 
 _CLOSE = 1e-12

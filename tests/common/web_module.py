@@ -127,7 +127,7 @@ class WasmPage(Page):
         super().__init__(described)
         wasmtime: Any = importlib.import_module("wasmtime")
         self._store = wasmtime.Store()
-        module = wasmtime.Module(self._store.engine, wasm_module(described))
+        module = wasmtime.Module(self._store.engine, wasm_module([described]))
         self.imports = [one.name for one in module.imports]
         self._exports = wasmtime.Instance(self._store, module, []).exports(self._store)
         if "_initialize" in self._exports:
@@ -151,7 +151,7 @@ class NativePage(Page):
 
     def __init__(self, described: Description) -> None:
         super().__init__(described)
-        self._library = load(compile_library(module_sources(described)), "page_solve")
+        self._library = load(compile_library(module_sources([described])), "page_solve")
         for name in (*ROOMS, "explain"):
             getattr(self._library, f"page_{name}").restype = ct.c_void_p
         integers, doubles = ct.c_int, ct.c_double

@@ -38,7 +38,7 @@ def simulated_with(page: Page, scene: Scene, values: dict[str, float]) -> Run:
     numerics = {"cells": at["cells"], "grading": at["grading"], "rtol": TIGHTER * at["relative"], "estimate": False}
     fixed: dict[str, Any] = {f"numerics.{name}": value for name, value in numerics.items()}
     if "fibres" in page.data["effects"]:
-        fixed["numerics.fibres"] = page.data["points"]["count"]
+        fixed["numerics.fibres"] = page.data["resolution"]["points"]["count"]
     moved = scene.replace(written(scene, dict(values)))
     # Where the fibres are is compiled in: in either half where hinges of the page's own scene carry.
     halves = assembly._hinges_carry(scene)

@@ -84,23 +84,45 @@ const textAt = (exports, address) => {
   return decodeURIComponent(encoded)
 }
 
+/* How softcat run would integrate: the tightest of the known points that are nearest to the sliders. */
+function settingsOf(data, state) {
+  const { settings } = data, measure = ({ scale }) => scale === "log" ? Math.log : value => value
+  const shares = data.sliders.map(slider => {
+    const of = measure(slider), [low, high] = [slider.low, slider.high].map(of)
+    return (of(valueOf(data, state, slider.key) / slider.si) - low) / (high - low)
+  })
+  const apart = settings.at.map(at => Math.hypot(...at.map((share, k) => Number.isFinite(shares[k]) ? share - shares[k] : 0)))
+  const nearest = leastOf(apart), near = apart.map((one, k) => k).filter(k => apart[k] <= 1.3 * nearest + 2e-4)
+  const least = values => leastOf(near.map(k => values[k])), methods = new Set(near.map(k => settings.method[k]))
+  const steps = near.map(k => settings.largest_step[k]).filter(one => one > 0)
+  return {
+    relative: least(settings.relative),
+    absolute: settings.absolute[0].map((_, kind) => least(settings.absolute.map(row => row[kind]))),
+    largest_step: steps.length ? leastOf(steps) : 0,
+    method: methods.size === 1 ? [...methods][0] : settings.mixed,
+  }
+}
+
 /* What the module makes of one state, copied out of its memory. */
 function solvedRaw(data, module, state, resolution, tighter = 1) {
+  const settings = settingsOf(data, state), looser = resolution.looser / tighter
+  const absolute = resolution.slots.map(name => looser * settings.absolute[data.settings.kinds[name]])
   const { exports } = module, parameters = parametersOf(data, state), { start } = data.scenes[state.scene]
   const view = (address, length) => new Float64Array(exports.memory.buffer, address, length)
   view(exports.page_parameters(), parameters.length).set(parameters)
-  view(exports.page_absolute(), resolution.absolute.length).set(resolution.absolute.map(one => one / tighter))
+  exports.page_choose(resolution.layout)
+  view(exports.page_absolute(), absolute.length).set(absolute)
   const place = exports.page_start(start ? start.rows : 0)
   if (start) view(place, start.numbers.length).set(start.numbers)
   const scale = parameters[data.parameters.indexOf("time_scale")] || 0
   const code = exports.page_solve(resolution.cells, resolution.frames, durationOf(data, state), resolution.grading,
-    resolution.relative / tighter, resolution.largest_step * scale, resolution.method, resolution.max_steps)
+    settings.relative * looser, settings.largest_step * scale, settings.method, resolution.max_steps)
   const status = Array.from(view(exports.page_status(), 8)), [, reached, steps, , site, slot, frames, sites] = status
   const copied = (address, length) => view(address, length).slice()
   return {
     code, reached, steps, site, slot, frames, sites,
     sentence: textAt(exports, exports.page_explain(code)),
-    rows: copied(exports.page_fields(), frames * data.rows.length * sites),
+    rows: copied(exports.page_fields(), frames * resolution.rows.length * sites),
     midpoint: copied(exports.page_midpoint(), frames),
     work: copied(exports.page_work(), frames * data.powers.length),
   }
@@ -123,12 +145,12 @@ function solve(data, module, state, resolution) {
 // ---- Fields
 
 /* Fields of the run by name, whole span, SI; energies and works of the whole filament [J]. */
-function fieldsOf(data, state, raw) {
+function fieldsOf(data, state, resolution, raw) {
   const { limits } = data, { frames, sites } = raw, observed = {}, points = {}
-  data.rows.forEach((row, k) => {
+  resolution.rows.forEach((row, k) => {
     const n = row.summed ? 1 : sites - row.behind - row.first, values = new Float64Array(frames * n)
     for (let frame = 0; frame < frames; frame++) {
-      const begin = (frame * data.rows.length + k) * sites, part = raw.rows.subarray(begin + row.first, begin + sites - row.behind)
+      const begin = (frame * resolution.rows.length + k) * sites, part = raw.rows.subarray(begin + row.first, begin + sites - row.behind)
       if (row.summed) values[frame] = sumOf(raw.rows.subarray(begin, begin + sites))
       else values.set(part, frame * n)
     }
@@ -136,7 +158,7 @@ function fieldsOf(data, state, raw) {
     if (point) (points[point[1]] = points[point[1]] || []).push(values)
     else observed[row.name] = values
   })
-  if (data.points) Object.assign(observed, shownOfSection(data.points, points, frames))
+  if (resolution.points) Object.assign(observed, shownOfSection(resolution.points, points, frames))
   limits.work.forEach((name, k) => { observed[name] = mapped(frames, frame => raw.work[frame * data.powers.length + k]) })
   if ("heat_lost" in observed) observed.heat_lost = observed.heat_lost.map(one => one * numberOf(data, state, "heat"))
   const parameters = parametersOf(data, state), parameter = name => parameters[data.parameters.indexOf(name)]
@@ -217,7 +239,7 @@ function runOf(data, state, resolution, raw) {
   if (!(String(raw.code) in data.words.codes) && raw.code) throw new Error(`the solver refused to begin: ${raw.sentence}`)
   const right = resolution.nodes, half = data.half ? right.slice(1).reverse().map(one => -one) : []
   const X_node = Float64Array.from([...half, ...right], one => one * length)
-  const fields = fieldsOf(data, state, raw), frames = raw.frames
+  const fields = fieldsOf(data, state, resolution, raw), frames = raw.frames
   const time = mapped(frames, k => duration * k / (resolution.frames - 1))
   const stopped = { code: raw.code, reached: raw.reached, steps: raw.steps, message: raw.code ? stopMessage(data, resolution, raw) : "" }
   const judged = judge(data, state, { ...stopped, time, X_node, fields })
@@ -226,7 +248,7 @@ function runOf(data, state, resolution, raw) {
 }
 
 function stopMessage(data, resolution, { reached, site, slot, sentence }) {
-  const worst = slot >= 0 ? `; worst: ${data.slots[slot]}[${site}] at X/L = ${general(resolution.nodes[site], 4)}` : ""
+  const worst = slot >= 0 ? `; worst: ${resolution.slots[slot]}[${site}] at X/L = ${general(resolution.nodes[site], 4)}` : ""
   return `stopped after t = ${general(reached)} s${worst}; ${sentence}`
 }
 

@@ -1,9 +1,9 @@
 /* What a page in a browser calls: one filament at a time, solved and seen as `softcat run` does.
  *
- * Compiled with filament.c, the runtime and the text of the observables into one WebAssembly
+ * page_layouts.h has the structures: that of the page, and that of its preview if it has fewer
+ * fibres. Compiled with their C files, the runtime and the text of the observables into one WebAssembly
  * module. It has state, unlike all else here: buffers stay valid until the next page_solve. */
 #include "filament.h"
-#include "page_sizes.h"
 #include "softcat_places.h"
 
 #include <math.h>
@@ -16,16 +16,35 @@
 #define EXPORTED(name) name
 #endif
 
-enum { PARAMETERS = SOFTCAT_PARAMETERS, SLOTS = SOFTCAT_SLOTS, STATUS = 8 };
+enum { PARAMETERS = SOFTCAT_PARAMETERS, MOST_SLOTS = SOFTCAT_SLOTS, STATUS = 8 };
+
+typedef struct layout {
+    const softcat_structure *structure;
+    int rows, scratch;    /* fields of a site, and doubles that computing them takes */
+    int fibres;
+    const double *points; /* [tables * fibres] */
+} layout;
+
+#include "page_layouts.h"
 
 /* The text of the observables: rows of sites for each of `count` times in units of the scale. */
 int softcat_filament_observe(const softcat_filament *, int count, const double *times,
                              const double *states, double *out, double *scratch);
 
-static const softcat_structure *const structure = &softcat_filament_structure;
-static double parameters[PARAMETERS], absolute[SLOTS], known[STATUS];
+static const layout *chosen = layouts;
+static double parameters[PARAMETERS], absolute[MOST_SLOTS], known[STATUS];
 static double *start, *memory, *fields, *midpoint, *work;
 static int start_rows;
+
+static size_t slots(void)
+{
+    return (size_t)chosen->structure->model->slots;
+}
+
+void EXPORTED(page_choose)(int which)
+{
+    chosen = &layouts[which];
+}
 
 double *EXPORTED(page_parameters)(void)
 {
@@ -41,7 +60,7 @@ double *EXPORTED(page_absolute)(void)
 double *EXPORTED(page_start)(int rows)
 {
     free(start);
-    start = rows > 0 ? calloc((size_t)rows * (1 + SLOTS), sizeof(double)) : NULL;
+    start = rows > 0 ? calloc((size_t)rows * (1 + slots()), sizeof(double)) : NULL;
     start_rows = start ? rows : 0;
     return start;
 }
@@ -75,8 +94,9 @@ const char *EXPORTED(page_explain)(int code)
 static void observe(int cells, int sites, double grading, int count, double *times,
                     const double *states, double *places)
 {
+    const softcat_structure *structure = chosen->structure;
     double given[PARAMETERS], *X = places + (size_t)sites * (size_t)structure->model->places;
-    softcat_filament filament = {sites, given, places, PAGE_FIBRES, page_points};
+    softcat_filament filament = {sites, given, places, chosen->fibres, chosen->points};
     memcpy(given, parameters, sizeof given);
     double *scale = &given[structure->time_scale];
     if (*scale == 0.0) *scale = sqrt(given[structure->rest_length] / given[structure->gravity]);
@@ -89,9 +109,10 @@ static void observe(int cells, int sites, double grading, int count, double *tim
 /* All that a run fills, in one piece; 0 if there is no such memory. */
 static int make_room(size_t frames, size_t sites, double **times, double **states, double **places)
 {
-    const softcat_model *m = structure->model;
-    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * PAGE_ROWS, frames,
-                      frames * sites * SLOTS, sites * ((size_t)m->places + 1 + PAGE_SCRATCH)};
+    const softcat_model *m = chosen->structure->model;
+    size_t each = (size_t)m->places + 1 + (size_t)chosen->scratch;
+    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * (size_t)chosen->rows,
+                      frames, frames * sites * slots(), sites * each};
     double **parts[] = {&midpoint, &work, &fields, times, states, places};
     size_t sum = 0;
     for (int k = 0; k < 6; k++) sum += sizes[k];
@@ -115,13 +136,15 @@ static int finish(const softcat_status *status, int reached, int sites)
 int EXPORTED(page_solve)(int cells, int frames, double duration, double grading, double relative,
                          double largest_step, int method, int max_steps)
 {
+    const softcat_structure *structure = chosen->structure;
     softcat_status status = {.worst_site = -1, .worst_slot = -1};
     int reached = 0, sites = softcat_structure_row(structure, cells) / softcat_axes(structure);
     double *times, *states, *places;
     const softcat_table table = {start_rows, start, start + start_rows};
     const softcat_settings settings = {
         .grading = grading, .relative = relative, .absolutes = absolute, .method = method,
-        .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps, .start = start ? &table : NULL};
+        .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps,
+        .start = start ? &table : NULL};
     if (frames < 2) status.code = SOFTCAT_BAD_TIMES;
     else if (sites == 0) status.code = SOFTCAT_BAD_CELLS;
     else if (!make_room((size_t)frames, (size_t)sites, &times, &states, &places))
