@@ -66,10 +66,13 @@ def live_page(
     SceneError
         If the scene has no compiled form, or a key cannot be a slider.
     SoftcatError
-        If there is no compiler for WebAssembly (``pip install "softcat_sym[web]"``), or the page would be too large.
+        If there is no compiler for WebAssembly (``pip install "softcat_sym[web]"``), the page would be too large, or the
+        name is none of a file.
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
+    if not name or Path(name).name != name:
+        raise SoftcatError(f"name {name!r}: take that of a file, without folders and without .html")
     text = page_text(scene, sliders, name, on_progress)
     on_progress("writing")
     return write_all(directory, {f"{name}.html": text.encode()})[0]

@@ -11,11 +11,13 @@ import pytest
 
 from softcat_sym import load_scene
 from softcat_sym.discretization import assembly
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.ensemble.members import written
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import simulated
+from softcat_sym.solvers.settings import compiled_settings
 from softcat_sym.web.description import Page, describe_page
 from tests.common.javascript import solved_in_node
 from tests.common.pages import quick_page, random_states
@@ -35,7 +37,7 @@ FIELDS = ("x", "y", "stretch", "thickness", "tension", "energy_elastic", "energy
 def simulated_with(page: Page, scene: Scene, values: dict[str, float]) -> Run:
     """The run of a state with what the page fixes."""
     at = page.data["resolution"]
-    numerics = {"cells": at["cells"], "grading": at["grading"], "rtol": TIGHTER * at["relative"], "estimate": False}
+    numerics = {"cells": at["cells"], "grading": at["grading"], "estimate": False}
     fixed: dict[str, Any] = {f"numerics.{name}": value for name, value in numerics.items()}
     if "fibres" in page.data["effects"]:
         fixed["numerics.fibres"] = page.data["resolution"]["points"]["count"]
@@ -43,7 +45,9 @@ def simulated_with(page: Page, scene: Scene, values: dict[str, float]) -> Run:
     # Where the fibres are is compiled in: in either half where hinges of the page's own scene carry.
     halves = assembly._hinges_carry(scene)
     with mock.patch.object(assembly, "_hinges_carry", lambda _: halves):
-        return simulated(moved.replace({**fixed, "run.effects": list(page.data["effects"])}))
+        held = moved.replace({**fixed, "run.effects": list(page.data["effects"])})
+        rtol = TIGHTER * compiled_settings(held, choose_effects(held)).rtol
+        return simulated(held.replace({"numerics.rtol": rtol}))
 
 
 @pytest.mark.parametrize("name", SCENES)
