@@ -66,8 +66,8 @@ def live_page(
     SceneError
         If the scene has no compiled form, or a key cannot be a slider.
     SoftcatError
-        If there is no compiler for WebAssembly (``pip install "softcat_sym[web]"``), the page would be too large, or the
-        name is none of a file.
+        If there is no compiler for WebAssembly (``pip install "softcat_sym[web]"``), the page would be too large, or
+        the name is none of a file.
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """

@@ -23,12 +23,14 @@ def quick_page(scene: Scene, *sliders: str, only_numbers: bool = False) -> dict[
         return describe_page(scene, sliders).data
 
 
-def random_states(data: dict[str, Any], count: int) -> list[dict[str, Any]]:
-    """States of a page within its ranges."""
+def random_states(data: dict[str, Any], count: int, share: float = 1.0) -> list[dict[str, Any]]:
+    """States of a page within its ranges, or within such a share amid them."""
     random = np.random.default_rng(7)
     values = [
         {
-            one["key"]: float(one["si"] * one["low"] * (one["high"] / one["low"]) ** random.random())
+            one["key"]: float(
+                one["si"] * one["low"] * (one["high"] / one["low"]) ** (0.5 + share * (random.random() - 0.5))
+            )
             for one in data["sliders"]
         }
         for _ in range(count)
