@@ -19,7 +19,7 @@ from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
-from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
     END_TURNS,
@@ -219,6 +219,7 @@ def _bound(scene: Scene, name: str) -> str:
     if (
         name in own
         or name in free
+        or name in history_values(scene.material)
         or name.startswith(PREFIX)
         or (name.startswith(("motion_", "turn_")) and not name.endswith("_time"))
     ):

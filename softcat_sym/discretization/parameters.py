@@ -41,7 +41,7 @@ def time_scale(scene: Scene) -> float:
     return elastic_time(scene) or scene.run.duration
 
 
-def _histories(material: Material) -> dict[str, float]:
+def history_values(material: Material) -> dict[str, float]:
     """Numbers that the histories of a material are computed from."""
     changing = {**material.histories(), **material.natural_strains()}
     return {key: value for name, one in changing.items() for key, value in named_numbers(name, one).items()}
@@ -89,7 +89,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "solid_viscosity": solid_viscosity(scene),
         **_of_temperature(scene),
         **scene.material.values(),
-        **_histories(scene.material),
+        **history_values(scene.material),
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
         **_of_clamps(scene),

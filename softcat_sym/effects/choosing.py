@@ -139,21 +139,22 @@ def refuse(scene: Scene, asked: Iterable[str]) -> None:
         elif not known[name].applies(scene):
             found = f"{name!r} cannot be had: {why_not(known[name], scene)}"
             faults.append(Fault("run.effects", found, f"leave {name!r} out"))
-        elif missing := _missing(known[name], named, known):
+        elif missing := _missing(scene, known[name], named, known):
             faults.append(_incomplete(scene, name, _joined(missing)))
     if faults:
         raise SceneError(faults)
 
 
-def _missing(effect: Effect, named: Collection[str], known: Mapping[str, Effect]) -> list[str]:
-    """What an effect needs that is not named, and what that needs, in the order of the registry."""
+def _missing(scene: Scene, effect: Effect, named: Collection[str], known: Mapping[str, Effect]) -> list[str]:
+    """What an effect needs that the scene can have and does not name, and what that needs; in the registry's order."""
     found: set[str] = set()
     wanted = set(effect.needs)
     while wanted := wanted - {*named, *found}:
         found |= wanted
         wanted = {need for one in wanted for need in known[one].needs}
     # Extensibility comes by itself with whatever needs it.
-    return [name for name in known if name in found and name != EXTENSIBILITY.name]
+    able = {name for name in found if known[name].applies(scene)} - {EXTENSIBILITY.name}
+    return [name for name in known if name in able]
 
 
 def _joined(names: list[str]) -> str:

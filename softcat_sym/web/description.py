@@ -194,7 +194,7 @@ def _scene(
         "duration": one.scene.run.duration,
         "start": None
         if start is None
-        else {"rows": len(start), "numbers": np.column_stack([grid.nodes, start]).ravel().tolist()},
+        else {"rows": len(start), "numbers": [*grid.nodes.tolist(), *start.ravel().tolist()]},
     }
 
 
@@ -364,6 +364,11 @@ def _said(scene: Scene, base: Fixed, values: Row) -> dict[str, str]:
     return found | {kind: words for kind, words in kinds.items() if kind not in _OWN}
 
 
+def _is_per_area(name: str) -> bool:
+    """Whether the solver computes a field of a run per undeformed area."""
+    return (name in VARIABLES or name in energies_of([name])) and variable_of(name).per_area
+
+
 def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol: float | None) -> dict[str, Any]:
     """Numbers and flags from which the page judges a run as ``softcat run`` does."""
     scene, effects, (described, filament) = base.scene, base.effects, base.exported
@@ -397,7 +402,7 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "gradient_by_frames": not graph.has_velocities,
         "work": work,
         "energies": list(energies_of(names)),
-        "per_area": [name for name in names if name in VARIABLES and variable_of(name).per_area],
+        "per_area": [name for name in names if _is_per_area(name)],
         "odd": [name for name in names if is_odd(name)],
         "since_start": [name for name in energies_of(names) if name == "energy_surface" or name not in VARIABLES],
         "fields": [*VARIABLES, *(name for name in energies_of(names) if name not in VARIABLES)],

@@ -198,7 +198,7 @@ function writeResults() {
   const { verdict, midpoint, kind } = shown, full = kind === "resolution", last = midpoint.length ? midpoint[midpoint.length - 1] : NaN;
   const answer = verdict.is_success || verdict.outcome === "broken";
   const { values, scene } = shown.state, duration = values["run.duration"] ?? data.scenes[scene].duration;
-  const span = shown.fields.x[shown.nodes - 1] - shown.fields.x[0], sags = last <= 0 && !(data.ends || []).includes("free");
+  const [dx, dy] = [shown.fields.x, shown.fields.y].map((at) => at[shown.nodes - 1] - at[0]), span = Math.hypot(dx, dy), sags = last <= 0 && !(data.ends || []).includes("free");
   const name = sags ? "sag" : "midpoint", place = lengthText(Math.abs(last)) + (sags ? "" : last > 0 ? " up" : " down");
   const pairs = [["outcome", verdict.outcome]];
   if (Number.isFinite(last)) pairs.push(answer ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
