@@ -1,4 +1,4 @@
-"""The page's model.js in whatever runs JavaScript here: node, or V8 within Python (mini-racer)."""
+"""The page's model.js in whatever runs JavaScript here: V8 within Python (mini-racer), or node."""
 
 from __future__ import annotations
 
@@ -29,24 +29,24 @@ def _plain(value: Any) -> Any:
     return np.asarray(value).ravel().tolist() if isinstance(value, np.ndarray) else value
 
 
-def evaluated(expression: str, **given: Any) -> Any:
+def evaluated(expression: str, *, in_node: bool = False, **given: Any) -> Any:
     """What an expression of model.js and of `given` makes, through JSON; arrays of numbers in `unlisted(...)`."""
     text = json.dumps(given, default=_plain)
     source = f"{MODEL.read_text(encoding='utf-8')}\n{_ARRAYS}"
-    if NODE is not None:
-        answer = f"Promise.resolve({expression}).then(one => console.log(JSON.stringify(one, listed)))"
-        found = subprocess.run(
-            [NODE, "-e", f"{source}\n{_READ}\n{answer}"], input=text, capture_output=True, text=True, check=False
-        )
-        assert found.returncode == 0, found.stderr
-        return json.loads(found.stdout)
-    if importlib.util.find_spec("py_mini_racer") is None:
-        pytest.skip("nothing here runs JavaScript: neither node nor mini-racer")
-    from py_mini_racer import MiniRacer
+    if not in_node and importlib.util.find_spec("py_mini_racer") is not None:
+        from py_mini_racer import MiniRacer
 
-    racer = MiniRacer()
-    racer.eval(f"{source}\nconst given = JSON.parse({json.dumps(text)})")
-    return json.loads(racer.eval(f"JSON.stringify({expression}, listed)"))
+        racer = MiniRacer()
+        racer.eval(f"{source}\nconst given = JSON.parse({json.dumps(text)})")
+        return json.loads(racer.eval(f"JSON.stringify({expression}, listed)"))
+    if NODE is None:
+        pytest.skip("nothing here runs JavaScript: neither mini-racer nor node")
+    answer = f"Promise.resolve({expression}).then(one => console.log(JSON.stringify(one, listed)))"
+    found = subprocess.run(
+        [NODE, "-e", f"{source}\n{_READ}\n{answer}"], input=text, capture_output=True, text=True, check=False
+    )
+    assert found.returncode == 0, found.stderr
+    return json.loads(found.stdout)
 
 
 def solved_in_node(data: dict[str, Any], module: Path, states: list[dict[str, Any]], fields: tuple[str, ...]) -> Any:
@@ -57,4 +57,4 @@ def solved_in_node(data: dict[str, Any], module: Path, states: list[dict[str, An
     solving = "given.states.map(state => solve(given.data, module, state, given.data.resolution))"
     solving += f".map(run => ({{...run, fields: {kept}}}))"
     code = f'instantiate(require("fs").readFileSync(given.module)).then(module => {solving})'
-    return evaluated(code, data=data, module=str(module), states=states, fields=fields)
+    return evaluated(code, in_node=True, data=data, module=str(module), states=states, fields=fields)
