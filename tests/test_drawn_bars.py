@@ -161,6 +161,7 @@ def judge_heavy(cases: Iterable[tuple[str, bool]]) -> None:
     show("heavy filaments", ("law", "", "dissipated [J]", "least increment, relative", "energy residual"), rows)
 
 
+@pytest.mark.slow
 def test_heavy_filament_through_the_same_cycle() -> None:
     judge_heavy([("herschel-bulkley, n = 0.5", False), ("bingham", True)])
 

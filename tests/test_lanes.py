@@ -64,7 +64,9 @@ def alone(model: CModel, run: RunInput) -> Answer:
     return model.integrate(run, Status())
 
 
-@pytest.mark.parametrize("settings", [PAPER, FIBRES], ids=["paper", "fibres"])
+@pytest.mark.parametrize(
+    "settings", [pytest.param(PAPER, marks=pytest.mark.slow, id="paper"), pytest.param(FIBRES, id="fibres")]
+)
 def test_lanes_give_the_answers_of_the_scalar_code(settings: dict[str, object]) -> None:
     """Five filaments that yield more and less, each as long as it lasts: places to a tenth of the time tolerance."""
     model, runs = runs_of(settings, [0.4, 0.6, 0.8, 1.0, 1.3])

@@ -44,7 +44,9 @@ SHAPES = {
 }
 
 
-@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize(
+    "name", [one if one == "helix" else pytest.param(one, marks=pytest.mark.slow) for one in SHAPES]
+)
 def test_it_begins_without_stress_with_its_ends_at_the_supports(name: str) -> None:
     shape, filament = SHAPES[name]
     at_rest = Statics(scene_of(shape, filament=filament, load={"gravity": 0.0}, numerics={"cells": 9}))

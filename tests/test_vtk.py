@@ -81,7 +81,7 @@ def test_stress_gives_the_rate_that_was_recorded_and_its_mean_is_in_the_file(run
     assert not written[:, 2].any() and not written[:, :, 2].any()
 
 
-@pytest.mark.parametrize("changes", [{}, {"load.direction": [0.0, -1.0, 1.0]}])
+@pytest.mark.parametrize("changes", [{}, pytest.param({"load.direction": [0.0, -1.0, 1.0]}, marks=pytest.mark.slow)])
 def test_a_run_is_a_row_of_lines(changes: dict[str, object], tmp_path: Path) -> None:
     """Nodes, cells and time as in the trajectory; the axes of a section are those of its turn."""
     quick = {"numerics.cells": 6, "numerics.estimate": False, "run.frames": 4, "run.duration": "50 ms"}
