@@ -201,13 +201,17 @@ def test_a_name_goes_through_all_files(tmp_path: Path) -> None:
     assert quoted(text) == '"a */ b /* c \\?\\?/ \\"d\\" \\\\ \\012 \\303\\251"'
 
 
+NEAR = 4e-5
+"""Of the sag: a program holds velocities ten times as loosely as positions, as `softcat run` does."""
+
+
 @pytest.mark.parametrize(
     "name", [name if name == "maxwell-slow" else pytest.param(name, marks=pytest.mark.slow) for name in OTHERS]
 )
 @pytest.mark.slow
 def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop, tmp_path: Path) -> None:
     first = sc.load_scene(name)
-    short = {"numerics.rtol": 5e-8, "run.frames": 11, "numerics.cells": 10}
+    short = {"numerics.rtol": 1e-7, "run.frames": 11, "numerics.cells": 10}
     other = first.replace({**short, **OTHERS[name], "run.effects": list(choose_effects(first).names)})
     program = workshop.program(first)
     sc.generate(other, tmp_path)
@@ -219,9 +223,9 @@ def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop,
     time, x, y = interpreted(other)
     sag = np.max(np.abs(y - y[0]))
     np.testing.assert_allclose(table[:, 0], time, rtol=1e-12)
-    np.testing.assert_allclose(table[:, 2::2], x, atol=2e-5 * sag)
-    np.testing.assert_allclose(table[:, 3::2], y, atol=2e-5 * sag)
-    np.testing.assert_allclose(table[:, 1], y[:, int(np.argmin(np.abs(x[0])))], atol=2e-5 * sag)
+    np.testing.assert_allclose(table[:, 2::2], x, atol=NEAR * sag)
+    np.testing.assert_allclose(table[:, 3::2], y, atol=NEAR * sag)
+    np.testing.assert_allclose(table[:, 1], y[:, int(np.argmin(np.abs(x[0])))], atol=NEAR * sag)
 
 
 PULLED = {"load.tip_force": ["0 N", "-10 mN", "30 mN"], "load.tip_mass": "1 g"}
