@@ -32,7 +32,7 @@ Arrays = Mapping[str, npt.NDArray[Any]]
 LIMIT = 10**9
 """Bytes that results may take together; beyond it those go that were not used for longest."""
 
-_NO_PHYSICS = ("cli", "plotting")
+_NO_PHYSICS = ("cli", "plotting", "web")
 _VERSIONS = ("casadi", "numpy", "sympy")
 _DIGEST = 32
 _QUICKLY = 1
@@ -173,9 +173,8 @@ def _program() -> list[str]:
 
 @functools.cache
 def version(package: str) -> str:
-    """Version of an installed package, of whose description no more is read than the line that says so."""
-    described = importlib.metadata.distribution(package).read_text("METADATA") or ""
-    return described.partition("\nVersion: ")[2].partition("\n")[0] or importlib.metadata.version(package)
+    """Version of an installed package, looked up once a process."""
+    return importlib.metadata.version(package)
 
 
 def _digest(key: str, packed: bytes) -> bytes:

@@ -159,11 +159,6 @@ def draw(
 
 def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
     """What the options of films and pictures ask for, refused before anything is computed."""
-    from matplotlib.artist import Artist
-
-    # While it is loaded, matplotlib writes manuals of its artists' properties: a third of that time, and no one reads
-    # them in a command.
-    setattr(Artist, "_update_set_signature_and_docstring", classmethod(lambda _: None))  # noqa: B010
     from softcat_sym.plotting.style import drawn_radius, picture_style
 
     drawn_radius(radius)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cache
@@ -20,7 +18,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.font_manager import findfont, get_font
 from matplotlib.legend import Legend
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-from matplotlib.transforms import ScaledTranslation
+from matplotlib.transforms import Bbox, ScaledTranslation
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import SoftcatError
@@ -300,35 +298,23 @@ def plain_log(axis: Axis, text: Callable[[float], str] = "{:g}".format, subs: Se
     axis.set_minor_formatter(NullFormatter())
 
 
+_PACKING: Final = {"compress_level": 2}
+"""Of PNG files: a little larger than by default, in a third of the time."""
+
+
 def png(figure: Figure, *, titled: bool = True) -> bytes:
     """Draw a figure; it is laid out once, as it is."""
+    content = BytesIO()
+    width, height = figure.get_size_inches()
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
     with styled():
-        figure.set_dpi(DPI)
         engine = figure.get_layout_engine()
         if engine is not None:
             engine.execute(figure)
             figure.set_layout_engine("none")
-        canvas: Any = FigureCanvasAgg(figure)
-        canvas.draw()
-    return _packed(np.asarray(canvas.buffer_rgba())[0 if titled else round(_TITLE * DPI) :, :, :3])
-
-
-def _packed(pixels: NDArray[np.uint8]) -> bytes:
-    """A PNG file; Pillow tries five filters on every row, which takes twice as long and makes larger files of lines."""
-    height, width, _ = pixels.shape
-    rows = np.zeros((height, 1 + 3 * width), np.uint8)  # Zero before each says that it is not filtered
-    rows[:, 1:] = pixels.reshape(height, -1)
-    metre = round(DPI / 0.0254)
-    chunks = (
-        (b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)),
-        (b"pHYs", struct.pack(">2IB", metre, metre, 1)),
-        (b"IDAT", zlib.compress(rows.tobytes(), 1)),
-        (b"IEND", b""),
-    )
-    parts = (struct.pack(">I", len(body)) + kind + body for kind, body in chunks)
-    sums = (struct.pack(">I", zlib.crc32(kind + body)) for kind, body in chunks)
-    return b"\x89PNG\r\n\x1a\n" + b"".join(part + check for part, check in zip(parts, sums, strict=True))
+        shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
+        figure.savefig(content, format="png", bbox_inches=shown, pil_kwargs=_PACKING)
+    return content.getvalue()
 
 
 def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:

@@ -203,7 +203,7 @@ function writeResults() {
   const pairs = [["outcome", verdict.outcome]];
   if (Number.isFinite(last)) pairs.push(answer ? [`${name} at the end`, `${place}, ${significant((100 * Math.abs(last)) / span, 2)} % of the span`] : ["reached", `midpoint ${place} when the run ended: no answer`]);
   if (answer && Number.isFinite(shown.sag)) pairs.push([`largest ${name}`, lengthText(shown.sag)]);
-  if (verdict.regime) pairs.push(["regime", data.words.regimes?.[verdict.regime] || verdict.regime]);
+  if (verdict.regime) pairs.push(["regime", verdict.regime]);
   if (shown.reached < 0.999 * duration) pairs.push(["computed until", `${timeText(shown.reached)} of ${timeText(duration)}`]);
   rows(byId("numbers"), pairs);
   const beyond = sliders.flatMap((slider) => {

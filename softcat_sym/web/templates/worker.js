@@ -14,8 +14,8 @@ onmessage = async ({ data: asked }) => {
       if (ArrayBuffer.isView(value)) { if (value.byteLength === value.buffer.byteLength) moved.push(value.buffer); }
       else if (value && typeof value === "object") Object.values(value).forEach(collect);
     })(run);
-    postMessage({ number: asked.number, run }, [...new Set(moved)]);
+    postMessage({ run }, [...new Set(moved)]);
   } catch (error) {
-    postMessage({ number: asked.number, error: String(error.message || error) });
+    postMessage({ error: String(error.message || error) });
   }
 };
