@@ -36,7 +36,7 @@ MIN_ESS = 100
 
 _PRIOR_DRAWS = 1000
 # Evaluations of the model for a draw, in whitened unknowns; only to say beforehand what it will take.
-_STEPS = 5
+_STEPS = 4
 # A tree of more steps says nothing in whitened unknowns that the next one would not.
 _MAX_DEPTH = 6
 # Share of the width between the bounds: a best fit on a bound is taken as this far from it.
@@ -198,22 +198,21 @@ def sample(
     listener.stage("posterior")
     density = _Density(problem, priors)
     density.whiten(best)
-    needed = chains * (tune + draws) * _STEPS * (time.perf_counter() - begin) / density.evaluations
+    needed = chains * (tune + draws) * _STEPS * density.quickest
     if needed > time_limit:
         raise SoftcatError(
-            f"the posterior would take about {needed / 60:.1f} min, of which {time_limit / 60:.1f} are allowed; accepted: "
-            "a longer time, fewer draws, or cheaper physics (run.effects, numerics.cells)"
+            f"the posterior would take about {needed / 60:.1f} min, of which {time_limit / 60:.1f} are allowed; "
+            "accepted: a longer time, fewer draws, or cheaper physics (run.effects, numerics.cells)"
         )
     left, parts = time_limit, []
     for chain in range(chains):
         until = time.perf_counter() + left / (chains - chain)
-        settings = {"draws": draws, "tune": tune, "seed": [seed, chain], "until": until}
 
         def heard(done: int, chain: int = chain) -> None:
             share = (chain + done / (tune + draws)) / chains
             listener.reach(share, f"chain {chain + 1} of {chains}, {done} of {tune + draws} draws")
 
-        parts.append(_chain(nutpie, density, heard, **settings))
+        parts.append(_chain(nutpie, density, heard, draws=draws, tune=tune, seed=[seed, chain], until=until))
         left = begin + time_limit - time.perf_counter()
     least = min(part.posterior.sizes["draw"] for part in parts)
     if least < 4:
@@ -241,8 +240,8 @@ def _packages() -> tuple[Any, Any]:
         with warnings.catch_warnings():
             # ArviZ announces its next version on import.
             warnings.simplefilter("ignore", FutureWarning)
+            import nutpie  # isort: skip
             import arviz
-            import nutpie
     except ImportError:
         raise SoftcatError(
             "a posterior is drawn by nutpie and kept by ArviZ, which are not installed: "
@@ -262,7 +261,7 @@ class _Density:
         self._lower = np.array([one.lower for one in priors])
         self._width = np.array([one.upper for one in priors]) - self._lower
         self._centre, self._spread = np.zeros(len(priors)), np.eye(len(priors))
-        self.evaluations = 0
+        self.evaluations, self.quickest = 0, math.inf  # How many, and the shortest that one took [s]
 
     def q(self, z: Floats) -> Floats:
         """The unknowns of the problem."""
@@ -271,9 +270,9 @@ class _Density:
     def __call__(self, z: Floats) -> tuple[float, Floats]:
         """Logarithm and gradient; minus infinity where the model has no answer."""
         y = self._centre + self._spread @ z
-        q, share = self._lower + self._width * expit(y), expit(y)
-        self.evaluations += 1
-        residuals, jacobian = self._problem.linearised(q)
+        share = expit(y)
+        q = self._lower + self._width * share
+        residuals, jacobian = self._linearised(q)
         pairs = [(one.log_density(float(x)), one.slope(float(x))) for one, x in zip(self._priors, q, strict=True)]
         before, slopes = np.array(pairs).T
         squares, weight = float(residuals @ residuals), 1.0
@@ -288,6 +287,13 @@ class _Density:
         if not (math.isfinite(value) and np.isfinite(gradient).all()):
             return -math.inf, np.zeros_like(z)
         return value, gradient
+
+    def _linearised(self, q: Floats) -> tuple[Floats, Floats]:
+        begin = time.perf_counter()
+        found = self._problem.linearised(q)
+        self.evaluations += 1
+        self.quickest = min(self.quickest, time.perf_counter() - begin)
+        return found
 
     def whiten(self, best: Floats) -> None:
         """Find the mode near the best fit, and take the curvature there for unity."""
@@ -305,8 +311,7 @@ class _Density:
         share = np.clip((q - self._lower) / self._width, _EDGE, 1 - _EDGE)
         q = self._lower + self._width * share
         stretch = self._width * share * (1 - share)
-        residuals, jacobian = self._problem.linearised(q)
-        self.evaluations += 1
+        residuals, jacobian = self._linearised(q)
         if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
             raise SoftcatError("the model has no answer at the best fit: its posterior cannot be drawn")
         variance = 1.0 if self._problem.noise_known else float(residuals @ residuals) / residuals.size

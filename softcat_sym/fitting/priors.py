@@ -18,7 +18,7 @@ from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.temperature import Temperature
-from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown, to_si
+from softcat_sym.scene.units import NotAQuantity, did_you_mean, refusal, shown, to_si
 
 FORM = "NAME=DISTRIBUTION, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"
 """How a prior is written."""
@@ -76,7 +76,7 @@ class Prior:
         ends = [float(self.law.cdf(self.free.value(q))) for q in (self.lower, self.upper)]
         values = self.law.ppf(ends[0] + share * (ends[1] - ends[0]))
         q = np.array([self.free.scaled(float(value)) for value in values])
-        return np.clip(q, self.lower, self.upper)
+        return np.asarray(np.clip(q, self.lower, self.upper))
 
 
 def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tuple[Prior, ...]:
@@ -114,8 +114,9 @@ def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tupl
             continue
         try:
             found.append(_read(one, texts[one.name]))
-        except _Wrong as wrong:
-            faults.append(Fault(f"prior of {one.name}", *wrong.args))
+        except PydanticCustomError as error:
+            context = error.context or {}
+            faults.append(Fault(f"prior of {one.name}", str(context["found"]), str(context["accepted"])))
     if faults:
         raise SceneError(faults)
     return tuple(found)
@@ -136,10 +137,6 @@ def refuse_excluded(priors: Sequence[Prior], q: Floats) -> None:
         raise SceneError(faults)
 
 
-class _Wrong(ValueError):
-    """What was found, and what is accepted."""
-
-
 @cache
 def _known() -> dict[str, Any]:
     """Continuous distributions of SciPy by name."""
@@ -149,10 +146,10 @@ def _known() -> dict[str, Any]:
 def _read(free: FreeParameter, text: str) -> Prior:
     call = _CALL.fullmatch(text)
     if call is None:
-        raise _Wrong(f"{shown(text)} is no distribution with its arguments", FORM)
+        raise refusal(f"{shown(text)} is no distribution with its arguments", FORM)
     name, inside = call.groups()
     if name not in _known():
-        raise _Wrong(
+        raise refusal(
             f"no distribution '{name}'{did_you_mean(name, _known())}", "a continuous distribution of scipy.stats"
         )
     law = _known()[name]
@@ -161,11 +158,11 @@ def _read(free: FreeParameter, text: str) -> Prior:
     low, high = frozen.support()
     if math.isnan(low):
         numbers = ", ".join(f"{key} = {value:g}" for key, value in given.items())
-        raise _Wrong(f"{name} is not defined for {numbers}", f"arguments that scipy.stats.{name} allows")
+        raise refusal(f"{name} is not defined for {numbers}", f"arguments that scipy.stats.{name} allows")
     ends = [-math.inf if free.logarithmic and x <= 0 else free.scaled(x) for x in (low, high)]
     lower, upper = max(free.lower, ends[0]), min(free.upper, ends[1])
     if not lower < upper:
-        raise _Wrong(
+        raise refusal(
             f"{text.strip()} lies from {low:g} to {high:g} {free.unit}, outside of the bounds",
             f"a prior that overlaps {free.bounds[0]:g} to {free.bounds[1]:g} {free.unit}, or other bounds",
         )
@@ -186,14 +183,14 @@ def _arguments(free: FreeParameter, name: str, law: Any, inside: str) -> dict[st
         keyword = _KEYWORD.fullmatch(text)
         key, value = keyword.groups() if keyword else (order[number] if number < len(order) else "", text)
         if not key:
-            raise _Wrong(f"{len(texts)} arguments in {shown(inside)}", accepted)
+            raise refusal(f"{len(texts)} arguments in {shown(inside)}", accepted)
         if key not in order:
-            raise _Wrong(f"{name} has no argument '{key}'{did_you_mean(key, order)}", accepted)
+            raise refusal(f"{name} has no argument '{key}'{did_you_mean(key, order)}", accepted)
         if key in found:
-            raise _Wrong(f"'{key}' is given twice", accepted)
+            raise refusal(f"'{key}' is given twice", accepted)
         found[key] = _number(free, value.strip(), accepted, is_pure=key not in dimensional)
     if missing := [key for key in order if key in needed - set(found)]:
-        raise _Wrong(f"{name} without {' and '.join(missing)}", accepted)
+        raise refusal(f"{name} without {' and '.join(missing)}", accepted)
     return found
 
 
@@ -206,12 +203,10 @@ def _number(free: FreeParameter, text: str, accepted: str, *, is_pure: bool) -> 
             number = float(kinds_of(Temperature)[free.name].read(text))
         else:
             number = to_si(text, "quantity", free.unit)
-    except NotAQuantity as refusal:
-        raise _Wrong(str(refusal), accepted) from None
-    except PydanticCustomError as refusal:
-        raise _Wrong(str((refusal.context or {})["found"]), accepted) from None
+    except NotAQuantity as found:
+        raise refusal(str(found), accepted) from None
     except ValueError:
-        raise _Wrong(f"{shown(text)} is not a number without a unit", accepted) from None
+        raise refusal(f"{shown(text)} is not a number without a unit", accepted) from None
     if not math.isfinite(number):
-        raise _Wrong(f"{shown(text)} is not finite", accepted)
+        raise refusal(f"{shown(text)} is not finite", accepted)
     return number
