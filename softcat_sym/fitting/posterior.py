@@ -375,7 +375,9 @@ def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int,
                 if time.perf_counter() > until:
                     return run.abort()
             except RuntimeError as error:
-                raise SoftcatError(f"the model has no answer around the best fit: {error}") from None
+                # Rust adds a stack of its own.
+                reason = str(error).partition("\n")[0]
+                raise SoftcatError(f"no chain could begin around the best fit: {reason}") from None
     finally:
         run.cancel()
 
