@@ -97,7 +97,7 @@ def test_the_same_seed_gives_the_same_draws() -> None:
 
 def test_where_the_model_has_no_answer_is_said(tmp_path: Path) -> None:
     problem = Line(COLUMNS @ np.array([1.0, 2.0]), True, beyond=2.1)
-    found = sample(problem, np.array([1.0, 2.0]), read_priors({}, problem.free))
+    found = sample(problem, np.array([1.0, 2.0]), read_priors({}, problem.free), observed={"height": problem.data})
     assert found.divergences > 0
     assert not found.outcome.is_success
     assert float(found.data.posterior.slope.max()) < 2.1
@@ -106,6 +106,7 @@ def test_where_the_model_has_no_answer_is_said(tmp_path: Path) -> None:
 
     kept = arviz.from_netcdf(tmp_path / "posterior.nc")
     assert set(kept.groups()) >= {"posterior", "sample_stats", "prior"}
+    assert np.array_equal(kept.observed_data.height, problem.data)
     assert kept.posterior.slope.attrs["units"] == "m"
 
 
@@ -126,7 +127,7 @@ def test_time_is_kept() -> None:
     begin = time.perf_counter()
     fast = Line(problem.data, True)
     found = sample(Turning(fast, problem), np.array([1.0, 2.0]), priors, time_limit=20.0)
-    assert time.perf_counter() - begin < 30.0
+    assert time.perf_counter() - begin < 40.0
     assert found.draws < found.asked
     assert f"of {found.asked} (out of time)" in found.message
 
