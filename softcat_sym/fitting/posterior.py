@@ -1,0 +1,413 @@
+"""The posterior of a fit: drawn by nutpie's NUTS with the derivatives of the model, kept and judged by ArviZ."""
+
+from __future__ import annotations
+
+import contextvars
+import math
+import time
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize
+from scipy.special import expit, log_expit, logit
+
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.least_squares import Floats, LeastSquares
+from softcat_sym.fitting.priors import Prior, refuse_excluded
+from softcat_sym.solvers.solution import Progress, Silence
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from softcat_sym.fitting.fit import Fit
+
+DRAWS, TUNE, CHAINS, TIME_LIMIT = 500, 100, 2, 900.0
+"""By default: draws and steps of tuning of each chain, chains, and seconds that they may take."""
+
+MAX_R_HAT = 1.01
+MIN_ESS = 100
+"""Effective draws for each chain (Vehtari et al. 2021, section 4)."""
+
+_PRIOR_DRAWS = 1000
+# Evaluations of the model for a draw, in whitened unknowns; only to say beforehand what it will take.
+_STEPS = 4
+# A tree of more steps says nothing in whitened unknowns that the next one would not.
+_MAX_DEPTH = 6
+# Share of the width between the bounds: a best fit on a bound is taken as this far from it.
+_EDGE = 1e-4
+# Instead of infinite where the model has no answer, in the search for the mode.
+_NO_ANSWER = 1e15
+_LEVEL = 0.95
+_POLL = 0.1
+
+
+class Sampled(LeastSquares, Protocol):
+    """A problem of least squares that says whether its residuals are in standard deviations of their noise."""
+
+    @property
+    def noise_known(self) -> bool:
+        """Whether they are; otherwise in units of one unknown deviation."""
+
+
+class PosteriorOutcome(Enum):
+    """What a posterior is worth; ``name`` with blanks for underscores goes into ``fit.json``."""
+
+    sampled = "the chains agree, and their draws suffice for 95 % intervals"
+    not_mixed = (
+        "the chains do not agree: do not use the intervals; ask for more draws and tuning, or give priors to the "
+        "parameters that the data do not tell"
+    )
+    divergent = (
+        "some steps ended where the model has no answer, or followed the posterior too coarsely: near there the draws "
+        "are too few; give nearer bounds or a prior, or more tuning"
+    )
+    too_few = "too few independent draws for 95 % intervals: ask for more draws, or for more time"
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the intervals may be used."""
+        return self is PosteriorOutcome.sampled
+
+    @property
+    def word(self) -> str:
+        """As files and terminals say it."""
+        return self.name.replace("_", " ")
+
+
+@dataclass(frozen=True, eq=False)
+class Posterior:
+    """Draws of the parameters, given the data.
+
+    Attributes
+    ----------
+    data : arviz.InferenceData
+        Groups `posterior` (SI, by the names of the parameters), `sample_stats`, `prior` and `observed_data`.
+    parameters : dict of str to dict
+        Of each: mean, sd, median, hdi95, eti95 (highest density, and between the quantiles), ess_bulk, ess_tail, r_hat.
+    priors : tuple of Prior
+        In the order of the parameters.
+    outcome : PosteriorOutcome
+        What it is worth.
+    divergences, draws, asked : int
+        Steps that failed after tuning; draws of each chain, and how many were asked for.
+    evaluations, seconds : int, float
+        Of the model with its derivatives, and what they took.
+    """
+
+    data: Any
+    parameters: dict[str, dict[str, Any]]
+    priors: tuple[Prior, ...]
+    outcome: PosteriorOutcome
+    divergences: int
+    draws: int
+    asked: int
+    evaluations: int
+    seconds: float
+
+    @property
+    def message(self) -> str:
+        """What the outcome rests on, in a line."""
+        worst = max(one["r_hat"] for one in self.parameters.values())
+        least = min(min(one["ess_bulk"], one["ess_tail"]) for one in self.parameters.values())
+        stopped = f" of {self.asked} (out of time)" if self.draws < self.asked else ""
+        chains = self.data.posterior.sizes["chain"]
+        return (
+            f"{chains} chains of {self.draws}{stopped} draws, r-hat up to {worst:.3f}, at least {least:.0f} "
+            f"independent draws, {self.divergences} divergences"
+        )
+
+    def to_netcdf(self, path: str | Path) -> None:
+        """Write the draws; ``arviz.from_netcdf`` reads them."""
+        self.data.to_netcdf(str(path), engine="h5netcdf")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its entry in ``fit.json``."""
+        parameters = {
+            one.free.name: {**self.parameters[one.free.name], "unit": one.free.unit, "prior": one.text}
+            for one in self.priors
+        }
+        keys = ("message", "divergences", "draws", "evaluations", "seconds")
+        outcome = {"outcome": self.outcome.word, "advice": self.outcome.value}
+        return outcome | {key: getattr(self, key) for key in keys} | {"parameters": parameters}
+
+    def plot(self, fit: Fit) -> Figure:
+        """Draw the densities of all parameters and pairs beside the best fit and its intervals."""
+        from softcat_sym.plotting.posterior import posterior_figure
+
+        return posterior_figure(fit, self)
+
+
+def sample(
+    problem: Sampled,
+    best: Floats,
+    priors: Sequence[Prior],
+    *,
+    draws: int = DRAWS,
+    tune: int = TUNE,
+    chains: int = CHAINS,
+    seed: int = 0,
+    time_limit: float = TIME_LIMIT,
+    observed: Mapping[str, Floats] | None = None,
+    progress: Progress | None = None,
+) -> Posterior:
+    """Draw from the posterior of a problem of least squares.
+
+    The likelihood is Gaussian. Where the noise is not known its deviation has Jeffreys' prior 1/s and is integrated
+    out: the logarithm is then -m/2 log(r.r) of m residuals r. Unknowns are mapped from between their bounds to all
+    numbers, and whitened by the curvature at the mode, so that a short tuning suffices. Chains follow one another: a
+    model with a memory of its last evaluation gives the same draws again.
+
+    Parameters
+    ----------
+    problem : Sampled
+        Residuals with derivatives; where they are NaN the model has no answer, and there is no density.
+    best : ndarray, shape (k,)
+        The unknowns at the best fit.
+    priors : sequence of Prior
+        Of the k unknowns: :func:`softcat_sym.fitting.priors.read_priors`.
+    draws, tune, chains, seed : int
+        Draws of each chain after so many for tuning; a chain alone cannot be judged.
+    time_limit : float
+        Seconds. More than that is refused beforehand, or ends the chains with what they have.
+    observed : mapping of str to ndarray, optional
+        What was measured, to be kept with the draws.
+    progress : Progress, optional
+        Hears how far it is.
+
+    Returns
+    -------
+    Posterior
+        With an outcome, which is to be looked at.
+
+    Raises
+    ------
+    SoftcatError
+        If nutpie is missing, the time does not suffice, or the model has no answer around the best fit.
+    """
+    nutpie, arviz = _packages()
+    if min(draws, tune, chains) < 1:
+        raise SoftcatError(f"{draws} draws, {tune} tuning, {chains} chains; accepted: 1 or more of each")
+    refuse_excluded(priors, best)
+    listener, begin = progress or Silence(), time.perf_counter()
+    listener.stage("posterior")
+    density = _Density(problem, priors)
+    density.whiten(best)
+    needed = chains * (tune + draws) * _STEPS * density.quickest
+    if needed > time_limit:
+        raise SoftcatError(
+            f"the posterior would take about {needed / 60:.1f} min, of which {time_limit / 60:.1f} are allowed; "
+            "accepted: a longer time, fewer draws, or cheaper physics (run.effects, numerics.cells)"
+        )
+    left, parts = time_limit, []
+    for chain in range(chains):
+        until = time.perf_counter() + left / (chains - chain)
+
+        def heard(done: int, chain: int = chain) -> None:
+            share = (chain + done / (tune + draws)) / chains
+            listener.reach(share, f"chain {chain + 1} of {chains}, {done} of {tune + draws} draws")
+
+        parts.append(_chain(nutpie, density, heard, draws=draws, tune=tune, seed=[seed, chain], until=until))
+        left = begin + time_limit - time.perf_counter()
+    least = min(part.posterior.sizes["draw"] for part in parts)
+    if least < 4:
+        raise SoftcatError(
+            f"{time_limit:.0f} s did not suffice for a draw after tuning; accepted: a longer time, or cheaper physics"
+        )
+    data = arviz.concat([part.isel(draw=slice(least)) for part in parts], dim="chain")
+    random = np.random.default_rng([seed, chains])
+    before = {one.free.name: _in_si(one, one.draw(random, _PRIOR_DRAWS))[None] for one in priors}
+    data.extend(arviz.from_dict(prior=before, observed_data=dict(observed) if observed else None))
+    for one in priors:
+        for group in (data.posterior, data.prior):
+            group[one.free.name].attrs["units"] = one.free.unit
+        data.prior[one.free.name].attrs["prior"] = one.text
+    divergences = int(data.sample_stats.diverging.sum())
+    parameters = _summary(arviz, data)
+    outcome = _outcome(parameters, divergences, chains)
+    seconds = time.perf_counter() - begin
+    own = tuple(priors), outcome, divergences, least, draws, density.evaluations, seconds
+    return Posterior(data, parameters, *own)
+
+
+def _packages() -> tuple[Any, Any]:
+    try:
+        with warnings.catch_warnings():
+            # ArviZ announces its next version on import.
+            warnings.simplefilter("ignore", FutureWarning)
+            import nutpie  # isort: skip
+            import arviz
+    except ImportError:
+        raise SoftcatError(
+            "a posterior is drawn by nutpie and kept by ArviZ, which are not installed: "
+            "pip install 'softcat_sym[bayes]'"
+        ) from None
+    return nutpie, arviz
+
+
+class _Density:
+    """The logarithm of the posterior density in whitened unknowns z, of which all numbers are allowed.
+
+    With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
+    """
+
+    def __init__(self, problem: Sampled, priors: Sequence[Prior]) -> None:
+        self._problem, self._priors = problem, priors
+        self._lower = np.array([one.lower for one in priors])
+        self._width = np.array([one.upper for one in priors]) - self._lower
+        self._centre, self._spread = np.zeros(len(priors)), np.eye(len(priors))
+        self.evaluations, self.quickest = 0, math.inf  # How many, and the shortest that one took [s]
+
+    def q(self, z: Floats) -> Floats:
+        """The unknowns of the problem."""
+        return np.asarray(self._lower + self._width * expit(self._centre + self._spread @ z))
+
+    def __call__(self, z: Floats) -> tuple[float, Floats]:
+        """Logarithm and gradient; minus infinity where the model has no answer."""
+        y = self._centre + self._spread @ z
+        share = expit(y)
+        q = self._lower + self._width * share
+        residuals, jacobian = self._linearised(q)
+        pairs = [(one.log_density(float(x)), one.slope(float(x))) for one, x in zip(self._priors, q, strict=True)]
+        before, slopes = np.array(pairs).T
+        squares, weight = float(residuals @ residuals), 1.0
+        fit = -0.5 * squares
+        if not self._problem.noise_known and squares > 0:
+            fit, weight = -0.5 * residuals.size * math.log(squares), residuals.size / squares
+        # Of the map from y to q.
+        stretch = log_expit(y) + log_expit(-y)
+        value = fit + float(before.sum() + stretch.sum())
+        by_q = slopes - weight * (jacobian.T @ residuals)
+        gradient = self._spread.T @ (self._width * share * (1 - share) * by_q + 1 - 2 * share)
+        if not (math.isfinite(value) and np.isfinite(gradient).all()):
+            return -math.inf, np.zeros_like(z)
+        return value, gradient
+
+    def _linearised(self, q: Floats) -> tuple[Floats, Floats]:
+        begin = time.perf_counter()
+        found = self._problem.linearised(q)
+        self.evaluations += 1
+        self.quickest = min(self.quickest, time.perf_counter() - begin)
+        return found
+
+    def whiten(self, best: Floats) -> None:
+        """Find the mode near the best fit, and take the curvature there for unity."""
+        self._curve(best)
+
+        def downhill(z: Floats) -> tuple[float, Floats]:
+            value, gradient = self(z)
+            return (-value, -gradient) if math.isfinite(value) else (_NO_ANSWER, gradient)
+
+        with np.errstate(all="ignore"):
+            found = minimize(downhill, np.zeros(best.size), jac=True, method="BFGS", options={"gtol": 0.1})
+        self._curve(self.q(found.x))
+
+    def _curve(self, q: Floats) -> None:
+        share = np.clip((q - self._lower) / self._width, _EDGE, 1 - _EDGE)
+        q = self._lower + self._width * share
+        stretch = self._width * share * (1 - share)
+        residuals, jacobian = self._linearised(q)
+        if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
+            raise SoftcatError("the model has no answer at the best fit: its posterior cannot be drawn")
+        variance = 1.0 if self._problem.noise_known else float(residuals @ residuals) / residuals.size
+        scaled = jacobian * stretch / math.sqrt(max(variance, np.finfo(float).tiny))
+        curvature = [max(-_second(one, float(x)), 0.0) for one, x in zip(self._priors, q, strict=True)]
+        precision = scaled.T @ scaled + np.diag(stretch**2 * curvature + 2 * share * (1 - share))
+        lower = np.linalg.cholesky(precision)
+        self._centre = logit(share)
+        self._spread = solve_triangular(lower, np.eye(q.size), lower=True, trans="T")
+
+
+def _second(prior: Prior, q: float, step: float = 1e-3) -> float:
+    """Second derivative of a prior's logarithm."""
+    low, high = max(q - step, prior.lower), min(q + step, prior.upper)
+    return (prior.slope(high) - prior.slope(low)) / (high - low)
+
+
+def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
+    """Draw one chain, until a time at the latest; as ArviZ's data."""
+    names = [one.free.name for one in density._priors]
+    failure, done = list[BaseException](), 0
+    random = np.random.default_rng(seed)
+    # The store's own variables belong to the thread that asked.
+    context = contextvars.copy_context()
+
+    def logarithm(z: Floats) -> tuple[float, Floats]:
+        try:
+            return context.run(density, z) if not failure else (-math.inf, np.zeros_like(z))
+        except SoftcatError:
+            return -math.inf, np.zeros_like(z)
+        except BaseException as error:  # noqa: BLE001 - raised again where the chain is waited for
+            failure.append(error)
+            return -math.inf, np.zeros_like(z)
+
+    def expanded(z: Floats) -> dict[str, Floats]:
+        nonlocal done
+        done += 1
+        q = density.q(z)
+        return {one.free.name: np.array(one.free.value(float(x))) for one, x in zip(density._priors, q, strict=True)}
+
+    model = nutpie.compiled_pyfunc.from_pyfunc(
+        len(names),
+        lambda: logarithm,
+        lambda *_: expanded,
+        [np.dtype(float)] * len(names),
+        [()] * len(names),
+        names,
+        make_initial_point_fn=lambda _: random.standard_normal(len(names)),
+    )
+    settings = {"draws": draws, "tune": tune, "chains": 1, "cores": 1, "maxdepth": _MAX_DEPTH}
+    whole = int(random.integers(2**63))
+    run = nutpie.sample(model, seed=whole, save_warmup=False, progress_bar=False, blocking=False, **settings)
+    try:
+        while True:
+            try:
+                return run.wait(timeout=_POLL)
+            except TimeoutError:
+                heard(done)
+                if failure:
+                    raise failure[0] from None
+                if time.perf_counter() > until:
+                    return run.abort()
+            except RuntimeError as error:
+                # Rust adds a stack of its own.
+                reason = str(error).partition("\n")[0]
+                raise SoftcatError(f"no chain could begin around the best fit: {reason}") from None
+    finally:
+        run.cancel()
+
+
+def _in_si(prior: Prior, q: Floats) -> Floats:
+    return np.array([prior.free.value(float(x)) for x in q])
+
+
+def _summary(arviz: Any, data: Any) -> dict[str, dict[str, Any]]:
+    """By name."""
+    table = arviz.summary(data, hdi_prob=_LEVEL, round_to="none")
+    found = {}
+    for name in data.posterior.data_vars:
+        values, row = data.posterior[name].values.ravel(), table.loc[name]
+        low, middle, high = np.quantile(values, [0.5 - _LEVEL / 2, 0.5, 0.5 + _LEVEL / 2]).tolist()
+        found[str(name)] = {
+            **{key: float(row[key]) for key in ("mean", "sd")},
+            "median": middle,
+            "hdi95": [float(row["hdi_2.5%"]), float(row["hdi_97.5%"])],
+            "eti95": [low, high],
+            **{key: float(row[key]) for key in ("ess_bulk", "ess_tail", "r_hat")},
+        }
+    return found
+
+
+def _outcome(parameters: Mapping[str, Mapping[str, Any]], divergences: int, chains: int) -> PosteriorOutcome:
+    # Written so that what is not a number, as of one chain, is no success.
+    if not all(one["r_hat"] <= MAX_R_HAT for one in parameters.values()):
+        return PosteriorOutcome.not_mixed
+    if divergences:
+        return PosteriorOutcome.divergent
+    enough = all(min(one["ess_bulk"], one["ess_tail"]) >= MIN_ESS * chains for one in parameters.values())
+    return PosteriorOutcome.sampled if enough else PosteriorOutcome.too_few

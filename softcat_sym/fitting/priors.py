@@ -1,0 +1,212 @@
+"""What is believed of a parameter before the film is seen: a distribution of scipy.stats, written with units."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+from scipy import stats
+
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.fitting.free_parameters import FreeParameter
+from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.scene.parts import kinds_of
+from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.units import NotAQuantity, did_you_mean, refusal, shown, to_si
+
+FORM = "NAME=DISTRIBUTION, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"
+"""How a prior is written."""
+
+_CALL = re.compile(r"\s*([A-Za-z]\w*)\s*\((.*)\)\s*", re.DOTALL)
+_KEYWORD = re.compile(r"\s*([A-Za-z]\w*)\s*=(.*)", re.DOTALL)
+# Commas outside of parentheses, which units may have.
+_COMMA = re.compile(r",(?![^(]*\))")
+# Of a two-sided difference in q, a number of order one.
+_STEP = 1e-5
+# Shapes that are values of the variable itself, where no scale is given.
+_ENDS = {"loguniform": ("a", "b"), "reciprocal": ("a", "b")}
+
+
+@dataclass(frozen=True, eq=False)
+class Prior:
+    """The prior of one unknown, between its bounds.
+
+    Attributes
+    ----------
+    free : FreeParameter
+        The unknown.
+    law : frozen distribution of scipy.stats or None
+        Of the value in SI; None is flat in q: of a positive parameter in the logarithm.
+    text : str
+        As it was written.
+    lower, upper : float
+        Bounds of q, cut to where the density is not zero.
+    """
+
+    free: FreeParameter
+    law: Any
+    text: str
+    lower: float
+    upper: float
+
+    def log_density(self, q: float) -> float:
+        """Logarithm of the density in q, short of a constant: what the bounds cut off is not made up for."""
+        if self.law is None:
+            return 0.0
+        return float(self.law.logpdf(self.free.value(q))) + math.log(abs(self.free.slope(q)))
+
+    def slope(self, q: float) -> float:
+        """Derivative of :meth:`log_density` by q, of a two-sided difference within the bounds."""
+        if self.law is None:
+            return 0.0
+        low, high = max(q - _STEP, self.lower), min(q + _STEP, self.upper)
+        return (self.log_density(high) - self.log_density(low)) / (high - low)
+
+    def draw(self, random: np.random.Generator, size: int) -> Floats:
+        """Draw values of q."""
+        share = random.uniform(size=size)
+        if self.law is None:
+            return np.asarray(self.lower + share * (self.upper - self.lower))
+        ends = [float(self.law.cdf(self.free.value(q))) for q in (self.lower, self.upper)]
+        values = self.law.ppf(ends[0] + share * (ends[1] - ends[0]))
+        q = np.array([self.free.scaled(float(value)) for value in values])
+        return np.asarray(np.clip(q, self.lower, self.upper))
+
+
+def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tuple[Prior, ...]:
+    """Read the priors of all unknowns; of those without one it is flat in q between the bounds.
+
+    Parameters
+    ----------
+    texts : mapping of str to str
+        By the name of a parameter a continuous distribution of :mod:`scipy.stats` of its value, such as
+        ``"lognorm(s=0.5, scale=30 Pa*s)"``, ``"loguniform(1 kPa, 1 MPa)"`` or ``"norm(0 ms, 2 ms)"``. The order of the
+        arguments is SciPy's: shapes, `loc`, `scale`. Those of the parameter's dimension have a unit, the others none.
+    free : sequence of FreeParameter
+        The unknowns of the fit.
+
+    Returns
+    -------
+    tuple of Prior
+        In the order of the unknowns.
+
+    Raises
+    ------
+    SceneError
+        If a name is not free, or a distribution unknown or without sense; all faults at once.
+    """
+    names = [one.name for one in free]
+    faults = [
+        Fault(f"prior of {name}", f"not free{did_you_mean(name, names)}", ", ".join(names))
+        for name in texts
+        if name not in names
+    ]
+    found = []
+    for one in free:
+        if one.name not in texts:
+            found.append(Prior(one, None, "flat" if not one.logarithmic else "flat in log", one.lower, one.upper))
+            continue
+        try:
+            found.append(_read(one, texts[one.name]))
+        except PydanticCustomError as error:
+            context = error.context or {}
+            faults.append(Fault(f"prior of {one.name}", str(context["found"]), str(context["accepted"])))
+    if faults:
+        raise SceneError(faults)
+    return tuple(found)
+
+
+def refuse_excluded(priors: Sequence[Prior], q: Floats) -> None:
+    """Refuse priors that exclude the best fit: the chains would begin where there is no density."""
+    faults = [
+        Fault(
+            f"prior of {one.free.name}",
+            f"{one.text} has no finite density at the best fit, {one.free.value(float(x)):.6g} {one.free.unit}",
+            "a prior that allows it, or another bound of the parameter",
+        )
+        for one, x in zip(priors, q, strict=True)
+        if not (one.lower <= x <= one.upper and math.isfinite(one.log_density(float(x))))
+    ]
+    if faults:
+        raise SceneError(faults)
+
+
+@cache
+def _known() -> dict[str, Any]:
+    """Continuous distributions of SciPy by name."""
+    return {name: one for name, one in vars(stats).items() if isinstance(one, stats.rv_continuous)}
+
+
+def _read(free: FreeParameter, text: str) -> Prior:
+    call = _CALL.fullmatch(text)
+    if call is None:
+        raise refusal(f"{shown(text)} is no distribution with its arguments", FORM)
+    name, inside = call.groups()
+    if name not in _known():
+        raise refusal(
+            f"no distribution '{name}'{did_you_mean(name, _known())}", "a continuous distribution of scipy.stats"
+        )
+    law = _known()[name]
+    given = _arguments(free, name, law, inside)
+    frozen = law(**given)
+    low, high = frozen.support()
+    if math.isnan(low):
+        numbers = ", ".join(f"{key} = {value:g}" for key, value in given.items())
+        raise refusal(f"{name} is not defined for {numbers}", f"arguments that scipy.stats.{name} allows")
+    ends = [-math.inf if free.logarithmic and x <= 0 else free.scaled(x) for x in (low, high)]
+    lower, upper = max(free.lower, ends[0]), min(free.upper, ends[1])
+    if not lower < upper:
+        raise refusal(
+            f"{text.strip()} lies from {low:g} to {high:g} {free.unit}, outside of the bounds",
+            f"a prior that overlaps {free.bounds[0]:g} to {free.bounds[1]:g} {free.unit}, or other bounds",
+        )
+    return Prior(free, frozen, text.strip(), lower, upper)
+
+
+def _arguments(free: FreeParameter, name: str, law: Any, inside: str) -> dict[str, float]:
+    """Arguments by name, in SI."""
+    shapes = [shape.strip() for shape in law.shapes.split(",")] if law.shapes else []
+    order = shapes if name in _ENDS else [*shapes, "loc", "scale"]
+    dimensional = _ENDS.get(name, ("loc", "scale"))
+    needed = {*shapes, *(["scale"] if free.unit != "1" and name not in _ENDS else [])}
+    with_unit = "" if free.unit == "1" else f"; {' and '.join(dimensional)} in {free.unit}"
+    accepted = f"{name}({', '.join(order)}){with_unit}"
+    texts = [part for part in _COMMA.split(inside) if part.strip()]
+    found: dict[str, float] = {}
+    for number, text in enumerate(texts):
+        keyword = _KEYWORD.fullmatch(text)
+        key, value = keyword.groups() if keyword else (order[number] if number < len(order) else "", text)
+        if not key:
+            raise refusal(f"{len(texts)} arguments in {shown(inside)}", accepted)
+        if key not in order:
+            raise refusal(f"{name} has no argument '{key}'{did_you_mean(key, order)}", accepted)
+        if key in found:
+            raise refusal(f"'{key}' is given twice", accepted)
+        found[key] = _number(free, value.strip(), accepted, is_pure=key not in dimensional)
+    if missing := [key for key in order if key in needed - set(found)]:
+        raise refusal(f"{name} without {' and '.join(missing)}", accepted)
+    return found
+
+
+def _number(free: FreeParameter, text: str, accepted: str, *, is_pure: bool) -> float:
+    try:
+        if is_pure or free.unit == "1":
+            number = float(text)
+        elif free.path.startswith("temperature."):
+            # Their units hold kelvin and mole.
+            number = float(kinds_of(Temperature)[free.name].read(text))
+        else:
+            number = to_si(text, "quantity", free.unit)
+    except NotAQuantity as found:
+        raise refusal(str(found), accepted) from None
+    except ValueError:
+        raise refusal(f"{shown(text)} is not a number without a unit", accepted) from None
+    if not math.isfinite(number):
+        raise refusal(f"{shown(text)} is not finite", accepted)
+    return number

@@ -1,0 +1,229 @@
+"""Are draws those of the posterior: against an exact one, by simulation-based calibration, and beside profiles."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import softcat_sym as sc
+from softcat_sym.fitting.fit import FilamentProblem
+from softcat_sym.fitting.free_parameters import FreeParameter
+from softcat_sym.fitting.least_squares import multi_start
+from softcat_sym.fitting.measurements import Measurements, Series
+from softcat_sym.fitting.posterior import Posterior, PosteriorOutcome, sample
+from softcat_sym.fitting.priors import Prior, read_priors
+from tests.common.table import show
+
+pytestmark = pytest.mark.slow
+pytest.importorskip("nutpie", reason="pip install softcat_sym[bayes]", exc_type=ImportError)
+
+PLACES = np.linspace(0.0, 3.0, 12)
+COLUMNS = np.stack([np.ones_like(PLACES), PLACES], axis=1)
+
+
+@dataclass
+class Line:
+    """Offset and slope of a straight line, whose posterior is known."""
+
+    data: np.ndarray
+    noise_known: bool
+    beyond: float = np.inf
+    names: tuple[str, ...] = ("offset", "slope")
+
+    @property
+    def free(self) -> tuple[FreeParameter, ...]:
+        return tuple(FreeParameter(name, name, "m", 0.0, False, 1.0, (-60.0, 60.0)) for name in self.names)
+
+    @property
+    def lower(self) -> np.ndarray:
+        return np.full(2, -60.0)
+
+    @property
+    def upper(self) -> np.ndarray:
+        return np.full(2, 60.0)
+
+    def residuals(self, q: np.ndarray) -> np.ndarray:
+        return COLUMNS @ q - self.data if q[1] < self.beyond else np.full(12, np.nan)
+
+    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self.residuals(q), COLUMNS
+
+
+def drawn(known: bool, **priors: str) -> tuple[Posterior, np.ndarray, np.ndarray]:
+    """Draws, best fit, and the covariance of the exact posterior's normal or Student distribution without priors."""
+    data = COLUMNS @ np.array([1.0, 2.0]) + 0.7 * np.random.default_rng(1).standard_normal(12)
+    best, squares, *_ = np.linalg.lstsq(COLUMNS, data, rcond=None)
+    problem = Line(data, known)
+    scale = 1.0 if known else float(squares[0]) / (12 - 2)
+    found = sample(problem, best, read_priors(priors, problem.free), draws=2000, tune=200, seed=3)
+    return found, best, scale * np.linalg.inv(COLUMNS.T @ COLUMNS)
+
+
+def agrees(found: Posterior, name: str, exact: stats.rv_continuous) -> None:
+    """Thinned until they are independent, the draws have the distribution."""
+    values = found.data.posterior[name].values[:, ::5].ravel()
+    assert found.outcome is PosteriorOutcome.sampled
+    assert stats.kstest(values, exact.cdf).pvalue > 1e-3, name
+    assert found.parameters[name]["eti95"] == pytest.approx(exact.interval(0.95), abs=0.2 * exact.std())
+
+
+@pytest.mark.parametrize("known", [True, False], ids=["known noise", "unknown noise"])
+def test_a_line_has_its_exact_posterior(known: bool) -> None:
+    found, best, covariance = drawn(known)
+    for k, name in enumerate(("offset", "slope")):
+        error = float(covariance[k, k] ** 0.5)
+        agrees(found, name, stats.norm(best[k], error) if known else stats.t(12 - 2, best[k], error))
+
+
+def test_a_normal_prior_counts_as_a_reading() -> None:
+    found, best, covariance = drawn(True, slope="norm(1 m, 0.2 m)")
+    precision = np.linalg.inv(covariance)
+    both = np.linalg.inv(precision + np.diag([0.0, 0.2**-2]))
+    mean = both @ (precision @ best + np.array([0.0, 1.0 / 0.2**2]))
+    for k, name in enumerate(("offset", "slope")):
+        agrees(found, name, stats.norm(mean[k], both[k, k] ** 0.5))
+
+
+def test_the_same_seed_gives_the_same_draws() -> None:
+    first, again = (drawn(False)[0].data.posterior for _ in range(2))
+    assert first.equals(again)
+
+
+def test_where_the_model_has_no_answer_is_said(tmp_path: Path) -> None:
+    problem = Line(COLUMNS @ np.array([1.0, 2.0]), True, beyond=2.1)
+    found = sample(problem, np.array([1.0, 2.0]), read_priors({}, problem.free), observed={"height": problem.data})
+    assert found.divergences > 0
+    assert not found.outcome.is_success
+    assert float(found.data.posterior.slope.max()) < 2.1
+    found.to_netcdf(tmp_path / "posterior.nc")
+    import arviz
+
+    kept = arviz.from_netcdf(tmp_path / "posterior.nc")
+    assert set(kept.groups()) >= {"posterior", "sample_stats", "prior"}
+    assert np.array_equal(kept.observed_data.height, problem.data)
+    assert kept.posterior.slope.attrs["units"] == "m"
+
+
+class Slow(Line):
+    """The same, 20 ms each time."""
+
+    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        time.sleep(0.02)
+        return super().linearised(q)
+
+
+def test_time_is_kept() -> None:
+    problem = Slow(COLUMNS @ np.array([1.0, 2.0]), True)
+    priors = read_priors({}, problem.free)
+    with pytest.raises(sc.SoftcatError, match="would take about"):
+        sample(problem, np.array([1.0, 2.0]), priors, time_limit=10.0)
+    # Of which some draws suffice to be estimated at less than what they then take.
+    begin = time.perf_counter()
+    fast = Line(problem.data, True)
+    found = sample(Turning(fast, problem), np.array([1.0, 2.0]), priors, time_limit=20.0)
+    assert time.perf_counter() - begin < 40.0
+    assert found.draws < found.asked
+    assert f"of {found.asked} (out of time)" in found.message
+
+
+@dataclass
+class Turning:
+    """Fast while it is timed, slow afterwards."""
+
+    fast: Line
+    slow: Slow
+    count: int = 0
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self.fast, name)
+
+    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        self.count += 1
+        return (self.fast if self.count < 20 else self.slow).linearised(q)
+
+
+FITS, RANKS, EVERY = 200, 20, 2
+"""Fits, ranks that there are, and draws from one that is ranked to the next."""
+
+SCENE = {"run.effects": "paper", "numerics.cells": 6}
+BELIEFS = {"viscosity": "lognorm(s=0.3, scale=390 Pa*s)", "density": "norm(1420 kg/m^3, 100 kg/m^3)"}
+FRAMES, SCATTER = 12, 0.05
+"""Of a film, and the noise over its largest sag: what is believed counts beside what is seen."""
+
+
+def ranks() -> tuple[np.ndarray, int]:
+    """Rank of the truth, drawn from the prior, among draws of the posterior of its film, and evaluations."""
+    scene = sc.load_scene("cold-honey", SCENE)
+    instants = np.linspace(0.0, scene.run.duration, FRAMES + 1)[1:]
+    random, found, evaluations = np.random.default_rng(30), [], 0
+    for number in range(FITS):
+        blank = _problem(scene, instants, -instants, np.ones(FRAMES))
+        priors = read_priors(BELIEFS, blank.free)
+        truth = np.array([one.draw(random, 1)[0] for one in priors])
+        exact = blank.curves(truth)[0]
+        std = SCATTER * np.full(FRAMES, np.abs(blank.curves(blank.typical)[0]).max())
+        problem = _problem(scene, instants, exact + std * random.standard_normal(FRAMES), std)
+        best = multi_start(problem, [problem.typical], count=0).best.q
+        best = np.clip(best, [one.lower for one in priors], [one.upper for one in priors])
+        how = {"draws": EVERY * (RANKS - 1), "tune": 30, "chains": 1, "seed": number}
+        sampled = sample(problem, best, priors, **how)  # type: ignore[arg-type]
+        evaluations += sampled.evaluations
+        found.append([_rank(sampled, one, float(q)) for one, q in zip(priors, truth, strict=True)])
+    return np.array(found), evaluations
+
+
+def _problem(scene: sc.Scene, instants: np.ndarray, heights: np.ndarray, std: np.ndarray) -> FilamentProblem:
+    film = Series(time=instants, midpoint=heights, std=std, overrides={})
+    return FilamentProblem(scene, Measurements((film,)), list(BELIEFS), rtol=1e-3)
+
+
+def _rank(sampled: Posterior, prior: Prior, q: float) -> int:
+    values = sampled.data.posterior[prior.free.name].values[0, ::EVERY]
+    assert values.size == RANKS - 1
+    return int(np.sum(values < prior.free.value(q)))
+
+
+def _chi_square(values: Sequence[int]) -> float:
+    """Probability of a histogram as uneven as this."""
+    return float(stats.chisquare(np.bincount(np.asarray(values) // 2, minlength=RANKS // 2)).pvalue)
+
+
+def test_ranks_of_the_truth_are_uniform() -> None:
+    begin = time.perf_counter()
+    found, evaluations = ranks()
+    rows = []
+    for k, name in enumerate(BELIEFS):
+        counts = np.bincount(found[:, k] // 2, minlength=RANKS // 2)
+        rows.append([name, " ".join(map(str, counts)), f"{_chi_square(found[:, k]):.3f}"])
+    show(f"Ranks of the truth, {FITS} fits of cold honey, in tens of a histogram", ["parameter", "counts", "p"], rows)
+    print(f"\n{evaluations} evaluations, {(time.perf_counter() - begin) / 60:.1f} min")
+    assert min(_chi_square(found[:, k]) for k in range(len(BELIEFS))) > 0.005
+
+
+def test_profiles_and_posterior_agree() -> None:
+    """One percent of noise, not stated; a flat prior in the logarithms."""
+    scene = sc.load_scene("continual-descent", {"run.effects": "paper", "numerics.cells": 6})
+    fall = sc.simulate(scene).data
+    instants = np.linspace(0.0, scene.run.duration, 41)[1:]
+    height = np.interp(instants, fall.time.values, fall.midpoint.values)
+    height += 0.01 * np.abs(height).max() * np.random.default_rng(4).standard_normal(height.size)
+    film = Measurements((Series(time=instants, midpoint=height, std=None, overrides={}),))
+    fitted = sc.fit(film, scene, ["viscosity", "yield_stress"], starts=0)
+    found = sample(fitted.problem, fitted.starts.best.q, read_priors({}, fitted.problem.free), time_limit=3600.0)
+    assert found.outcome is PosteriorOutcome.sampled, found.message
+    rows = []
+    for name, one in fitted.parameters.items():
+        low, high = one.ci95
+        assert low is not None and high is not None
+        away = np.abs(np.array(found.parameters[name]["eti95"]) - [low, high]).max() / (high - low)
+        interval = "{:.5g} to {:.5g}".format(*found.parameters[name]["eti95"])
+        rows.append([name, f"{low:.5g} to {high:.5g}", interval, f"{away:.1%}"])
+        assert away < 0.15, rows
+    show("95 % intervals", ["parameter", "profile", "posterior", "ends apart, of the width"], rows)
+    print(f"\n{found.message}; {found.evaluations} evaluations, {found.seconds:.0f} s")
