@@ -73,6 +73,7 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
         },
         "defaults": {
             "cells": described.cells,
+            "fibres": described.fibres,
             "grading": described.grading,
             "relative": described.steps.relative,
             "absolute": described.steps.absolute,
@@ -115,6 +116,7 @@ def parameter_text(described: Description, command: str, *, has_start: bool) -> 
     settings = [
         (f"cells = {described.cells}", f"per half span, {MIN_CELLS} or more"),
         (f"grading = {described.grading!r}", "longest cell over the shortest"),
+        *([(f"fibres = {described.fibres}", "of the section, 2 or more")] if described.fibres else []),
         (f"duration = {run.duration!r} s", ""),
         (f"frames = {run.frames}", "times, evenly spaced from 0"),
         (f"relative = {described.steps.relative!r}", "tolerance of a step"),
