@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from importlib import resources
 from typing import Any
 
@@ -143,9 +144,10 @@ def runtime_files() -> dict[str, str]:
     return {file.name: file.read_text(encoding="utf-8") for file in sorted(chosen, key=lambda file: file.name)}
 
 
-def program_files(described: Description, name: str, command: str, *, rhs: bool) -> dict[str, str]:
-    """A program around the generated C, and how to build it, by file name."""
+def program_files(described: Description, name: str, command: str, *, rhs: bool, accuracy: str) -> dict[str, str]:
+    """A program around the generated C, and how to build it, by file name; `accuracy`: in words, for its README."""
     values = {"name": name, "prefix": prefix_of(name), "big": prefix_of(name).upper(), "command": command, "rhs": rhs}
+    values["accuracy"] = textwrap.fill(accuracy, 120, break_on_hyphens=False)
     values |= {"title": " ".join(described.title.split()), "effects": ", ".join(described.effects.names)}
     texts = {file: rendered(file, **values) for file in ("main.c", "Makefile", "CMakeLists.txt", "README.md")}
     if name != DEFAULT_NAME:

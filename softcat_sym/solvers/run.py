@@ -91,6 +91,13 @@ def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) ->
     return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid), backend)
 
 
+def structure_for(scene: Scene, effects: Effects) -> Structure:
+    """What the C text of a scene with these effects depends on."""
+    formulation, grid = Formulation(effects.terms(), scene.filament.section, scene.run.closure), choose_grid(scene, effects)
+    theory = choose_theory(scene, formulation.terms)
+    return structure_of(effects, grid, formulation, theory, choose_body(scene, grid))
+
+
 def _assembled(
     scene: Scene,
     effects: Effects,

@@ -18,8 +18,9 @@ from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.law import is_solid
 from softcat_sym.ensemble.members import Row, written
-from softcat_sym.error_control.estimate import Resolution, resolution_of
+from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.generation import ended_at
 from softcat_sym.results import motion, verdict
 from softcat_sym.results.breaking import breakable
 from softcat_sym.results.fields import LOST, VARIABLES, energies_of, is_odd, midpoint_heights, variable_of
@@ -94,7 +95,8 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     if run.scene.run.dimensions != given.run.dimensions:
         accepted = "run.dimensions = 2 or 3"
         raise SceneError([Fault("run.dimensions", "'auto', but it is unstable sideways", accepted)])
-    base, at = _fixed(given, run)
+    ended, at = ended_at(given, run)
+    base = Fixed(ended)
     others = _alike(base, at)
     chosen = choose_sliders(base, sliders, tuple(one.scene for one in others.values()))
     middle = middle_of(base, chosen)
@@ -130,14 +132,6 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "limits": _limits(base, chosen, usual, given.numerics.rtol),
     }
     return Page(data, described)
-
-
-def _fixed(scene: Scene, run: Run) -> tuple[Fixed, Resolution]:
-    """The scene with the effects and the resolution that its run ended with."""
-    effects, found = run.summary["effects"], run.summary["resolution"]
-    named = scene.replace({"run.effects": list(effects)})
-    at = Resolution(**found) if found else resolution_of(named, choose_effects(named), compiled=True)
-    return Fixed(at.of(named)), at
 
 
 def _alike(base: Fixed, at: Resolution) -> dict[str, Fixed]:
