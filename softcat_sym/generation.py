@@ -54,8 +54,8 @@ def generate(
 ) -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
 
-    The scene is run as :func:`softcat_sym.simulate` runs it, unless such a run is in the store or
-    ``numerics.estimate = false``: effects, cells, fibres and tolerances of the program are those that the run ends with.
+    Unless ``numerics.estimate = false``, the scene is run as :func:`softcat_sym.simulate` runs it, or such a run taken
+    from the store: effects, cells, fibres and tolerances of the program are those that it ends with.
 
     Parameters
     ----------

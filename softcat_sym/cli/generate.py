@@ -55,8 +55,8 @@ def generate(
 ) -> None:
     """Write the solver of a scene as C99, or as a web page with sliders.
 
-    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README. The scene is run before, so that
-    cells, fibres and tolerances are those that `softcat run` ends with; --set numerics.estimate=false goes without.
+    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README. The scene is run before: cells,
+    fibres and tolerances are those that `softcat run` ends with; --set numerics.estimate=false goes without.
     With --web DIR gets one HTML file that needs no server and no network. The page needs a compiler for WebAssembly:
     pip install "softcat_sym[web]".
     """

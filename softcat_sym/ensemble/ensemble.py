@@ -256,8 +256,9 @@ class Ensemble:
         ``outcome`` (name of the `Outcome`), ``message``, ``energy_residual`` (between first and last frame),
         ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them),
         ``rtol`` and ``error_estimate`` (NaN where it was not estimated). The attribute ``centres`` says in JSON which
-        members were estimated for those of the same structure, and what was found. Every column of the table is a coordinate along ``member``, quantities in
-        SI. ``time`` is in seconds where all members last equally long; otherwise it is the share of each member's own
+        members were estimated for those of the same structure, and what was found. Every column of the table is a
+        coordinate along ``member``, quantities in SI. ``time`` is in seconds where all members last equally long;
+        otherwise it is the share of each member's own
         ``duration`` [s], which is then a variable.
     outcomes : tuple of Outcome
         Verdict on each member.

@@ -93,9 +93,9 @@ def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) ->
 
 def structure_for(scene: Scene, effects: Effects) -> Structure:
     """What the C text of a scene with these effects depends on."""
-    formulation, grid = Formulation(effects.terms(), scene.filament.section, scene.run.closure), choose_grid(scene, effects)
-    theory = choose_theory(scene, formulation.terms)
-    return structure_of(effects, grid, formulation, theory, choose_body(scene, grid))
+    terms, grid = effects.terms(), choose_grid(scene, effects)
+    formulation = Formulation(terms, scene.filament.section, scene.run.closure)
+    return structure_of(effects, grid, formulation, choose_theory(scene, terms), choose_body(scene, grid))
 
 
 def _assembled(

@@ -488,8 +488,9 @@ def sweep(
 ) -> Sweep:
     """Run a filament for every value of some parameters, in constant memory; results go to disk.
 
-    A member that makes no sense, fails or is no answer is a row like the others. The one in the middle of the ranges is
-    run by :func:`simulate` before, unless ``numerics.estimate = false``: all have at least its cells, fibres and tolerance.
+    A member that makes no sense, fails or is no answer is a row like the others. Unless ``numerics.estimate = false``,
+    the one in the middle of the ranges is run by :func:`simulate` before: all have at least its cells, fibres and
+    tolerance.
 
     Parameters
     ----------

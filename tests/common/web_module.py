@@ -49,7 +49,8 @@ def as_the_scene(described: Description, **others: Any) -> How:
     run, steps = described.scene.run, described.steps
     given = {"duration": run.duration, "frames": run.frames, "relative": steps.relative, "absolute": steps.absolutes}
     given |= {"largest_step": steps.largest_step, "method": steps.method}
-    return How(**{**given, "cells": described.cells, "fibres": described.fibres, "grading": described.grading, **others})
+    given |= {"cells": described.cells, "fibres": described.fibres, "grading": described.grading}
+    return How(**{**given, **others})
 
 
 @dataclass(frozen=True)
