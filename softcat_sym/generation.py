@@ -23,12 +23,14 @@ from softcat_sym.codegen.sites import sites_of
 from softcat_sym.codegen.structure import model_for
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.error_control.estimate import Resolution, resolution_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.simulate import recalled
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
@@ -36,13 +38,24 @@ from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, comp
 from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.solvers.solution import Progress
 
 COMMAND = "softcat generate scene.toml -o ."
 
 
-def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: str = "filament") -> list[Path]:
+def generate(
+    scene: SceneLike,
+    directory: str | Path,
+    rhs: bool = False,
+    name: str = "filament",
+    progress: Progress | None = None,
+) -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
+
+    Unless ``numerics.estimate = false``, the scene is run as :func:`softcat_sym.simulate` runs it, or such a run taken
+    from the store: effects, cells, fibres and tolerances of the program are those that it ends with.
 
     Parameters
     ----------
@@ -56,6 +69,8 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
         your own.
     name : str
         Of the C file, and part of all that it exports: two filaments in one program want two names.
+    progress : Progress, optional
+        Told of the run, as by :func:`softcat_sym.simulate`.
 
     Returns
     -------
@@ -71,20 +86,21 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    contents = contents_of(as_scene(scene), check_name(name), rhs=rhs)
+    contents = contents_of(as_scene(scene), check_name(name), rhs=rhs, progress=progress)
     return write_all(directory, {file: text.encode() for file, text in contents.items()})
 
 
-def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
+def contents_of(scene: Scene, name: str, *, rhs: bool, progress: Progress | None = None) -> dict[str, str]:
     """All files of a scene's solver, by name."""
-    described, filament = export(scene)
+    ended, accuracy = _as_it_ends(scene, progress)
+    described, filament = export(ended)
     graph = filament.graph
     command = COMMAND if name == "filament" else f"{COMMAND} --name {name}"
     start = start_of(described, filament)
     files = {
         **model_files(described, name, command),
         **runtime_files(),
-        **program_files(described, name, command, rhs=rhs),
+        **program_files(described, name, command, rhs=rhs, accuracy=accuracy),
         "parameters.txt": parameter_text(described, command, has_start=start is not None),
         "scene.toml": scene.to_toml(),
     }
@@ -93,14 +109,47 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
-def export(scene: Scene) -> tuple[Description, Assembled]:
-    """A scene's filament, described for C and as CasADi has it; one without compiled form is refused."""
+def _as_it_ends(scene: Scene, progress: Progress | None) -> tuple[Scene, str]:
+    """The scene as its run ends, and in words how accurate that is."""
+    _compilable(scene)
+    if not scene.numerics.estimate:
+        return scene, "The error was not estimated: numerics.estimate is false."
+    run = recalled(scene, progress)
+    chosen = "Cells, fibres and tolerances are the program's first choice"
+    if run.scene.run.dimensions != scene.run.dimensions:
+        return scene, f"{chosen}: `softcat run` leaves the plane, being unstable sideways, and this does not."
+    if not run.outcome.is_success:
+        return scene, f"{chosen}: `softcat run` has no answer, {run.outcome.value}."
+    ended, at = ended_at(scene, run)
+    errors, numbers = run.summary["error_estimate"] or {}, [f"{at.cells} cells"]
+    numbers += [f"{at.fibres} fibres"] if at.fibres else []
+    error = "was not found" if errors.get("total") is None else f"is about {errors['total']:.2g} of the sag"
+    how = f"are those with which `softcat run` of the scene ends ({', '.join(numbers)}, relative {at.rtol:.2g})"
+    asked = f"{scene.run.accuracy:g} was asked"
+    return ended, f"Effects, cells, fibres and tolerances {how}; there its estimated error {error}, {asked}."
+
+
+def ended_at(scene: Scene, run: Run) -> tuple[Scene, Resolution]:
+    """The scene with the effects and the resolution that its run ended with."""
+    named, found = scene.replace({"run.effects": list(run.summary["effects"])}), run.summary["resolution"]
+    at = Resolution(**found) if found else resolution_of(named, choose_effects(named), compiled=True)
+    return at.of(named), at
+
+
+def _compilable(scene: Scene) -> Effects:
+    """Effects of a scene; one without compiled form is refused."""
     effects = choose_effects(scene)
     refuse_settled(scene, "a generated program runs to the end of its duration")
     if scene.model == "small-deflection":
         raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
     if not effects.terms().integrates:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
+    return effects
+
+
+def export(scene: Scene) -> tuple[Description, Assembled]:
+    """A scene's filament, described for C and as CasADi has it; one without compiled form is refused."""
+    effects = _compilable(scene)
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())

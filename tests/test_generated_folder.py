@@ -5,11 +5,15 @@
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 import json
+import math
 import os
+import re
 import shutil
 import subprocess
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -24,6 +28,9 @@ from softcat_sym import generation
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import model_files, runtime_files
 from softcat_sym.codegen.interface import comment, quoted
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
@@ -40,7 +47,14 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")
 SANITIZED = ("-O1", "-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 OWN = {"filament.c", "filament.h", "manifest.json", "main.c", "Makefile", "CMakeLists.txt", "README.md"}
 OWN |= {"parameters.txt", "scene.toml"}
-PLAIN = sc.load_scene("maxwell-slow")
+
+
+def once(name: str, changes: Mapping[str, object] | Sequence[str] = ()) -> Scene:
+    """A bundled scene that is generated without a run before."""
+    return sc.load_scene(name, changes).replace({"numerics.estimate": False})
+
+
+PLAIN = once("maxwell-slow")
 OTHERS = {
     # Another material, size, load, time and number of cells of the same structure each.
     "maxwell-slow": {"material.viscosity": "2 kPa*s", "filament.thickness": "5 mm", "numerics.cells": 4},
@@ -131,7 +145,7 @@ def interpreted(scene: Scene) -> tuple[Floats, Floats, Floats]:
 
 
 def test_the_folder_holds_all_that_a_build_needs(tmp_path: Path) -> None:
-    scene = sc.load_scene("no-yield", {"numerics.cells": 4})
+    scene = once("no-yield", {"numerics.cells": 4})
     out = tmp_path / "deep" / "out"
     names = {path.name for path in sc.generate(scene, out)}
     assert names >= OWN and not names & {"start.csv", "softcat_rhs.c"}
@@ -151,7 +165,7 @@ def test_the_folder_holds_all_that_a_build_needs(tmp_path: Path) -> None:
 
 
 def test_the_manifest_and_the_parameters_say_what_they_are(tmp_path: Path) -> None:
-    sc.generate(sc.load_scene("transient-gel"), tmp_path)
+    sc.generate(once("transient-gel"), tmp_path)
     manifest = json.loads((tmp_path / "manifest.json").read_text(encoding="utf-8"))
     structure, units = manifest["structure"], {one["name"]: one["unit"] for one in manifest["parameters"]}
     assert (structure["law"], structure["section"], structure["theory"]) == ("custom", "circle", "reissner")
@@ -163,12 +177,12 @@ def test_the_manifest_and_the_parameters_say_what_they_are(tmp_path: Path) -> No
     lines = (tmp_path / "parameters.txt").read_text().splitlines()
     listed = [line.split(" ")[0] for line in lines if " = " in line and not line.startswith("#")]
     assert listed[: len(units)] == list(units)
-    sc.generate(sc.load_scene("oobleck"), tmp_path / "power")
+    sc.generate(once("oobleck"), tmp_path / "power")
     assert "Pa*s^n" in (tmp_path / "power" / "parameters.txt").read_text(), "a consistency has its own unit"
 
 
 def test_a_bent_scene_has_its_start(tmp_path: Path) -> None:
-    scene = sc.load_scene("slime-slope", ["numerics.cells=6"])
+    scene = once("slime-slope", ["numerics.cells=6"])
     sc.generate(scene, tmp_path)
     heading, first, *_, last = (tmp_path / "start.csv").read_text().splitlines()
     assert heading.startswith("X,x,y,u,v,psi,omega,axial_0")
@@ -180,7 +194,7 @@ def test_a_bent_scene_has_its_start(tmp_path: Path) -> None:
 
 
 def test_a_name_goes_through_all_files(tmp_path: Path) -> None:
-    rod = sc.load_scene("glass-rod")
+    rod = once("glass-rod")
     sc.generate(rod, tmp_path, name="rod")
     source, header, main = ((tmp_path / name).read_text() for name in ("rod.c", "rod.h", "main.c"))
     assert "const softcat_model rod_model" in source and "int rod_solve(" in header and "ROD_P_THICKNESS" in header
@@ -188,8 +202,8 @@ def test_a_name_goes_through_all_files(tmp_path: Path) -> None:
     for name in ["", "Rod", "9rod", "main", "softcat_band", "a" * 41, "rod/../x", "rod.c", "all"]:
         with pytest.raises(SoftcatError, match="small letters"):
             sc.generate(rod, tmp_path / "out", name=name)
-    small = sc.load_scene("maxwell-slow", ["model=small-deflection"])
-    still = sc.load_scene("stretched-rubber-band", ["run.effects=['bending', 'extensibility', 'finite-stretch']"])
+    small = once("maxwell-slow", ["model=small-deflection"])
+    still = once("stretched-rubber-band", ["run.effects=['bending', 'extensibility', 'finite-stretch']"])
     for scene, where in ((small, "model"), (still, "run.effects")):
         with pytest.raises(SceneError) as refused:
             sc.generate(scene, tmp_path / "out")
@@ -210,7 +224,7 @@ NEAR = 4e-5
 )
 @pytest.mark.slow
 def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop, tmp_path: Path) -> None:
-    first = sc.load_scene(name)
+    first = once(name)
     short = {"numerics.rtol": 1e-7, "run.frames": 11, "numerics.cells": 10}
     other = first.replace({**short, **OTHERS[name], "run.effects": list(choose_effects(first).names)})
     program = workshop.program(first)
@@ -228,6 +242,64 @@ def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop,
     np.testing.assert_allclose(table[:, 1], y[:, int(np.argmin(np.abs(x[0])))], atol=NEAR * sag)
 
 
+SECTIONS = {"RECTANGLE": ("rectangle", False), "RECTANGLE_IN_HALVES": ("rectangle", True)}
+SECTIONS |= {"CIRCLE": ("circle", False), "CIRCLE_IN_HALVES": ("circle", True)}
+
+
+def test_fibres_are_where_python_has_them() -> None:
+    """Gauss's rules in C against NumPy's, for every number of fibres that a run is refined to."""
+    files = runtime_files()
+    library = load(compile_library(files, units=["softcat_section.c"], flags=STRICT[1:]), "softcat_rule")
+    order = re.search(r"typedef enum softcat_section \{(.*?)\}", files["softcat_solve.h"], re.DOTALL)
+    assert order is not None
+    names = re.findall(r"SOFTCAT_(\w+)", order[1])
+
+    def close(name: str, fibres: int, aspect: float, rule: SectionRule | PointRule) -> None:
+        tables = np.array(list(rule.tables.values()))
+        found, address = np.full_like(tables, np.nan), ctypes.c_void_p
+        code = library.softcat_rule(
+            names.index(name), fibres, rule.points, ctypes.c_double(aspect), address(found.ctypes.data)
+        )
+        assert code == 0
+        np.testing.assert_allclose(found, tables, rtol=0, atol=1e-14, err_msg=f"{name} {fibres}")
+
+    for fibres in range(2, 65):
+        for name, (section, halves) in SECTIONS.items():
+            close(name, fibres, 1.0, fibre_rule(section, fibres, halves=halves))
+        rings, side = max(1, round(math.sqrt(0.6 * fibres))), math.ceil(math.sqrt(fibres))
+        close("RINGS", fibres, 1.0, ring_rule(rings, max(3, math.ceil(fibres / rings))))
+        for aspect in (0.3, 1.0, 8.0):
+            close("WARPING", fibres, aspect, warping_rule(side, side, aspect))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["drying-ink", "transient-gel", "windy-ink"])
+def test_fibres_are_a_number_of_the_program(name: str, workshop: Workshop) -> None:
+    first = once(name, {"numerics.rtol": 1e-6, "run.frames": 11, "numerics.cells": 8})
+    scene = first.replace({"run.effects": list(choose_effects(first).names)})
+    program, parameters = workshop.program(scene), workshop.folder(scene) / "parameters.txt"
+    for fibres, cells in ((4, 8), (21, 6)):
+        asked = {"numerics.fibres": fibres, "numerics.cells": cells}
+        heights = sc.simulate(scene.replace(asked)).data.midpoint.values
+        found = program.table(parameters, "--fibres", fibres, "--cells", cells)[:, 1]
+        np.testing.assert_allclose(found, heights, rtol=0, atol=NEAR * np.max(np.abs(heights)))
+    for words in ("--fibres=3", "--fibres 0", "--fibres many", "--cells -4"):
+        assert program(parameters, *words.split()).returncode == 2
+    refused = program(parameters, "--fibres", 1001)
+    assert refused.returncode == 2 and "fibres is not 2 to 1000" in refused.stderr and "fibres = 1001" in refused.stderr
+
+
+def test_the_program_has_the_grid_that_a_run_ends_with(tmp_path: Path) -> None:
+    scene = sc.load_scene("glass-rod", {"run.accuracy": 1e-4, "run.frames": 11})
+    run = sc.simulate(scene)
+    assert run.summary["refinements"], "the first guess does not do"
+    sc.generate(scene, tmp_path)
+    at, lines = run.summary["resolution"], (tmp_path / "parameters.txt").read_text()
+    assert f"cells = {at['cells']} " in lines and f"relative = {at['rtol']!r} " in lines
+    words = " ".join((tmp_path / "README.md").read_text().split())
+    assert f"error is about {run.summary['error_estimate']['total']:.2g} of the sag, 0.0001 was asked" in words
+
+
 PULLED = {"load.tip_force": ["0 N", "-10 mN", "30 mN"], "load.tip_mass": "1 g"}
 PULLED |= {"load.tip_torque": ["10 uN*m", "0 N*m", "20 uN*m"]}
 IN_SPACE = {
@@ -243,7 +315,7 @@ IN_SPACE = {
 @pytest.mark.parametrize("name", IN_SPACE)
 def test_a_filament_in_three_dimensions_is_generated_too(name: str, workshop: Workshop, tmp_path: Path) -> None:
     common, other = IN_SPACE[name]
-    first = sc.load_scene(name).replace({**common, "numerics.rtol": 1e-6, "run.frames": 11})
+    first = once(name).replace({**common, "numerics.rtol": 1e-6, "run.frames": 11})
     program, parameters = workshop.program(first), tmp_path / "parameters.txt"
     for scene in (first, first.replace({**other, "run.effects": list(choose_effects(first).names)})):
         sc.generate(scene, tmp_path)
@@ -265,7 +337,7 @@ def test_a_filament_in_three_dimensions_is_generated_too(name: str, workshop: Wo
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["curled-rod", "slack-taffy"])
 def test_a_bent_start_is_read_and_carried_over_to_other_cells(name: str, workshop: Workshop, tmp_path: Path) -> None:
-    scene = sc.load_scene(name, ["numerics.rtol=1e-6", "run.frames=11"])
+    scene = once(name, ["numerics.rtol=1e-6", "run.frames=11"])
     program, parameters = workshop.program(scene), tmp_path / "parameters.txt"
     sc.generate(scene.replace({"numerics.cells": 24}), tmp_path)
     own, text = program.table(parameters), parameters.read_text()
@@ -281,7 +353,7 @@ def test_a_bent_start_is_read_and_carried_over_to_other_cells(name: str, worksho
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["stretched-rubber-band", "no-yield", "drawn-blob", "glass-rod", "overtwisted-rod"])
 def test_derivatives_are_those_of_whole_runs(name: str, workshop: Workshop) -> None:
-    scene = sc.load_scene(name, [] if name == "glass-rod" else ["run.duration=0.1 s"])
+    scene = once(name, [] if name == "glass-rod" else ["run.duration=0.1 s"])
     table = workshop.program(scene, PROGRAMS / "derivatives.c").table()
     assert len(table) > 4
     for number, error in table:
@@ -291,8 +363,8 @@ def test_derivatives_are_those_of_whole_runs(name: str, workshop: Workshop) -> N
 @pytest.mark.slow
 def test_two_filaments_live_in_one_program(workshop: Workshop, tmp_path: Path) -> None:
     scenes = {
-        "band": sc.load_scene("stretched-rubber-band", ["run.duration=0.1 s"]),
-        "rod": sc.load_scene("glass-rod"),
+        "band": once("stretched-rubber-band", ["run.duration=0.1 s"]),
+        "rod": once("glass-rod"),
     }
     folders = {name: workshop.folder(scene, name) for name, scene in scenes.items()}
     includes = [f"-I{folder}" for folder in folders.values()]
@@ -306,7 +378,7 @@ def test_two_filaments_live_in_one_program(workshop: Workshop, tmp_path: Path) -
 
 @pytest.mark.slow
 def test_every_wrong_argument_has_its_code(workshop: Workshop) -> None:
-    done = workshop.program(sc.load_scene("no-yield"), PROGRAMS / "arguments.c")()
+    done = workshop.program(once("no-yield"), PROGRAMS / "arguments.c")()
     assert (done.returncode, done.stdout, done.stderr) == (0, "all as it should be\n", "")
 
 

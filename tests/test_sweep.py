@@ -179,6 +179,34 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     assert Path("taken").read_text() == "a file"
 
 
+def test_members_are_as_accurate_as_the_middle_one_was_made(softcat: Softcat, tmp_path: Path) -> None:
+    """On the first guess, 40 cells, this rod errs by more than is asked; each member is compared with one of 320."""
+    rod = sc.load_scene("glass-rod", {"run.accuracy": 1e-4, "run.frames": 11})
+    viscosities = [2.5e12, 3e12, 3.5e12]
+    done = sc.sweep(rod, {"material.viscosity": viscosities}, tmp_path / "python")
+    middle = sc.simulate(rod.replace({"material.viscosity": "3e12 Pa*s"}))
+    at, data = middle.summary["resolution"], done.data
+    assert done.centre.cells == at["cells"] > 40 and done.centre.error == middle.summary["error_estimate"]["total"]
+    np.testing.assert_allclose(data.midpoint[1], middle.data.midpoint, rtol=1e-9)
+    assert set(data.cells.values) == {at["cells"]} and json.loads(data.attrs["centre"])["error"] == done.centre.error
+    many = sc.simulate_many(rod, {"material.viscosity": viscosities}).data
+    np.testing.assert_allclose(many.midpoint, data.midpoint, rtol=1e-9)
+    assert json.loads(many.attrs["centres"])[0]["cells"] == at["cells"]
+    for viscosity, heights in zip(viscosities, data.midpoint.values, strict=True):
+        one = rod.replace({"material.viscosity": f"{viscosity} Pa*s", "numerics.estimate": False})
+        fine = sc.simulate(one.replace({"numerics.cells": 320, "numerics.rtol": 1e-7})).data.midpoint.values
+        guess, asked = sc.simulate(one).data.midpoint.values, 1e-4 * np.max(np.abs(fine))
+        assert np.max(np.abs(heights - fine)) < asked < np.max(np.abs(guess - fine))
+    # What the scene says stays, and nothing is run for it; each is estimated on request.
+    own = sc.simulate_many(rod.replace({"numerics.cells": 10, "numerics.rtol": 1e-5}), {"material.viscosity": [3e12]})
+    assert (own.data.cells, own.data.rtol) == (10, 1e-5) and "numerics says all" in own.data.attrs["centres"]
+    each = sc.simulate_many(rod, {"material.viscosity": [3e12]}, estimate=True).data
+    assert each.cells == at["cells"] and each.error_estimate == done.centre.error
+    options = [*sets("run.accuracy=1e-4", "run.frames=11"), *varied("material.viscosity=2.5e12:3.5e12 Pa*s:3")]
+    printed = softcat("sweep", "glass-rod", *options, "-o", str(tmp_path / "out"))
+    assert f"{at['cells']} cells" in printed.out and "(0.0001 asked)" in printed.out
+
+
 def test_rows_are_those_of_simulate(tmp_path: Path) -> None:
     vary = {"groups.G": [0.02, 0.4, 1.9], "material.viscosity": ["9 kPa*s", 14e3]}
     done = sc.sweep(SCENE, vary, tmp_path, shapes=True)

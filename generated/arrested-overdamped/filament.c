@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: cd4b8dae80ece86db7b33b9d5cdbe485a766104496495ae3912aef590e89cf68
+ * Digest of the structure: e480d5b061ea96fc553bfb7944087b1f0079ec8d8aaabfba4229a8e0db28c4a2
  */
 #include "filament.h"
 
@@ -13,18 +13,12 @@
 
 #include "softcat_model.h"
 
-#define FIBRES 8
-#define SLOTS 21
-#define ENTRIES 329
+#define FIBRES (filament->fibres)
 #define SCRATCH 112
-
-/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
-static const double fibre_zeta[] = {
-    (-0.9602898564975362), (-0.7966664774136267), (-0.525532409916329), (-0.18343464249564978),
-    0.18343464249564978, 0.525532409916329, 0.7966664774136267, 0.9602898564975362};
-static const double fibre_weight[] = {
-    0.05061426814518853, 0.11119051722668721, 0.15685332293894344, 0.18134189168918083,
-    0.18134189168918083, 0.15685332293894344, 0.11119051722668721, 0.05061426814518853};
+#define SLOTS (5 + 2 * FIBRES)
+#define ENTRIES (41 + 36 * FIBRES)
+#define fibre_zeta (filament->points + 0 * FIBRES)
+#define fibre_weight (filament->points + 1 * FIBRES)
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
@@ -2375,9 +2369,8 @@ static const double described_mean[] = {
     0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0};
 static const double described_bending[] = {
-    0.0, 0.0, 0.0, 0.0, 0.0, (-0.9602898564975362), (-0.7966664774136267), (-0.525532409916329),
-    (-0.18343464249564978), 0.18343464249564978, 0.525532409916329, 0.7966664774136267,
-    0.9602898564975362, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0};
 static const double described_absolutes[] = {
     4.6597500000000004e-08, 4.6597500000000004e-08, 4.65975e-07, 4.65975e-07,
     4.6597500000000004e-08, 4.6597500000000004e-08, 4.6597500000000004e-08,
@@ -2425,6 +2418,14 @@ const softcat_structure softcat_filament_structure = {
     .turn = -1,
     .turn_rows = 0,
     .stretch = 1.0,
+    .aspect = 9,
+    .width = 1.0,
+    .section = SOFTCAT_RECTANGLE,
+    .fibres = 8,
+    .points = 8,
+    .plain_slots = 5,
+    .plain_entries = 41,
+    .plain_scratch = 112,
     .grading = 19.597537758558094,
     .relative = 0.001,
     .absolute = 4.6597500000000004e-08,

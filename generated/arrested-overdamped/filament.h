@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: cd4b8dae80ece86db7b33b9d5cdbe485a766104496495ae3912aef590e89cf68
+ * Digest of the structure: e480d5b061ea96fc553bfb7944087b1f0079ec8d8aaabfba4229a8e0db28c4a2
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -33,7 +33,7 @@ enum {
     SOFTCAT_PARAMETERS
 };
 
-/* Numbers of the unknowns of a site: a node, or the cell to its right. */
+/* Numbers of the unknowns of a site, with the scene's fibres: a node, or the cell to its right. */
 enum {
     SOFTCAT_SLOT_X,       /* node, differential */
     SOFTCAT_SLOT_Y,       /* node, differential */
@@ -59,8 +59,10 @@ enum {
     SOFTCAT_SLOTS
 };
 
-/* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
+/* How the scene is run: cells a half span, fibres (0: none), longest over shortest cell,
+ * tolerances, [s], times. */
 #define SOFTCAT_SCENE_CELLS 40
+#define SOFTCAT_SCENE_FIBRES 8
 #define SOFTCAT_SCENE_GRADING 19.597537758558094
 #define SOFTCAT_SCENE_RELATIVE 0.001
 #define SOFTCAT_SCENE_ABSOLUTE 4.6597500000000004e-08
@@ -76,7 +78,7 @@ int softcat_row(int cells);
 /* Fill params [SOFTCAT_PARAMETERS] with the scene's. */
 void softcat_defaults(double *params);
 
-/* Positions [m] of all nodes at n times, with the scene's grading and tolerances.
+/* Positions [m] of all nodes at n times, with the scene's grading, fibres and tolerances.
  *
  * params  [SOFTCAT_PARAMETERS] SI
  * cells   per half span, 4 or more
@@ -97,7 +99,7 @@ int softcat_solve_sensitivities(const double *params, int cells, const double *t
                                  const int *by, int by_count, double *out, double *derivatives,
                                  softcat_status *status);
 
-/* All that softcat_solve.h offers: grading, tolerances, a starting shape, stopping, the thickness
+/* All that softcat_solve.h offers: fibres, grading, tolerances, a starting shape, stopping, the thickness
  * along the filament, all unknowns, work. */
 int softcat_solve_with(const double *params, int cells, const double *times, int n,
                         const softcat_settings *settings, const softcat_results *results,

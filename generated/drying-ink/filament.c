@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 6f66e2dcc073a0a0e1a2689277ce8a07f588f2d3587f922e31002d1a6a442650
+ * Digest of the structure: a12e9a6a2ddb31603f33fdcd5223dfa3a5596bf2490e4e755b543160aae51544
  */
 #include "filament.h"
 
@@ -13,23 +13,12 @@
 
 #include "softcat_model.h"
 
-#define FIBRES 16
-#define SLOTS 37
-#define ENTRIES 477
+#define FIBRES (filament->fibres)
 #define SCRATCH 76
-
-/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
-static const double fibre_zeta[] = {
-    (-0.9686578935148324), (-0.8784890847806422), (-0.7406139298699932), (-0.5721146443791073),
-    (-0.394041993763766), (-0.2289535525667885), (-0.09821234188930718),
-    (-0.019199555780713324), 0.019199555780713324, 0.09821234188930718, 0.2289535525667885,
-    0.394041993763766, 0.5721146443791073, 0.7406139298699932, 0.8784890847806422,
-    0.9686578935148324};
-static const double fibre_weight[] = {
-    0.009809717052572466, 0.03541208817516074, 0.06691987890833648, 0.0924224995935702,
-    0.1025893691493575, 0.09372308379650839, 0.06797964202358955, 0.031143721300904526,
-    0.031143721300904526, 0.06797964202358955, 0.09372308379650839, 0.1025893691493575,
-    0.0924224995935702, 0.06691987890833648, 0.03541208817516074, 0.009809717052572466};
+#define SLOTS (5 + 2 * FIBRES)
+#define ENTRIES (29 + 28 * FIBRES)
+#define fibre_zeta (filament->points + 0 * FIBRES)
+#define fibre_weight (filament->points + 1 * FIBRES)
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
@@ -1642,12 +1631,9 @@ static const double described_mean[] = {
     1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0};
 static const double described_bending[] = {
-    0.0, 0.0, 0.0, 0.0, 0.0, (-0.9686578935148324), (-0.8784890847806422),
-    (-0.7406139298699932), (-0.5721146443791073), (-0.394041993763766), (-0.2289535525667885),
-    (-0.09821234188930718), (-0.019199555780713324), 0.019199555780713324, 0.09821234188930718,
-    0.2289535525667885, 0.394041993763766, 0.5721146443791073, 0.7406139298699932,
-    0.8784890847806422, 0.9686578935148324, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0};
 static const double described_absolutes[] = {
     1.0097667724851204e-07, 1.0097667724851204e-07, 3.0293003174553615e-07,
     3.0293003174553615e-07, 1.0097667724851204e-07, 1.0097667724851204e-07,
@@ -1705,6 +1691,14 @@ const softcat_structure softcat_filament_structure = {
     .turn = -1,
     .turn_rows = 0,
     .stretch = 1.0,
+    .aspect = -1,
+    .width = 1.0,
+    .section = SOFTCAT_CIRCLE_IN_HALVES,
+    .fibres = 16,
+    .points = 16,
+    .plain_slots = 5,
+    .plain_entries = 29,
+    .plain_scratch = 76,
     .initial_mean = described_initial_mean,
     .initial_mean_count = 1,
     .initial_bending = described_initial_bending,

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 6f66e2dcc073a0a0e1a2689277ce8a07f588f2d3587f922e31002d1a6a442650
+ * Digest of the structure: a12e9a6a2ddb31603f33fdcd5223dfa3a5596bf2490e4e755b543160aae51544
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -32,7 +32,7 @@ enum {
     SOFTCAT_PARAMETERS
 };
 
-/* Numbers of the unknowns of a site: a node, or the cell to its right. */
+/* Numbers of the unknowns of a site, with the scene's fibres: a node, or the cell to its right. */
 enum {
     SOFTCAT_SLOT_X,        /* node, differential */
     SOFTCAT_SLOT_Y,        /* node, differential */
@@ -74,8 +74,10 @@ enum {
     SOFTCAT_SLOTS
 };
 
-/* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
+/* How the scene is run: cells a half span, fibres (0: none), longest over shortest cell,
+ * tolerances, [s], times. */
 #define SOFTCAT_SCENE_CELLS 40
+#define SOFTCAT_SCENE_FIBRES 16
 #define SOFTCAT_SCENE_GRADING 9.404868286995688
 #define SOFTCAT_SCENE_RELATIVE 0.0002
 #define SOFTCAT_SCENE_ABSOLUTE 1.0097667724851204e-07
@@ -91,7 +93,7 @@ int softcat_row(int cells);
 /* Fill params [SOFTCAT_PARAMETERS] with the scene's. */
 void softcat_defaults(double *params);
 
-/* Positions [m] of all nodes at n times, with the scene's grading and tolerances.
+/* Positions [m] of all nodes at n times, with the scene's grading, fibres and tolerances.
  *
  * params  [SOFTCAT_PARAMETERS] SI
  * cells   per half span, 4 or more
@@ -112,7 +114,7 @@ int softcat_solve_sensitivities(const double *params, int cells, const double *t
                                  const int *by, int by_count, double *out, double *derivatives,
                                  softcat_status *status);
 
-/* All that softcat_solve.h offers: grading, tolerances, a starting shape, stopping, the thickness
+/* All that softcat_solve.h offers: fibres, grading, tolerances, a starting shape, stopping, the thickness
  * along the filament, all unknowns, work. */
 int softcat_solve_with(const double *params, int cells, const double *times, int n,
                         const softcat_settings *settings, const softcat_results *results,

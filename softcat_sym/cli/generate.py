@@ -55,8 +55,10 @@ def generate(
 ) -> None:
     """Write the solver of a scene as C99, or as a web page with sliders.
 
-    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README; with --web one HTML file that
-    needs no server and no network. The page needs a compiler for WebAssembly: pip install "softcat_sym[web]".
+    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README. The scene is run before: cells,
+    fibres and tolerances are those that `softcat run` ends with; --set numerics.estimate=false goes without.
+    With --web DIR gets one HTML file that needs no server and no network. The page needs a compiler for WebAssembly:
+    pip install "softcat_sym[web]".
     """
     _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
     if sliders and not web:
@@ -73,8 +75,10 @@ def generate(
                 written = _page(asked, output, sliders or (), page, quiet=quiet)
             else:
                 from softcat_sym import generation
+                from softcat_sym.plotting.terminal import IntegrationProgress
 
-                written = generation.generate(asked, output, rhs, name)
+                with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+                    written = generation.generate(asked, output, rhs, name, progress)
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None

@@ -75,8 +75,9 @@ def sweep(
     """Simulate a filament for every value of some parameters.
 
     DIR gets sweep.nc, sweep.csv, sweep.json, scene.toml and a picture.
-    Members run once through the compiled solver, in threads, without the error estimate that `softcat run` makes by
-    companions on other grids: ask for it with --estimate. A member whose values make no sense, that fails or is no
+    The member in the middle of the ranges is run as `softcat run` does, its error estimated and its grid refined; all
+    others run once, in threads, with at least its cells, fibres and tolerance. --estimate estimates each of them, --set
+    numerics.estimate=false none. A member whose values make no sense, that fails or is no
     answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
     --set run.frames=41. After Ctrl-C the same command goes on from the members that were finished.
     """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from importlib import resources
 from typing import Any
 
@@ -73,6 +74,7 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
         },
         "defaults": {
             "cells": described.cells,
+            "fibres": described.fibres,
             "grading": described.grading,
             "relative": described.steps.relative,
             "absolute": described.steps.absolute,
@@ -115,6 +117,7 @@ def parameter_text(described: Description, command: str, *, has_start: bool) -> 
     settings = [
         (f"cells = {described.cells}", f"per half span, {MIN_CELLS} or more"),
         (f"grading = {described.grading!r}", "longest cell over the shortest"),
+        *([(f"fibres = {described.fibres}", "of the section, 2 or more")] if described.fibres else []),
         (f"duration = {run.duration!r} s", ""),
         (f"frames = {run.frames}", "times, evenly spaced from 0"),
         (f"relative = {described.steps.relative!r}", "tolerance of a step"),
@@ -141,9 +144,10 @@ def runtime_files() -> dict[str, str]:
     return {file.name: file.read_text(encoding="utf-8") for file in sorted(chosen, key=lambda file: file.name)}
 
 
-def program_files(described: Description, name: str, command: str, *, rhs: bool) -> dict[str, str]:
-    """A program around the generated C, and how to build it, by file name."""
+def program_files(described: Description, name: str, command: str, *, rhs: bool, accuracy: str) -> dict[str, str]:
+    """A program around the generated C, and how to build it, by file name; `accuracy`: in words, for its README."""
     values = {"name": name, "prefix": prefix_of(name), "big": prefix_of(name).upper(), "command": command, "rhs": rhs}
+    values["accuracy"] = textwrap.fill(accuracy, 120, break_on_hyphens=False)
     values |= {"title": " ".join(described.title.split()), "effects": ", ".join(described.effects.names)}
     texts = {file: rendered(file, **values) for file in ("main.c", "Makefile", "CMakeLists.txt", "README.md")}
     if name != DEFAULT_NAME:

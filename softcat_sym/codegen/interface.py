@@ -16,6 +16,7 @@ import numpy as np
 
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
 from softcat_sym.codegen.structure import Model, Structure
+from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
@@ -29,7 +30,7 @@ from softcat_sym.discretization.supports import (
     TIP_TORQUE,
     Body,
 )
-from softcat_sym.discretization.unknowns import TURN
+from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
@@ -121,9 +122,12 @@ class Description:
     model: Model  # Its physics as C text
     parameters: tuple[Given, ...]  # In the order of the model
     on_cells: tuple[bool, ...]  # Whether each slot belongs to the cell of its site
-    # What each slot is of a plastic strain that is linear through the thickness.
+    # What each slot is of a plastic strain that is linear through the thickness; of a fibre what its coordinate is
+    # multiplied by.
     profiles: tuple[tuple[float, float], ...]
     cells: int  # Per half span
+    fibres: int  # Asked of the section; 0 where it is not resolved by them
+    section: str  # How they are placed, as softcat_solve.h names it
     grading: float  # Ratio of the longest cell to the shortest
     steps: Steps
     towards_middle: bool  # Whether cells are short at midspan, too
@@ -136,8 +140,8 @@ class Description:
 
     @property
     def digest(self) -> str:
-        """Of the text of the physics: two filaments share a structure if theirs are the same."""
-        return CSource({"model.c": self.model.text}).digest
+        """Of the text of the physics: two filaments share a structure if theirs are the same, whatever their fibres."""
+        return CSource({"model.c": self.model.of_any_fibres}).digest
 
 
 def describe(
@@ -150,8 +154,11 @@ def describe(
         Given(name, units[name], _meaning(name, units[name]), _bound(scene, name), float(values[name]))
         for name in model.parameters
     )
+    profiles = model.template.signature.profiles
+    kinds = [slot.name for slot in model.template.signature.slots]
     cells = graph.grid.cells if graph.grid.is_half else graph.grid.cells // 2
-    names = [slot.name for slot in model.slots]
+    each = range(model.fibres)
+    names = [one for one in kinds for _ in (each if PER_FIBRE in one else (0,))]
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
     return Description(
         scene=scene,
@@ -160,13 +167,29 @@ def describe(
         model=model,
         parameters=given,
         on_cells=tuple(slot.on == "cell" for slot in model.slots),
-        profiles=tuple(graph.profiles.get(name, (0.0, 0.0)) for name in names),
+        profiles=tuple(profiles.get(name, (0.0, 0.0)) for name in names),
         cells=cells,
+        fibres=_fibres(scene, effects, structure),
+        section=_section(scene, effects, structure),
         grading=float(grading),
         steps=steps,
         towards_middle=towards_middle(scene, effects),
         natural=_natural(graph, structure.body),
     )
+
+
+def _fibres(scene: Scene, effects: Effects, structure: Structure) -> int:
+    theory = structure.theory
+    if theory.fibres is None:
+        return 0
+    return asked_points(scene, effects.terms()) if theory.is_spatial else theory.fibres.points
+
+
+def _section(scene: Scene, effects: Effects, structure: Structure) -> str:
+    circle = scene.filament.section == "circle"
+    if structure.theory.is_spatial:
+        return "RINGS" if circle else "WARPING"
+    return ("CIRCLE" if circle else "RECTANGLE") + "_IN_HALVES" * in_halves(scene, effects.terms())
 
 
 def _natural(graph: Graph, body: Body) -> tuple[float, ...]:
@@ -362,7 +385,7 @@ def source_text(described: Description, name: str, command: str) -> str:
         prefix=prefix_of(name),
         structure=symbol_of(name, "structure"),
         # Its head includes what the model needs; the header of this file brings more.
-        model=model.text.replace("softcat_filament_model", symbol_of(name, "model")),
+        model=model.text_to_take_away.replace("softcat_filament_model", symbol_of(name, "model")),
         arrays=[c_array(kind, f"described_{key}", values) for key, (kind, values) in arrays.items()],
         fields=_fields(described, name),
     )
@@ -404,6 +427,7 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "turn": place(parameters, "turn_0_time"),
         "turn_rows": str(supports.turns),
         "stretch": number(force_free_stretch(scene)),
+        **_section_fields(described, parameters),
     }
     for key, values in _lists(described).items():
         if values:
@@ -415,6 +439,21 @@ def _fields(described: Description, name: str) -> dict[str, str]:
     fields |= {"largest_step": number(steps.largest_step), "method": str(steps.method)}
     fields |= {"towards_middle": str(int(described.towards_middle)), "duration": number(scene.run.duration)}
     return fields | {"cells": str(described.cells), "frames": str(scene.run.frames)}
+
+
+def _section_fields(described: Description, parameters: list[str]) -> dict[str, str]:
+    """How its section is resolved."""
+    filament, model = described.scene.filament, described.model
+    return {
+        "aspect": str(parameters.index("aspect") if "aspect" in parameters else -1),
+        "width": number(filament.width / filament.thickness),
+        "section": f"SOFTCAT_{described.section}",
+        "fibres": str(described.fibres),
+        "points": str(model.fibres),
+        "plain_slots": str(model.plain_slots),
+        "plain_entries": str(model.plain_entries),
+        "plain_scratch": str(model.template.scratch[0]),
+    }
 
 
 def header_text(described: Description, name: str, command: str) -> str:
@@ -442,6 +481,7 @@ def header_text(described: Description, name: str, command: str) -> str:
         slot_width=max(map(len, unknowns)) + len(f"{big}_SLOT_") + 1,
         scene={
             "CELLS": described.cells,
+            "FIBRES": described.fibres,
             "GRADING": number(described.grading),
             "RELATIVE": number(described.steps.relative),
             "ABSOLUTE": number(described.steps.absolute),

@@ -42,6 +42,22 @@ class Model:
         return [float(one) for values in self.rule.tables.values() for one in values] if self.rule else []
 
     @property
+    def plain_slots(self) -> int:
+        """Unknowns of a site that no fibre has by itself; they come first."""
+        return sum(PER_FIBRE not in slot.name for slot in self.template.signature.slots)
+
+    @property
+    def plain_entries(self) -> int:
+        """Entries of the Jacobian likewise."""
+        return sum(PER_FIBRE not in row + column for row, column, _ in self.template.entries)
+
+    @property
+    def rows(self) -> tuple[int, int]:
+        """Fields of `observables`, and how many more each fibre has."""
+        each = sum(PER_FIBRE in one.name for one in self.template.signature.shown)
+        return len(self.template.signature.shown) - each, each
+
+    @property
     def scratch(self) -> int:
         """Doubles per site that `observables` needs."""
         return _per_site(self.template.scratch_shown, self.fibres)
@@ -78,7 +94,14 @@ class Model:
     def text(self) -> str:
         """The C file of the rates, their derivatives and the powers, with the number of fibres in it."""
         sizes = {"FIBRES": self.fibres, "SLOTS": len(self.slots), "ENTRIES": len(self.entries)}
-        head = _constants(self.rule, sizes | {"SCRATCH": self.template.scratch[0]})
+        return self._with_tables(_constants(self.rule, sizes | {"SCRATCH": self.template.scratch[0]}))
+
+    @cached_property
+    def text_to_take_away(self) -> str:
+        """The same for any number of fibres, with the tables of this one."""
+        return self._with_tables(self._given(self.template.scratch))
+
+    def _with_tables(self, head: Sequence[str]) -> str:
         tables = [c_array("int", name, list(map(str, numbers))) for name, numbers in self.columns.items()]
         model = self._model(map(str, self.sizes.values()), self.columns)
         return _joined([_HEAD, *head, self.template.functions, "\n".join([*tables, "", model])])
@@ -100,12 +123,11 @@ class Model:
         if self.rule is None:
             return []
         lines = ["#define FIBRES (filament->fibres)", f"#define SCRATCH {scratch[0]}"]
-        for size, names in (
-            ("SLOTS", [slot.name for slot in self.template.signature.slots]),
-            ("ENTRIES", [row + column for row, column, _ in self.template.entries]),
+        for size, plain, count in (
+            ("SLOTS", self.plain_slots, len(self.template.signature.slots)),
+            ("ENTRIES", self.plain_entries, len(self.template.entries)),
         ):
-            each = sum(PER_FIBRE in name for name in names)
-            lines.append(f"#define {size} ({len(names) - each} + {each} * FIBRES)")
+            lines.append(f"#define {size} ({plain} + {count - plain} * FIBRES)")
         lines += [f"#define fibre_{name} (filament->points + {k} * FIBRES)" for k, name in enumerate(self.rule.tables)]
         return ["\n".join(lines)]
 

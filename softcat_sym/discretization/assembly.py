@@ -169,7 +169,12 @@ def choose_points(scene: Scene, terms: Terms) -> PointRule:
 
     What counts is how many different heights the angles of a circle give (THEORY3D 6).
     """
-    return _points(scene, choose_fibres(scene) if terms.flows else 0)
+    return _points(scene, asked_points(scene, terms))
+
+
+def asked_points(scene: Scene, terms: Terms) -> int:
+    """Number of points from which those of a section in three dimensions are chosen."""
+    return choose_fibres(scene) if terms.flows else 0
 
 
 def _points(scene: Scene, points: int) -> PointRule:
@@ -189,7 +194,12 @@ def choose_rule(scene: Scene, terms: Terms) -> SectionRule:
     if numerics.order is not None:
         return order_rule(section, numerics.order, DEFAULT_PROJECTION)
     fibres = choose_fibres(scene) if terms.resolved else numerics.fibres or LINEAR_FIBRES
-    return fibre_rule(section, fibres, halves=terms.resolved and _hinges_carry(scene))
+    return fibre_rule(section, fibres, halves=in_halves(scene, terms))
+
+
+def in_halves(scene: Scene, terms: Terms) -> bool:
+    """Whether fibres are those of a rule in either half of the section."""
+    return terms.resolved and _hinges_carry(scene)
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ import numpy.typing as npt
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.ensemble.centre import RESOLUTION, Centre, centred, used, used_by
 from softcat_sym.ensemble.executor import MembersProgress, Stop, counted, executor, worker_count
 from softcat_sym.ensemble.members import (
     Choosing,
@@ -211,6 +212,7 @@ class Record:
     energy_residual: float  # Between the first and the last frame, relative to the largest energy in them
     steps: int  # Of the integrator
     wall: float  # Seconds, waiting for other threads included
+    used: dict[str, float]  # Cells, fibres and tolerance, and the error if it was estimated
 
 
 def _record(member: Member, workshop: Workshop, stop: Stop) -> Record:
@@ -226,7 +228,18 @@ def _record(member: Member, workshop: Workshop, stop: Stop) -> Record:
     heights = midpoint_heights(prepared.graph, solution) * rest_length(scene)
     midpoint[: len(solution.time)] = heights + 0.0  # no minus zero
     reached, wall = float(solution.time[-1]) * prepared.scale, time.perf_counter() - begun
-    return Record(midpoint, run.outcome, run.message, reached, run.energy_residual, solution.steps, wall)
+    how = used(member, prepared)
+    return Record(midpoint, run.outcome, run.message, reached, run.energy_residual, solution.steps, wall, how)
+
+
+def _estimated(member: Member) -> Record:
+    """A member as :func:`softcat_sym.simulate` runs it with these effects, its error estimated."""
+    begun = time.perf_counter()
+    run = simulated(member.scene.replace({"run.effects": list(member.effects.names)}))
+    midpoint, summary = np.full(member.scene.run.frames, np.nan), run.summary
+    midpoint[: len(run.fields["midpoint"])] = run.fields["midpoint"]
+    reached, residual, wall = summary["time_final_s"], summary["energy_residual"], time.perf_counter() - begun
+    return Record(midpoint, run.outcome, summary["message"], reached, residual, summary["steps"], wall, used_by(run))
 
 
 @dataclass(frozen=True)
@@ -241,8 +254,11 @@ class Ensemble:
         Dims ``member`` and ``time``. Variables ``midpoint`` (member, time) [m], NaN after the time that a member has
         reached; and for each member ``midpoint_final`` [m] and ``time_final`` [s] (the last frame reached),
         ``outcome`` (name of the `Outcome`), ``message``, ``energy_residual`` (between first and last frame),
-        ``effects``, ``steps`` and ``wall_s``. Every column of the table is a coordinate along ``member``, quantities in
-        SI. ``time`` is in seconds where all members last equally long; otherwise it is the share of each member's own
+        ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them),
+        ``rtol`` and ``error_estimate`` (NaN where it was not estimated). The attribute ``centres`` says in JSON which
+        members were estimated for those of the same structure, and what was found. Every column of the table is a
+        coordinate along ``member``, quantities in SI. ``time`` is in seconds where all members last equally long;
+        otherwise it is the share of each member's own
         ``duration`` [s], which is then a variable.
     outcomes : tuple of Outcome
         Verdict on each member.
@@ -324,6 +340,10 @@ def _variables(members: Sequence[Member], records: Sequence[Record]) -> dict[str
         ("effects", [", ".join(member.effects.names) for member in members], "", "effects in force"),
         ("steps", [record.steps for record in records], "", "steps of the integrator"),
         ("wall_s", [record.wall for record in records], "s", "wall time, side by side with other members"),
+        *(
+            (name, [record.used.get(name, np.nan) for record in records], "1", words)
+            for name, words in RESOLUTION.items()
+        ),
     )
     about = {"units": "m", "long_name": "height of the midpoint X = 0, negative down; NaN where it was not reached"}
     variables: dict[str, Any] = {"midpoint": (("member", "time"), midpoint, about)}
@@ -357,10 +377,13 @@ def simulate_many(
     workers: int | None = None,
     progress: MembersProgress | None = None,
     effects: Choosing = "once",
+    estimate: bool = False,
 ) -> Ensemble:
     """Run a filament for every row of a table of parameters.
 
-    Members run through the compiled solver in threads; where there is none for a scene, one after the other.
+    Members run through the compiled solver in threads; where there is none for a scene, one after the other. The middle
+    one of those with the same structure is run by :func:`simulate` before, or taken from the store, unless
+    ``numerics.estimate = false``: all of them have at least the cells, fibres and tolerance with which it ends.
 
     Parameters
     ----------
@@ -379,6 +402,8 @@ def simulate_many(
         Whether effects are chosen for the scene and hold for all rows (anew only where rows change a choice, such as
         the law or an end, or whether a number is zero), or for each row by itself. Either way no run is repeated with
         more effects.
+    estimate : bool
+        Run each by :func:`simulate`, its own error estimated: several times as long.
 
     Returns
     -------
@@ -398,28 +423,37 @@ def simulate_many(
     threads, rows = worker_count(workers), rows_of(parameters)
     with watched() as interrupts:
         try:
-            return _simulated(scene, rows, threads, progress, effects)
+            return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
         finally:
             interrupts.check()
 
 
 def _simulated(
-    scene: Scene, rows: list[Row], workers: int, progress: MembersProgress | None, choosing: Choosing
+    scene: Scene,
+    rows: list[Row],
+    workers: int,
+    progress: MembersProgress | None,
+    choosing: Choosing,
+    *,
+    estimate: bool,
 ) -> Ensemble:
     begun = time.perf_counter()
-    members = members_of(scene, rows, choosing)
+    members, centres = members_of(scene, rows, choosing), list[Centre]()
+    if not estimate:
+        members, centres = centred(members, rows)
     # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
     parallel = all(member.parallel for member in members)
     threads = workers if parallel else 1
     records: dict[int, Any] = {}
     with executor(threads, members=len(members) if parallel else 0) as pool:
-        run = partial(_record, workshop=Workshop(), stop=pool.stop)
+        run = _estimated if estimate else partial(_record, workshop=Workshop(), stop=pool.stop)
         records.update(counted(pool.map_members(run, members), len(members), 0, progress))
     notes = {
         "effects_chosen": choosing,
         "effects": json.dumps(members[0].effects.reasons),
         "backend": "; ".join(sorted({str(member.backend) for member in members})),
         "workers": str(threads),
+        "centres": json.dumps([centre.to_dict() for centre in centres], default=str),
         "wall_s": f"{time.perf_counter() - begun:.6g}",
     }
     return _collected(scene, rows, members, [records[k] for k in range(len(members))], notes)

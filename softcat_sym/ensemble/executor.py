@@ -233,6 +233,9 @@ def check_executor(workers: int | None, scheduler: str | None, local_cluster: in
     if workers is not None and (scheduler is not None or local_cluster is not None):
         raise SoftcatError("a number of threads is for runs in this process; workers of a cluster have their own")
     worker_count(workers)
+    if scheduler is not None and not _ADDRESS.fullmatch(scheduler):
+        found = f"{scheduler!r} is no address of a Dask scheduler"
+        raise SoftcatError(f"{found}; accepted: tcp://host:port, tls://host:port")
     if local_cluster is not None and not _is_count(local_cluster):
         raise SoftcatError(f"a local cluster of {local_cluster!r}: give a whole number of worker processes, 1 or more")
 
@@ -254,8 +257,6 @@ def _is_count(value: object) -> bool:
 def _cluster_at(address: str) -> Iterator[Cluster]:
     """The cluster of a scheduler that runs already."""
     distributed = _distributed()
-    if not _ADDRESS.fullmatch(address):
-        raise SoftcatError(f"{address!r} is no address of a Dask scheduler; accepted: tcp://host:port, tls://host:port")
     try:
         # The class warns of what differs between here and there; what matters is looked at below.
         with _quiet():

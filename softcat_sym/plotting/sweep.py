@@ -120,6 +120,7 @@ def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
     rows = [("members", f"{len(sweep)} ({how}){before}")]
     shares = [(name, f"{count} ({count / len(sweep):.0%})") for name, count in counts.outcomes.most_common()]
     rows += [(f"  {name}", share) for name, share in shares]
+    rows.append(("grid", sweep.centre.words))
     if counts.regimes:
         rows.append(("regimes", ""))
     rows += [

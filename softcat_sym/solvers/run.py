@@ -91,6 +91,13 @@ def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) ->
     return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid), backend)
 
 
+def structure_for(scene: Scene, effects: Effects) -> Structure:
+    """What the C text of a scene with these effects depends on."""
+    terms, grid = effects.terms(), choose_grid(scene, effects)
+    formulation = Formulation(terms, scene.filament.section, scene.run.closure)
+    return structure_of(effects, grid, formulation, choose_theory(scene, terms), choose_body(scene, grid))
+
+
 def _assembled(
     scene: Scene,
     effects: Effects,

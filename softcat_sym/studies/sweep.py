@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib.metadata
+import json
 import math
 import sys
 import tempfile
@@ -20,6 +21,7 @@ import numpy.typing as npt
 
 from softcat_sym import store
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.ensemble.centre import RESOLUTION, Centre, centre_of, used, used_by
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, check_executor, counted, executor
 from softcat_sym.ensemble.members import Row
@@ -58,6 +60,7 @@ _ABOUT: Final[Mapping[str, tuple[str, str]]] = {
     "largest_stretch": ("1", "largest stretch of the centreline, anywhere and ever"),
     "energy_residual": ("1", "imbalance of energy over the largest energy"),
     "wall_s": ("s", "wall time, beside other members"),
+    **{name: ("1", words) for name, words in RESOLUTION.items()},
     "span": ("m", "span of the filament"),
     "thickness": ("m", "thickness of the undeformed filament"),
     "duration": ("s", "duration of the run"),
@@ -86,6 +89,10 @@ class MemberResult:
     largest_stretch: float = math.nan
     energy_residual: float = math.nan
     wall_s: float = math.nan
+    cells: float = math.nan
+    fibres: float = math.nan
+    rtol: float = math.nan
+    error_estimate: float = math.nan
     span: float = math.nan
     thickness: float = math.nan
     duration: float = math.nan
@@ -127,6 +134,7 @@ class MemberWork:
     shapes: bool
     estimate: bool
     stop: Stop
+    centre: Centre  # Whose resolution they share
 
     def __call__(self, row: Row) -> MemberResult:
         """The row's result, whatever becomes of its run."""
@@ -137,12 +145,14 @@ class MemberWork:
             scene = member.scene
             if self.estimate:
                 return self._simulated(scene, begun)
+            member = self.centre.of(member)
             run = judged(member, *study.workshop.run(member, self.stop))
             too_long = run.outcome in OF_A_STEP_TOO_LONG and scene.numerics.rtol is None
             if too_long or _has_missing_effect(run):
                 # Rare: what a single run would be repeated for is repeated as a single run, one at a time.
                 with study.workshop.alone():
-                    return self._simulated(without_estimate(scene), begun)
+                    own = {"numerics.rtol": scene.numerics.rtol}
+                    return self._simulated(without_estimate(member.scene).replace(own), begun)
         except SceneError as error:
             return self.without_answer(REFUSED, "; ".join(map(str, error.faults)), scene, begun)
         except _ERRORS as error:
@@ -151,7 +161,8 @@ class MemberWork:
         if not run.outcome.is_success:
             return self.without_answer(run.outcome.name, run.message, scene, begun)
         times, places = run.solution.time * run.prepared.scale, (run.nodes, run.cells)
-        return self._answer(scene, run.regime or "", times, run.fields, places, run.energy_residual, begun)
+        how = used(member, run.prepared)
+        return self._answer(scene, run.regime or "", times, run.fields, places, run.energy_residual, begun, how)
 
     def without_answer(
         self, outcome: str, message: str, scene: Scene | None = None, begun: float = math.nan
@@ -175,7 +186,7 @@ class MemberWork:
         fields = {name: run.data[name].values for name in ("x", "y", "stretch")}
         places = (run.data.X_node.values, run.data.X_cell.values)
         residual, regime = float(run.summary["energy_residual"]), str(run.summary["regime"] or "")
-        return self._answer(scene, regime, run.data.time.values, fields, places, residual, begun)
+        return self._answer(scene, regime, run.data.time.values, fields, places, residual, begun, used_by(run))
 
     def _answer(
         self,
@@ -186,6 +197,7 @@ class MemberWork:
         places: tuple[Floats, Floats],
         residual: float,
         begun: float,
+        how: dict[str, float],
     ) -> MemberResult:
         height = fields["y"][:, fields["y"].shape[1] // 2] + 0.0  # no minus zero
         sag = float(np.max(-height))
@@ -205,6 +217,7 @@ class MemberWork:
             thickness=scene.filament.thickness,
             duration=scene.run.duration,
             shapes=_shapes(times, fields, *places) if self.shapes else None,
+            **how,
         )
 
 
@@ -262,7 +275,7 @@ class Counts:
     regimes: Counter[str] = field(default_factory=Counter)
 
 
-def _write_store(plan: SweepPlan, blocks: _Blocks, directory: Path) -> Counts:
+def _write_store(plan: SweepPlan, blocks: _Blocks, directory: Path, centre: Centre) -> Counts:
     """Join the blocks into ``sweep.nc``."""
     counts = Counts()
 
@@ -271,6 +284,7 @@ def _write_store(plan: SweepPlan, blocks: _Blocks, directory: Path) -> Counts:
 
         with h5netcdf.File(passing, "w") as file:
             _make_variables(file, plan)
+            file.attrs["centre"] = json.dumps(centre.to_dict(), default=str)
             for start, part in blocks.parts():
                 rows = slice(start, start + len(part["outcome"]))
                 for name in (*plan.keys, *_ABOUT, "midpoint"):
@@ -357,6 +371,8 @@ class Sweep:
         How long [s].
     peak_memory : float
         Largest memory of this process so far [MB].
+    centre : Centre
+        The member in the middle, whose resolution all have at least: cells, fibres, rtol, and its estimated error.
     loaded : xarray.Dataset or None
         The store in memory, where it is no longer on disk.
     """
@@ -368,6 +384,7 @@ class Sweep:
     place: str
     wall_s: float
     peak_memory: float
+    centre: Centre
     loaded: xr.Dataset | None = None
 
     def __len__(self) -> int:
@@ -418,6 +435,7 @@ class Sweep:
         return {
             "title": self.plan.scene.title,
             "plan": self.plan.to_dict(),
+            "centre": self.centre.to_dict(),
             "digest": self.plan.digest,
             "outcomes": dict(sorted(self.counts.outcomes.items())),
             "regimes": dict(sorted(self.counts.regimes.items())),
@@ -470,7 +488,9 @@ def sweep(
 ) -> Sweep:
     """Run a filament for every value of some parameters, in constant memory; results go to disk.
 
-    A member that makes no sense, fails or is no answer is a row like the others.
+    A member that makes no sense, fails or is no answer is a row like the others. Unless ``numerics.estimate = false``,
+    the one in the middle of the ranges is run by :func:`simulate` before: all have at least its cells, fibres and
+    tolerance.
 
     Parameters
     ----------
@@ -518,9 +538,9 @@ def run_sweep(
     _refuse_plan(plan)
     # A file without a name: whatever ends the program, nothing of it is left.
     with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched() as interrupts:
-        blocks = _Blocks(plan, passing)
+        blocks, centre = _Blocks(plan, passing), _centre(plan)
         for number in range(plan.blocks):
-            content = store.recall(plan.key(number))
+            content = store.recall(plan.key(number, centre))
             if content is not None:
                 blocks.put(number, content)
         missing = [number for number in range(plan.blocks) if number not in blocks]
@@ -530,25 +550,36 @@ def run_sweep(
             if missing:
                 with executor(*where, members=plan.members - before) as pool:
                     place = str(pool)
-                    _run_blocks(plan, blocks, missing, pool, before, progress)
+                    _run_blocks(plan, blocks, missing, (pool, centre), before, progress)
         finally:
             interrupts.check()
         with written_together():
-            counts = _write_store(plan, blocks, directory)
+            counts = _write_store(plan, blocks, directory, centre)
             _write_table(plan, blocks, directory)
-    return Sweep(plan, directory / STORE, counts, before, place, time.perf_counter() - begun, peak_memory())
+    return Sweep(plan, directory / STORE, counts, before, place, time.perf_counter() - begun, peak_memory(), centre)
+
+
+def _centre(plan: SweepPlan) -> Centre:
+    """The member in the middle, run and estimated, unless each is."""
+    if plan.estimate:
+        return Centre(plan.centre, why_not="each is estimated by itself")
+    try:
+        return centre_of(study_of(plan.scene).maker.member(plan.centre), plan.centre)
+    except SceneError as error:
+        return Centre(plan.centre, why_not=f"the middle one is refused, {'; '.join(map(str, error.faults))}")
 
 
 def _run_blocks(
     plan: SweepPlan,
     blocks: _Blocks,
     missing: Sequence[int],
-    pool: Executor,
+    how: tuple[Executor, Centre],
     before: int,
     progress: MembersProgress | None,
 ) -> None:
     """Run the members of the missing blocks, and store each block as soon as it is finished."""
-    work = MemberWork(plan.scene, plan.shapes, plan.estimate, pool.stop)
+    pool, centre = how
+    work = MemberWork(plan.scene, plan.shapes, plan.estimate, pool.stop, centre)
     rows = (row for number in missing for row in plan.block(number))
     unfinished: defaultdict[int, dict[int, MemberResult | Lost]] = defaultdict(dict)
     results = pool.map_members(work, rows, plan.block_size)
@@ -566,7 +597,7 @@ def _run_blocks(
             )
             blocks.put(number, content)
             if not is_lost:
-                store.keep(plan.key(number), content)
+                store.keep(plan.key(number, centre), content)
 
 
 def _refuse_plan(plan: SweepPlan) -> None:

@@ -16,6 +16,7 @@ from typing import Any, Final, Literal, cast
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.ensemble.centre import Centre
 from softcat_sym.ensemble.members import Row, is_group, is_number, kind_of
 from softcat_sym.ensemble.ranges import MAX_MEMBERS, SOURCE, SPACED, SweepAxis, Value, read_range, unit_of
 from softcat_sym.ensemble.ranges import refusal as refusal_of
@@ -158,9 +159,17 @@ class SweepPlan:
         how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
         return key_of("plan of a sweep", identity_of(self.scene), self.axes, how)
 
-    def key(self, block: int) -> str:
-        """Key of the results of a block."""
-        return key_of("sweep", identity_of(self.scene), self.block(block), self.shapes, self.estimate)
+    @property
+    def centre(self) -> Row:
+        """What the member in the middle of the ranges changes."""
+        if self.mode == "grid":
+            return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
+        return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.row(self.members // 2)
+
+    def key(self, block: int, centre: Centre) -> str:
+        """Key of the results of a block whose members share the resolution of one."""
+        how = [self.shapes, self.estimate, centre.cells, centre.fibres, centre.tighter]
+        return key_of("sweep", identity_of(self.scene), self.block(block), how)
 
 
 def plan_sweep(

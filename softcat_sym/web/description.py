@@ -18,8 +18,9 @@ from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.law import is_solid
 from softcat_sym.ensemble.members import Row, written
-from softcat_sym.error_control.estimate import Resolution, resolution_of
+from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.generation import ended_at
 from softcat_sym.results import motion, verdict
 from softcat_sym.results.breaking import breakable
 from softcat_sym.results.fields import LOST, VARIABLES, energies_of, is_odd, midpoint_heights, variable_of
@@ -62,8 +63,7 @@ class Page:
     """All that is put together to a page."""
 
     data: dict[str, Any]  # As its JSON has it
-    # The structures whose C text is compiled: that of the page, and that of a preview with fewer fibres
-    described: tuple[Description, ...]
+    described: Description  # The structure whose C text is compiled
 
 
 def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "") -> Page:
@@ -95,13 +95,13 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     if run.scene.run.dimensions != given.run.dimensions:
         accepted = "run.dimensions = 2 or 3"
         raise SceneError([Fault("run.dimensions", "'auto', but it is unstable sideways", accepted)])
-    base, at = _fixed(given, run)
+    ended, at = ended_at(given, run)
+    base = Fixed(ended)
     others = _alike(base, at)
     chosen = choose_sliders(base, sliders, tuple(one.scene for one in others.values()))
     middle = middle_of(base, chosen)
     fitting = {key: one for key, one in others.items() if key != name and _fits(one, middle, chosen)}
     described, filament = base.exported
-    preview, coarse = _preview(base, at)
     coefficients, points = coefficients_of(middle, chosen), points_of(base, chosen)
     usual = {name for name, one in coefficients.items() if is_needed(base, name) or follows(points, chosen, name, one)}
     model = described.model
@@ -116,8 +116,8 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "parameters": list(model.parameters),
         "powers": list(model.powers),
         "settings": _settings(base, at, chosen),
-        "resolution": {"layout": 0, "looser": 1.0, **_resolved(base)},
-        "preview": preview,
+        "resolution": {"looser": 1.0, **_resolved(base)},
+        "preview": _preview(base, at),
         "accuracy": _accuracy(run),
         "scenes": [
             _scene(title, one, given if one is base else load_scene(title), base, chosen, usual)
@@ -131,15 +131,7 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         },
         "limits": _limits(base, chosen, usual, given.numerics.rtol),
     }
-    return Page(data, (described, coarse) if coarse else (described,))
-
-
-def _fixed(scene: Scene, run: Run) -> tuple[Fixed, Resolution]:
-    """The scene with the effects and the resolution that its run ended with."""
-    effects, found = run.summary["effects"], run.summary["resolution"]
-    named = scene.replace({"run.effects": list(effects)})
-    at = Resolution(**found) if found else resolution_of(named, choose_effects(named), compiled=True)
-    return Fixed(at.of(named)), at
+    return Page(data, described)
 
 
 def _alike(base: Fixed, at: Resolution) -> dict[str, Fixed]:
@@ -222,6 +214,7 @@ def _resolved(one: Fixed) -> dict[str, Any]:
     rule = filament.graph.rule
     return {
         "cells": described.cells,
+        "fibres": described.fibres,
         "frames": one.scene.run.frames,
         "grading": described.grading,
         "max_steps": _MAX_STEPS,
@@ -274,17 +267,16 @@ def _settings(base: Fixed, at: Resolution, sliders: Sequence[Slider]) -> dict[st
     }
 
 
-def _preview(base: Fixed, at: Resolution) -> tuple[dict[str, Any] | None, Description | None]:
-    """The cheapest resolution that errs by little at the scene's own values, and its structure if that is another."""
+def _preview(base: Fixed, at: Resolution) -> dict[str, Any] | None:
+    """The cheapest resolution that errs by little at the scene's own values."""
     exact, seconds = _solved(base.scene, base.effects)
     if seconds < _QUICK or exact is None:
-        return None, None
-    best: tuple[dict[str, Any], Description | None] | None = None
+        return None
+    best: dict[str, Any] | None = None
     for cells, share, looser in _PREVIEWS:
-        fewer = share < 1 and at.fibres is not None and not base.exported[1].theory.is_spatial and base.start is None
-        if cells >= at.cells or (share < 1 and not fewer):
+        if cells >= at.cells or (share < 1 and at.fibres is None):
             continue
-        fibres = max(_FEWEST, round(share * at.fibres)) if at.fibres is not None and fewer else at.fibres
+        fibres = at.fibres if at.fibres is None or share == 1 else max(_FEWEST, round(share * at.fibres))
         grading = base.scene.numerics.grading and choose_grading(base.scene, cells, base.effects)
         changes = {"numerics.cells": cells, "numerics.grading": grading, "numerics.fibres": fibres}
         coarse = base.scene.replace({**changes, "numerics.rtol": at.rtol * looser})
@@ -292,13 +284,11 @@ def _preview(base: Fixed, at: Resolution) -> tuple[dict[str, Any] | None, Descri
         if rough is None or len(rough) != len(exact):
             continue
         error = float(np.max(np.abs(rough - exact)) / np.max(np.abs(exact)))
-        if best is None or error < best[0]["error"]:
-            one = Fixed(coarse)
-            preview = {"layout": int(fewer), "looser": looser, **_resolved(one), "error": error}
-            best = preview, one.exported[0] if fewer else None
+        if best is None or error < best["error"]:
+            best = {"looser": looser, **_resolved(Fixed(coarse)), "error": error}
         if error < _ENOUGH * base.scene.run.accuracy:
             break
-    return best or (None, None)
+    return best
 
 
 def _solved(scene: Scene, effects: Effects) -> tuple[Floats | None, float]:

@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from softcat_sym.codegen.interface import Description
-from softcat_sym.codegen.structure import Structure, structure_of
-from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
+from softcat_sym.codegen.structure import Structure
+from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.parameters import heat_unit, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects, choose_effects
@@ -25,7 +25,6 @@ from softcat_sym.effects.scaling_estimates import (
 from softcat_sym.ensemble.members import kind_of, written
 from softcat_sym.errors import SceneError
 from softcat_sym.generation import export, start_of
-from softcat_sym.physics.terms import Formulation
 from softcat_sym.results.fields import min_energy
 from softcat_sym.results.motion import lowest_yield_stress, pace_of
 from softcat_sym.scene.history import History
@@ -33,7 +32,7 @@ from softcat_sym.scene.material import physical_path
 from softcat_sym.scene.scene import Scene, force_free_stretch, groups_of, is_held, rest_length, undeformed_area
 from softcat_sym.scene.units import Quantity
 from softcat_sym.solvers.initial_state import is_straight, starting_state
-from softcat_sym.solvers.run import Assembled
+from softcat_sym.solvers.run import Assembled, structure_for
 
 _FEW_CELLS = 16
 _SAME_START = 1e-7
@@ -87,7 +86,7 @@ class Fixed:
     @cached_property
     def structure(self) -> Structure:
         """What its C text depends on."""
-        return _structure(self.scene, self.effects)
+        return structure_for(self.scene, self.effects)
 
     @cached_property
     def start(self) -> Floats | None:
@@ -140,12 +139,6 @@ class Fixed:
         p = filament.graph.vector(parameter_values(scene))
         found = starting_state(scene, filament.graph, p, filament.at_rest)
         return None if found is None else np.concatenate([found.x, found.z])
-
-
-def _structure(scene: Scene, effects: Effects) -> Structure:
-    formulation, grid = Formulation(effects.terms(), scene.filament.section, scene.run.closure), choose_grid(scene)
-    theory = choose_theory(scene, formulation.terms)
-    return structure_of(effects, grid, formulation, theory, choose_body(scene, grid))
 
 
 def _stated(scene: Scene, effects: Effects) -> Sequence[Floats | tuple[float, ...] | float]:

@@ -6,14 +6,13 @@ import functools
 import os
 import re
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
 
-from softcat_sym.codegen.c_text import c_array, number
 from softcat_sym.codegen.compiler import Compiler, first_of, of_a_wheel, run, split_variable
 from softcat_sym.codegen.export import model_files, runtime_files
-from softcat_sym.codegen.interface import DEFAULT_NAME, Description, symbol_of
+from softcat_sym.codegen.interface import DEFAULT_NAME, Description
 from softcat_sym.codegen.library import OPTIMISED, compiled_by
 from softcat_sym.errors import SoftcatError
 
@@ -27,7 +26,7 @@ FLAGS = (*OPTIMISED, "-fassociative-math", "-fno-signed-zeros")
 
 _ALWAYS = ("-std=c99", "-target", "wasm32-wasi", "-mexec-model=reactor", "-s")
 _SIMD, _SOUND = "-msimd128", 16  # clang 14 makes wrong vectors of softcat_band.c; 16 and 22 do not
-_PAGE, _LAYOUTS, _PREVIEW, _COMMAND = "softcat_page.c", "page_layouts.h", "preview", "softcat generate --web"
+_PAGE, _COMMAND = "softcat_page.c", "softcat generate --web"
 _PLACES = ("/opt/wasi-sdk/bin/clang", "clang")
 _PATIENCE = 60.0  # s, to compile next to nothing
 _NOTHING = """\
@@ -74,21 +73,14 @@ def _flags(compiler: Compiler) -> tuple[str, ...]:
     return FLAGS if version is not None and int(version[0]) < _SOUND else (*FLAGS, _SIMD)
 
 
-def module_sources(described: Sequence[Description]) -> dict[str, str]:
-    """C of the solver of a scene with what a page calls, by file name; the second structure is that of a preview."""
-    page = resources.files("softcat_sym.web") / "templates" / _PAGE
+def module_sources(described: Description) -> dict[str, str]:
+    """C of the solver of a scene with what a page calls, by file name."""
+    page, model = resources.files("softcat_sym.web") / "templates" / _PAGE, described.model
     files = {name: text for name, text in runtime_files().items() if not name.startswith("softcat_text.")}
-    layouts, tables = list[str](), list[str]()
-    for one, name in zip(described, (DEFAULT_NAME, _PREVIEW), strict=False):
-        model, points = one.model, f"{name}_points"
-        files |= model_files(one, name, _COMMAND)
-        tables.append(c_array("double", points, [number(each) for each in model.points or [0.0]]))
-        rows = len(model.signature.shown)
-        layouts.append(f"{{&{symbol_of(name, 'structure')}, {rows}, {model.scratch}, {model.fibres}, {points}}}")
-    include = f'#include "{_PREVIEW}.h"\n' if len(described) > 1 else ""
-    table = f"static const layout layouts[] = {{{', '.join(layouts)}}};"
-    files |= {"observables.c": described[0].model.observables, _PAGE: page.read_text(encoding="utf-8")}
-    return files | {_LAYOUTS: "\n".join([include, *tables, table, ""])}
+    sizes = {"ROWS": model.rows, "SCRATCH": model.template.scratch_shown}
+    head = [f"#define PAGE_{name}(points) ({plain} + {each} * (points))" for name, (plain, each) in sizes.items()]
+    files |= {"observables.c": model.observables, _PAGE: page.read_text(encoding="utf-8")}
+    return files | model_files(described, DEFAULT_NAME, _COMMAND) | {"page_rows.h": "\n".join([*head, ""])}
 
 
 def wasm_compiler() -> Compiler:
@@ -101,7 +93,7 @@ def wasm_compiler() -> Compiler:
     return compiler
 
 
-def wasm_module(described: Sequence[Description]) -> bytes:
+def wasm_module(described: Description) -> bytes:
     """The solver of a scene as a WebAssembly module that imports nothing, compiled now or found in the cache."""
     compiler = wasm_compiler()
     return compiled_by(compiler, module_sources(described), _ALWAYS, _flags(compiler)).read_bytes()

@@ -12,7 +12,7 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.web import description
 from softcat_sym.web.description import describe_page
 
-SLOW: dict[str, Any] = {"_alike": lambda *_: {}, "_notes": lambda *_: [], "_preview": lambda *_: (None, None)}
+SLOW: dict[str, Any] = {"_alike": lambda *_: {}, "_notes": lambda *_: [], "_preview": lambda *_: None}
 
 
 @cache

@@ -33,6 +33,7 @@ class How:
     """What a run is given besides its parameters."""
 
     cells: int
+    fibres: int
     frames: int
     duration: float
     grading: float
@@ -48,7 +49,8 @@ def as_the_scene(described: Description, **others: Any) -> How:
     run, steps = described.scene.run, described.steps
     given = {"duration": run.duration, "frames": run.frames, "relative": steps.relative, "absolute": steps.absolutes}
     given |= {"largest_step": steps.largest_step, "method": steps.method}
-    return How(**{**given, "cells": described.cells, "grading": described.grading, **others})
+    given |= {"cells": described.cells, "fibres": described.fibres, "grading": described.grading}
+    return How(**{**given, **others})
 
 
 @dataclass(frozen=True)
@@ -89,12 +91,12 @@ class Page:
         """Solve as the page does."""
         model = self.described.model
         self.numbers(self.call("page_parameters"), len(parameters))[:] = parameters
-        self.numbers(self.call("page_absolute"), len(how.absolute))[:] = how.absolute
+        self.numbers(self.call("page_absolute", len(how.absolute)), len(how.absolute))[:] = how.absolute
         room = self.call("page_start", len(self.start))
         if self.start.size:
             self.numbers(room, self.start.size)[:] = np.r_[self.start[:, 0], self.start[:, 1:].ravel()]
         given = (how.duration, how.grading, how.relative, how.largest_step, how.method, how.max_steps)
-        code = self.call("page_solve", how.cells, how.frames, *given)
+        code = self.call("page_solve", how.cells, how.fibres, how.frames, *given)
         status = self.numbers(self.call("page_status"), 8).copy()
         assert code == status[0]
         frames, sites, shown = int(status[6]), int(status[7]), [one.name for one in model.signature.shown]
@@ -124,7 +126,7 @@ class WasmPage(Page):
         super().__init__(described)
         wasmtime: Any = importlib.import_module("wasmtime")
         self._store = wasmtime.Store()
-        module = wasmtime.Module(self._store.engine, wasm_module([described]))
+        module = wasmtime.Module(self._store.engine, wasm_module(described))
         self.imports = [one.name for one in module.imports]
         self._exports = wasmtime.Instance(self._store, module, []).exports(self._store)
         if "_initialize" in self._exports:
@@ -148,11 +150,11 @@ class NativePage(Page):
 
     def __init__(self, described: Description) -> None:
         super().__init__(described)
-        self._library = load(compile_library(module_sources([described])), "page_solve")
+        self._library = load(compile_library(module_sources(described)), "page_solve")
         for name in (*ROOMS, "explain"):
             getattr(self._library, f"page_{name}").restype = ct.c_void_p
         integers, doubles = ct.c_int, ct.c_double
-        self._library.page_solve.argtypes = [integers, integers, *[doubles] * 4, integers, integers]
+        self._library.page_solve.argtypes = [*[integers] * 3, *[doubles] * 4, integers, integers]
 
     def call(self, name: str, *given: float) -> int:
         return int(getattr(self._library, name)(*given) or 0)

@@ -1,25 +1,36 @@
 /* Solve a filament that a parameter file describes, and write its midpoint over time as CSV.
  *
- *     filament PARAMETERS [-o OUTPUT] [--shape]
+ *     filament PARAMETERS [-o OUTPUT] [--shape] [--cells N] [--fibres N]
  *
- * Without -o the table goes to standard output; with --shape it has the nodes, too. Exit status:
- * 0 solved, 1 the solver failed (nothing is written), 2 bad input. */
+ * Without -o the table goes to standard output; with --shape it has the nodes, too; --cells and
+ * --fibres go before what the file says. Exit status: 0 solved, 1 the solver failed (nothing is written),
+ * 2 bad input. */
 #include "filament.h"
 #include "softcat_text.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { SOLVED = 0, FAILED = 1, BAD_INPUT = 2 };
 
-static const char usage[] = "usage: filament PARAMETERS [-o OUTPUT] [--shape]\n";
+static const char usage[] =
+    "usage: filament PARAMETERS [-o OUTPUT] [--shape] [--cells N] [--fibres N]\n";
 
 typedef struct arguments {
     const char *parameters, *output;
-    int shape, help;
+    int shape, help, cells, fibres;
 } arguments;
+
+/* A whole number above 0, or 0. */
+static int number_of(const char *word)
+{
+    char *end;
+    long number = strtol(word, &end, 10);
+    return *end || number < 1 || number > INT_MAX ? 0 : (int)number;
+}
 
 static int understand(int count, char **words, arguments *asked)
 {
@@ -27,6 +38,11 @@ static int understand(int count, char **words, arguments *asked)
         if (strcmp(words[k], "--shape") == 0) asked->shape = 1;
         else if (strcmp(words[k], "--help") == 0) asked->help = 1;
         else if (strcmp(words[k], "-o") == 0 && k + 1 < count) asked->output = words[++k];
+        else if (strcmp(words[k], "--cells") == 0 && k + 1 < count) {
+            if (!(asked->cells = number_of(words[++k]))) return 0;
+        } else if (strcmp(words[k], "--fibres") == 0 && k + 1 < count) {
+            if (!(asked->fibres = number_of(words[++k]))) return 0;
+        }
         else if (words[k][0] == '-' || asked->parameters) return 0;
         else asked->parameters = words[k];
     }
@@ -76,6 +92,7 @@ static int blame(const softcat_structure *s, const softcat_request *request,
     }
     if (status->code == SOFTCAT_BAD_CELLS)
         fprintf(stderr, ": cells = %d, the least is %d", request->cells, s->least_cells);
+    if (status->code == SOFTCAT_BAD_FIBRES) fprintf(stderr, ": fibres = %d", request->fibres);
     if (status->code >= SOFTCAT_BAD_PARAMETER) {
         fprintf(stderr, "\n");
         return BAD_INPUT;
@@ -96,7 +113,8 @@ static int solve(const softcat_structure *s, const softcat_request *request, con
     double *times = memory, *midpoint = memory + count, *shape = size ? midpoint + count : NULL;
     softcat_status status;
     const softcat_table table = {request->rows, request->X, request->values};
-    const softcat_settings settings = {.grading = request->grading,
+    const softcat_settings settings = {.fibres = request->fibres,
+                                       .grading = request->grading,
                                        .relative = request->relative,
                                        .absolute = request->absolute,
                                        .start = request->rows ? &table : NULL};
@@ -130,6 +148,8 @@ int main(int count, char **words)
     }
     int code = softcat_read_request(s, asked.parameters, &request) ? BAD_INPUT : SOLVED;
     if (!code && request.start[0] && softcat_read_start(s, &request)) code = BAD_INPUT;
+    if (asked.cells) request.cells = asked.cells;
+    if (asked.fibres) request.fibres = asked.fibres;
     if (!code) code = solve(s, &request, &asked);
     softcat_forget(&request);
     return code;

@@ -32,7 +32,9 @@ static int check_settings(const softcat_structure *s, const softcat_settings *c)
     const double numbers[] = {c->grading, c->relative, c->absolute, c->largest_step};
     for (int i = 0; i < 4; i++)
         if (!within(numbers[i], SOFTCAT_NOT_NEGATIVE)) return SOFTCAT_BAD_SETTINGS;
-    for (int k = 0; c->absolutes && k < s->model->slots; k++)
+    int slots = softcat_structure_slots(s, c->fibres);
+    if (!slots) return SOFTCAT_BAD_FIBRES;
+    for (int k = 0; c->absolutes && k < slots; k++)
         if (!within(c->absolutes[k], SOFTCAT_POSITIVE)) return SOFTCAT_BAD_SETTINGS;
     if (c->relative >= 1.0 || c->max_steps < 0 || c->by_count < 0 || c->kink_count < 0)
         return SOFTCAT_BAD_SETTINGS;
@@ -85,6 +87,7 @@ const char *softcat_explain(int code)
         return "the starting shape is no table of this structure, or does not meet the supports";
     case SOFTCAT_NOT_STRAIGHT:
         return "the filament does not begin straight with these parameters: give a starting shape";
+    case SOFTCAT_BAD_FIBRES: return "the number of fibres is not 2 to 1000, or there are none";
     default: return softcat_message(code);
     }
 }

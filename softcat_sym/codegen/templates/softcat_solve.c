@@ -2,6 +2,7 @@
 
 #include "softcat_check.h"
 #include "softcat_places.h"
+#include "softcat_section.h"
 #include "softcat_start.h"
 
 #include <math.h>
@@ -12,7 +13,8 @@ enum { STEPS_PER_TIME = 100000 };
 
 /* A run in units of the model, and all memory that it needs, in one piece. */
 typedef struct run {
-    const softcat_structure *s;
+    const softcat_structure *s; /* with the fibres of the run */
+    softcat_sized sized;
     const softcat_settings *settings;
     softcat_filament filament;
     softcat_options options;
@@ -105,7 +107,10 @@ static int begin(run *r, int cells, softcat_status *status)
     softcat_places(r->s, cells, r->X, thickness, count, r->places);
     r->filament.parameters = r->params;
     r->filament.places = r->places;
+    r->filament.fibres = r->s->points;
+    r->filament.points = r->sized.points;
     if (c->start) {
+        softcat_straight(r->s, r->params, r->filament.sites, r->X, r->state);
         code = softcat_from_table(r->s, r->params, c->start, r->filament.sites, r->X, r->state);
         if (code) return code;
     } else {
@@ -276,7 +281,7 @@ int softcat_structure_solve(const softcat_structure *s, const double *params, in
 {
     static const softcat_settings plain;
     softcat_status unasked;
-    run r = {.s = s, .settings = settings ? settings : &plain};
+    run r = {.settings = settings ? settings : &plain};
     int reached = 0, which = -1;
     if (!status) status = &unasked;
     memset(status, 0, sizeof *status);
@@ -284,22 +289,31 @@ int softcat_structure_solve(const softcat_structure *s, const double *params, in
     status->code = softcat_check(s, params, cells, times, n, r.settings, &which);
     if (!status->code && !results) status->code = SOFTCAT_ARGUMENT;
     status->worst_slot = which;
-    if (status->code) return status->code;
+    if (!status->code) status->code = softcat_size(s, params, r.settings->fibres, &r.sized);
+    if (status->code) {
+        softcat_unsize(&r.sized);
+        return status->code;
+    }
+    r.s = &r.sized.structure;
     r.length = params[s->rest_length];
     r.scale = params[s->time_scale];
     if (r.scale == 0.0) r.scale = sqrt(r.length / params[s->gravity]);
     r.skip = times[0] > 0.0;
     r.filament.sites = softcat_sites(s, cells);
-    r.size = (size_t)r.filament.sites * (size_t)s->model->slots;
+    r.size = (size_t)r.filament.sites * (size_t)r.s->model->slots;
     r.count = n + r.skip;
     r.memory = calloc(cut(&r, results->derivatives != NULL, results->work != NULL) + 1,
                       sizeof(double));
-    if (!r.memory) return status->code = SOFTCAT_MEMORY;
-    cut(&r, results->derivatives != NULL, results->work != NULL);
-    int code = integrate(&r, params, cells, times, n, results, status, &reached);
-    status->code = code;
-    status->reached *= r.scale;
-    write_all(&r, results, times, n, reached, softcat_middle(s, cells));
+    if (!r.memory) {
+        status->code = SOFTCAT_MEMORY;
+    } else {
+        cut(&r, results->derivatives != NULL, results->work != NULL);
+        status->code = integrate(&r, params, cells, times, n, results, status, &reached);
+        status->reached *= r.scale;
+        status->worst_slot = softcat_slot_of_scene(s, &r.sized, status->worst_slot);
+        write_all(&r, results, times, n, reached, softcat_middle(s, cells));
+    }
     free(r.memory);
-    return code;
+    softcat_unsize(&r.sized);
+    return status->code;
 }

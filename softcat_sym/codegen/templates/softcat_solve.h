@@ -21,7 +21,8 @@ enum {
     SOFTCAT_BAD_TIMES,           /* n < 1, not finite, not increasing, or before 0 */
     SOFTCAT_BAD_SETTINGS,        /* a number in softcat_settings is out of range */
     SOFTCAT_BAD_START,           /* the starting shape is no table, or does not meet the supports */
-    SOFTCAT_NOT_STRAIGHT         /* the filament does not begin straight: give a starting shape */
+    SOFTCAT_NOT_STRAIGHT,        /* the filament does not begin straight: give a starting shape */
+    SOFTCAT_BAD_FIBRES           /* not 2 to 1000, or the structure has none */
 };
 
 typedef enum softcat_end {
@@ -31,6 +32,13 @@ typedef enum softcat_end {
 typedef enum softcat_range {
     SOFTCAT_ANY, SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON /* -1 < nu < 1/2 */
 } softcat_range;
+
+/* How the fibres of a section are placed: through the thickness by Gauss's rule for its width, or
+ * by one in either half; in three dimensions on rings, or on a grid of what warps. */
+typedef enum softcat_section {
+    SOFTCAT_RECTANGLE, SOFTCAT_RECTANGLE_IN_HALVES, SOFTCAT_CIRCLE, SOFTCAT_CIRCLE_IN_HALVES,
+    SOFTCAT_RINGS, SOFTCAT_WARPING
+} softcat_section;
 
 /* Geometry of a site: lengths in rest lengths that its cell has and its node answers for, the mass
  * of the node over that of the filament, their inverses, thickness and share of a point mass. */
@@ -42,7 +50,8 @@ typedef enum softcat_place {
     SOFTCAT_PLACE_COUNT
 } softcat_place;
 
-/* What a filament.c describes; numbers of parameters and slots are -1 where there is none. */
+/* What a filament.c describes; numbers of parameters and slots are -1 where there is none. Tables
+ * of slots are those of the scene's number of fibres. */
 typedef struct softcat_structure {
     const softcat_model *model;
     const char *title;
@@ -52,7 +61,8 @@ typedef struct softcat_structure {
     const char *const *slot_names;        /* [model->slots] */
     const int *on_cells;                  /* [model->slots] whether it belongs to the cell */
     const double *mean, *bending;         /* [model->slots] what a slot is of a plastic strain
-                                             that is linear through the thickness */
+                                             that is linear through the thickness; of a fibre what
+                                             its coordinate is multiplied by */
     softcat_end first, last;              /* what holds the first and the last node */
     int least_cells;                      /* per half span */
     int area_power;                       /* the area goes with this power of the thickness */
@@ -61,6 +71,7 @@ typedef struct softcat_structure {
     int x, y, z, psi, q;                  /* slots; q: the first of four of a quaternion */
     int rest_length, time_scale, gravity, density; /* parameters */
     int span, drop, left_angle, right_angle, curvature, twist;
+    int aspect;                           /* width over thickness */
     int motion, motion_rows;              /* first of the numbers of a row: time, dx, dy (, dz) */
     int motion_width;
     int turn, turn_rows;                  /* first of 2 numbers a row: time, angle */
@@ -77,6 +88,11 @@ typedef struct softcat_structure {
     int towards_middle;                   /* whether cells are short at midspan, too */
     double duration;                      /* of the scene [s] */
     int cells, frames;                    /* of the scene */
+    softcat_section section;
+    double width;                         /* over thickness, where no parameter is */
+    int fibres, points;                   /* of the scene, and of its section; 0: not resolved */
+    int plain_slots, plain_entries, plain_scratch; /* of a site without its fibres, which come last:
+                                                      kind by kind, in each fibre by fibre */
 } softcat_structure;
 
 /* A shape to begin from: unknowns at nodes from left to right, those of cells in the row of the
@@ -84,15 +100,18 @@ typedef struct softcat_structure {
 typedef struct softcat_table {
     int rows;
     const double *X;      /* [rows] of the nodes, in rest lengths, 0 halfway; increasing */
-    const double *values; /* [rows * model->slots] */
+    const double *values; /* [rows * model->slots]; with other fibres than the scene's a run begins
+                             with those of the straight filament */
 } softcat_table;
 
 /* Set all to zero first ({0}); what stays zero is as the scene has it. */
 typedef struct softcat_settings {
+    int fibres;                /* through the thickness, of the section in three dimensions; 2 to
+                                  1000 where the section is resolved */
     double grading;            /* longest cell, at midspan, over the shortest, at the supports */
     double relative, absolute; /* error a step may make; absolute: lengths in rest lengths, other
                                   unknowns in the proportions of the scene */
-    const double *absolutes;   /* [model->slots] or NULL: instead, of each unknown */
+    const double *absolutes;   /* [slots] or NULL: instead, of each unknown */
     double largest_step;       /* [s] */
     long max_steps;            /* 0: 100000 for each time asked */
     int method;                /* SOFTCAT_RODAS5P ... of softcat_rosenbrock.h */
@@ -114,7 +133,7 @@ typedef struct softcat_results {
     double *positions;   /* [n * row] x_0 y_0 x_1 y_1 ... of all nodes from left to right [m];
                             x_0 y_0 z_0 ... in three dimensions */
     double *midpoint;    /* [n] height of the node at X = 0 [m] */
-    double *states;      /* [n * sites * model->slots] all unknowns, dimensionless */
+    double *states;      /* [n * sites * slots] all unknowns, dimensionless */
     double *work;        /* [n * model->powers] J per m^2 of undeformed section: dissipated by
                             flow, of the changing load, of the necking gradient */
     double *derivatives; /* [by_count * n * row] of positions by parameters [m / SI unit] */
@@ -125,13 +144,16 @@ typedef struct softcat_results {
  * 2 * cells + 1. */
 int softcat_structure_row(const softcat_structure *, int cells);
 
+/* Unknowns of a site with so many fibres, 0: as the scene; 0 if there cannot be so many. */
+int softcat_structure_slots(const softcat_structure *, int fibres);
+
 /* Solve from rest at t = 0.
  *
  * params   [model->parameters] SI; time_scale 0: sqrt(rest_length / gravity)
  * cells    per half span
  * times    [n] increasing, times[0] >= 0 [s]
  * settings or NULL
- * status   or NULL; `reached` is in seconds
+ * status   or NULL; `reached` is in seconds, `worst_slot` one of the scene's
  * Returns SOFTCAT_SOLVED or a code.
  *
  * Without settings->start the filament begins straight and without velocity, stretched or bent

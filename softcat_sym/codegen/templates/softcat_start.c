@@ -132,7 +132,7 @@ void softcat_straight(const softcat_structure *s, const double *params, int site
 /* Lagrange's cubic through the four places around `at`, of a slot. */
 static double cubic(const softcat_structure *s, const softcat_table *table, int slot, double at)
 {
-    int slots = s->model->slots, count = table->rows - (s->on_cells[slot] ? 1 : 0), first = 0;
+    int slots = softcat_structure_slots(s, 0), count = table->rows - (s->on_cells[slot] ? 1 : 0), first = 0;
     while (first + 4 < count && place_of(s, slot, table->rows, table->X, first + 2) <= at) first++;
     double sum = 0.0;
     for (int i = first; i < first + 4; i++) {
@@ -156,7 +156,7 @@ static int far_apart(double a, double b)
 static int meets(const softcat_structure *s, const double *params, const softcat_table *table)
 {
     softcat_supports at = softcat_supports_at(s, params, 0.0);
-    int slots = s->model->slots;
+    int slots = softcat_structure_slots(s, 0);
     const double *first = table->values;
     const double *last = first + (size_t)(table->rows - 1) * (size_t)slots;
     int left = s->first == SOFTCAT_CLAMPED || s->first == SOFTCAT_PINNED;
@@ -172,7 +172,8 @@ static int meets(const softcat_structure *s, const double *params, const softcat
 int softcat_from_table(const softcat_structure *s, const double *params, const softcat_table *table,
                        int sites, const double *X, double *state)
 {
-    int slots = s->model->slots, same = table->rows == sites;
+    int slots = softcat_structure_slots(s, 0), same = table->rows == sites;
+    int kept = slots == s->model->slots ? slots : s->plain_slots;
     double begins = s->first == SOFTCAT_SYMMETRY ? 0.0 : -0.5;
     if (table->rows < 6 || !table->X || !table->values) return SOFTCAT_BAD_START;
     for (int i = 1; i < table->rows; i++)
@@ -184,9 +185,10 @@ int softcat_from_table(const softcat_structure *s, const double *params, const s
     if (!meets(s, params, table)) return SOFTCAT_BAD_START;
     for (int i = 0; i < sites && same; i++) same = fabs(table->X[i] - X[i]) <= 1e-12;
     for (int i = 0; i < sites; i++)
-        for (int k = 0; k < slots; k++) {
+        for (int k = 0; k < kept; k++) {
             size_t n = (size_t)i * (size_t)slots + (size_t)k;
-            state[n] = same ? table->values[n] : cubic(s, table, k, place_of(s, k, sites, X, i));
+            state[(size_t)i * (size_t)s->model->slots + (size_t)k] =
+                same ? table->values[n] : cubic(s, table, k, place_of(s, k, sites, X, i));
         }
     return SOFTCAT_SOLVED;
 }

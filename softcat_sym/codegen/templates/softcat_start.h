@@ -15,8 +15,9 @@ softcat_supports softcat_supports_at(const softcat_structure *, const double *pa
 /* Whether the straight filament without weight is in equilibrium. */
 int softcat_is_straight(const softcat_structure *, const double *params, int profiled);
 
-/* state [sites * slots] of the straight filament at rest, and of a table carried over to X; the
- * algebraic unknowns are a guess. Held unknowns are set, too. */
+/* state [sites * slots] of the straight filament at rest, and of a table carried over to X, which
+ * leaves fibres that it has not as they are; the algebraic unknowns are a guess. Held unknowns are
+ * set, too. */
 void softcat_straight(const softcat_structure *, const double *params, int sites, const double *X,
                       double *state);
 int softcat_from_table(const softcat_structure *, const double *params, const softcat_table *,

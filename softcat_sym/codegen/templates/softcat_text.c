@@ -77,9 +77,9 @@ static int is_count(const reader *r, const char *name, char *text, int *value)
     return 0;
 }
 
-enum { CELLS, FRAMES, DURATION, GRADING, RELATIVE, ABSOLUTE, START, OTHERS };
+enum { CELLS, FRAMES, DURATION, GRADING, RELATIVE, ABSOLUTE, START, FIBRES, OTHERS };
 static const char *const others[] = {"cells",    "frames",   "duration", "grading",
-                                     "relative", "absolute", "start"};
+                                     "relative", "absolute", "start",    "fibres"};
 
 /* Number of a name: parameters first, then others; -1 if it is unknown. */
 static int number_of(const softcat_structure *s, const char *name)
@@ -102,6 +102,7 @@ static int take(const reader *r, softcat_request *to, const char *name, char *va
     switch (number - count) {
     case CELLS: return is_count(r, name, value, &to->cells);
     case FRAMES: return is_count(r, name, value, &to->frames);
+    case FIBRES: return is_count(r, name, value, &to->fibres);
     case START:
         if (strlen(value) >= sizeof to->start) return 0;
         strcpy(to->start, value);

@@ -9,7 +9,7 @@ enum { SOFTCAT_LONGEST_LINE = 4096 };
 /* What a run is asked. */
 typedef struct softcat_request {
     double *params;              /* [model->parameters] */
-    int cells, frames;
+    int cells, frames, fibres;   /* fibres 0: not said */
     double duration;             /* [s] */
     double grading, relative, absolute; /* 0: not said */
     char start[SOFTCAT_LONGEST_LINE];   /* path of the starting shape, or empty */
@@ -18,8 +18,8 @@ typedef struct softcat_request {
 } softcat_request;
 
 /* Read a file of lines `name = number unit  # comment`. All parameters of the structure are wanted,
- * cells, frames and duration; grading, relative, absolute and start (a path, beside the file) may
- * be there. 0, or 1 with one line of complaint on stderr; softcat_forget either way. */
+ * cells, frames and duration; fibres, grading, relative, absolute and start (a path, beside the
+ * file) may be there. 0, or 1 with one line of complaint on stderr; softcat_forget either way. */
 int softcat_read_request(const softcat_structure *, const char *path, softcat_request *);
 
 /* Read the table that `start` names: a heading X,slot,slot,... and a row for each node. */

@@ -110,13 +110,12 @@ function solvedRaw(data, module, state, resolution, tighter = 1) {
   const { exports } = module, parameters = parametersOf(data, state), { start } = data.scenes[state.scene]
   const view = (address, length) => new Float64Array(exports.memory.buffer, address, length)
   view(exports.page_parameters(), parameters.length).set(parameters)
-  exports.page_choose(resolution.layout)
-  view(exports.page_absolute(), absolute.length).set(absolute)
+  view(exports.page_absolute(absolute.length), absolute.length).set(absolute)
   const place = exports.page_start(start ? start.rows : 0)
   if (start) view(place, start.numbers.length).set(start.numbers)
   const scale = parameters[data.parameters.indexOf("time_scale")] || 0
-  const code = exports.page_solve(resolution.cells, resolution.frames, durationOf(data, state), resolution.grading,
-    settings.relative * looser, settings.largest_step * scale, settings.method, resolution.max_steps)
+  const code = exports.page_solve(resolution.cells, resolution.fibres, resolution.frames, durationOf(data, state),
+    resolution.grading, settings.relative * looser, settings.largest_step * scale, settings.method, resolution.max_steps)
   const status = Array.from(view(exports.page_status(), 8)), [, reached, steps, , site, slot, frames, sites] = status
   const copied = (address, length) => view(address, length).slice()
   return {

@@ -1,10 +1,12 @@
 /* What a page in a browser calls: one filament at a time, solved and seen as `softcat run` does.
  *
- * page_layouts.h has the structures: that of the page, and that of its preview if it has fewer
- * fibres. Compiled with their C files, the runtime and the text of the observables into one WebAssembly
- * module. It has state, unlike all else here: buffers stay valid until the next page_solve. */
+ * Compiled with the C file of its structure, the runtime and the text of the observables into one
+ * WebAssembly module; page_rows.h says how many fields that text has. It has state, unlike all else
+ * here: buffers stay valid until the next page_solve. */
 #include "filament.h"
+#include "page_rows.h"
 #include "softcat_places.h"
+#include "softcat_section.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,51 +18,35 @@
 #define EXPORTED(name) name
 #endif
 
-enum { PARAMETERS = SOFTCAT_PARAMETERS, MOST_SLOTS = SOFTCAT_SLOTS, STATUS = 8 };
-
-typedef struct layout {
-    const softcat_structure *structure;
-    int rows, scratch;    /* fields of a site, and doubles that computing them takes */
-    int fibres;
-    const double *points; /* [tables * fibres] */
-} layout;
-
-#include "page_layouts.h"
+enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 8 };
 
 /* The text of the observables: rows of sites for each of `count` times in units of the scale. */
 int softcat_filament_observe(const softcat_filament *, int count, const double *times,
                              const double *states, double *out, double *scratch);
 
-static const layout *chosen = layouts;
-static double parameters[PARAMETERS], absolute[MOST_SLOTS], known[STATUS];
-static double *start, *memory, *fields, *midpoint, *work;
+static const softcat_structure *const structure = &softcat_filament_structure;
+static double parameters[PARAMETERS], known[STATUS];
+static double *absolute, *start, *memory, *fields, *midpoint, *work;
 static int start_rows;
-
-static size_t slots(void)
-{
-    return (size_t)chosen->structure->model->slots;
-}
-
-void EXPORTED(page_choose)(int which)
-{
-    chosen = &layouts[which];
-}
 
 double *EXPORTED(page_parameters)(void)
 {
     return parameters;
 }
 
-double *EXPORTED(page_absolute)(void)
+/* Room for the tolerances of so many unknowns of a site. */
+double *EXPORTED(page_absolute)(int slots)
 {
-    return absolute;
+    free(absolute);
+    return absolute = malloc((size_t)slots * sizeof(double));
 }
 
-/* Room for X of the nodes, then for the unknowns; NULL without memory, and for no rows. */
+/* Room for X of the nodes, then for the unknowns with the scene's fibres; NULL without memory, and
+ * for no rows. */
 double *EXPORTED(page_start)(int rows)
 {
     free(start);
-    start = rows > 0 ? calloc((size_t)rows * (1 + slots()), sizeof(double)) : NULL;
+    start = rows > 0 ? calloc((size_t)rows * (1 + (size_t)SOFTCAT_SLOTS), sizeof(double)) : NULL;
     start_rows = start ? rows : 0;
     return start;
 }
@@ -91,12 +77,11 @@ const char *EXPORTED(page_explain)(int code)
 }
 
 /* Fields of the first `count` frames; `places` has room for X, places and scratch of the sites. */
-static void observe(int cells, int sites, double grading, int count, double *times,
-                    const double *states, double *places)
+static void observe(const softcat_sized *sized, int cells, int sites, double grading, int count,
+                    double *times, const double *states, double *places)
 {
-    const softcat_structure *structure = chosen->structure;
     double given[PARAMETERS], *X = places + (size_t)sites * (size_t)structure->model->places;
-    softcat_filament filament = {sites, given, places, chosen->fibres, chosen->points};
+    softcat_filament filament = {sites, given, places, sized->structure.points, sized->points};
     memcpy(given, parameters, sizeof given);
     double *scale = &given[structure->time_scale];
     if (*scale == 0.0) *scale = sqrt(given[structure->rest_length] / given[structure->gravity]);
@@ -107,12 +92,14 @@ static void observe(int cells, int sites, double grading, int count, double *tim
 }
 
 /* All that a run fills, in one piece; 0 if there is no such memory. */
-static int make_room(size_t frames, size_t sites, double **times, double **states, double **places)
+static int make_room(const softcat_sized *sized, size_t frames, size_t sites, double **times,
+                     double **states, double **places)
 {
-    const softcat_model *m = chosen->structure->model;
-    size_t each = (size_t)m->places + 1 + (size_t)chosen->scratch;
-    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * (size_t)chosen->rows,
-                      frames, frames * sites * slots(), sites * each};
+    const softcat_model *m = &sized->model;
+    size_t points = (size_t)sized->structure.points;
+    size_t each = (size_t)m->places + 1 + PAGE_SCRATCH(points);
+    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * PAGE_ROWS(points),
+                      frames, frames * sites * (size_t)m->slots, sites * each};
     double **parts[] = {&midpoint, &work, &fields, times, states, places};
     size_t sum = 0;
     for (int k = 0; k < 6; k++) sum += sizes[k];
@@ -132,24 +119,31 @@ static int finish(const softcat_status *status, int reached, int sites)
     return status->code;
 }
 
-/* Solve at `frames` even times from 0 to `duration`; largest_step and max_steps 0: no limit. */
-int EXPORTED(page_solve)(int cells, int frames, double duration, double grading, double relative,
-                         double largest_step, int method, int max_steps)
+/* Solve at `frames` even times from 0 to `duration`; fibres 0: as the scene; largest_step and
+ * max_steps 0: no limit. */
+int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, double grading,
+                         double relative, double largest_step, int method, int max_steps)
 {
-    const softcat_structure *structure = chosen->structure;
+    softcat_sized sized;
     softcat_status status = {.worst_site = -1, .worst_slot = -1};
     int reached = 0, sites = softcat_structure_row(structure, cells) / softcat_axes(structure);
     double *times, *states, *places;
     const softcat_table table = {start_rows, start, start + start_rows};
     const softcat_settings settings = {
-        .grading = grading, .relative = relative, .absolutes = absolute, .method = method,
+        .fibres = fibres, .grading = grading, .relative = relative, .absolutes = absolute,
+        .method = method,
         .largest_step = largest_step > 0.0 ? largest_step : duration, .max_steps = max_steps,
         .start = start ? &table : NULL};
+    status.code = softcat_size(structure, parameters, fibres, &sized);
     if (frames < 2) status.code = SOFTCAT_BAD_TIMES;
     else if (sites == 0) status.code = SOFTCAT_BAD_CELLS;
-    else if (!make_room((size_t)frames, (size_t)sites, &times, &states, &places))
+    else if (!status.code
+             && !make_room(&sized, (size_t)frames, (size_t)sites, &times, &states, &places))
         status.code = SOFTCAT_MEMORY;
-    if (status.code) return finish(&status, 0, 0);
+    if (status.code) {
+        softcat_unsize(&sized);
+        return finish(&status, 0, 0);
+    }
     for (int j = 0; j < frames; j++) {
         times[j] = duration * j / (frames - 1);
         midpoint[j] = NAN;
@@ -158,6 +152,7 @@ int EXPORTED(page_solve)(int cells, int frames, double duration, double grading,
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
                             &status);
     while (reached < frames && isfinite(midpoint[reached])) reached++;
-    if (reached) observe(cells, sites, grading, reached, times, states, places);
+    if (reached) observe(&sized, cells, sites, grading, reached, times, states, places);
+    softcat_unsize(&sized);
     return finish(&status, reached, sites);
 }
