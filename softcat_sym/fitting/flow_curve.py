@@ -14,6 +14,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
 from softcat_sym.scene.csv_reader import (
     Column,
@@ -198,8 +199,23 @@ class ShearLaw:
         """How many constants are fitted."""
         return 1 + self.has_yield + self.has_index
 
+    def contains(self, other: ShearLaw) -> bool:
+        """Whether the other law is this one with fewer constants."""
+        return self.has_yield >= other.has_yield and self.has_index >= other.has_index
 
-LAWS = (ShearLaw("bingham", True, False), ShearLaw("power-law", False, True), ShearLaw("herschel-bulkley", True, True))
+    @property
+    def rank(self) -> tuple[int, bool]:
+        """Which comes first of laws that fit equally well: the fewest constants, no yield stress."""
+        return self.constants, self.has_yield
+
+
+LAWS = (
+    ShearLaw("newtonian", False, False),
+    ShearLaw("bingham", True, False),
+    ShearLaw("power-law", False, True),
+    ShearLaw("herschel-bulkley", True, True),
+)
+_BY_NAME = {law.name: law for law in LAWS}
 
 
 @dataclass(frozen=True)
@@ -215,13 +231,12 @@ class Tensile:
 class Candidate:
     """One law, fitted."""
 
-    law: str  # ``"bingham"``, ``"power-law"`` or ``"herschel-bulkley"``, as in a scene
+    law: str  # Its name in `LAWS`, as in a scene
     tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
     k: Estimate
     n: Estimate | None
     relative_rms: float  # Root mean square of the relative residuals
-    aic: float  # Akaike's criterion, and corrected for few points; the latter is infinite with too few points for it
-    aicc: float
+    criterion: float  # `CRITERION`, without a common constant; infinite with too few points for it
     fitted: Floats  # shape (points,); Stress of the law [Pa]
     residuals: Floats  # shape (points,); (fitted - measured)/measured
 
@@ -244,7 +259,7 @@ class Candidate:
         if self.k.value <= 0:
             return "its stress does not rise with the shear rate: it has no viscosity"
         if self.tau_Y is not None and self.tau_Y.value <= 0:
-            return "its yield stress is zero: take power-law"
+            return f"its yield stress is zero: take {'power-law' if self.n else 'newtonian'}"
         return None
 
     @property
@@ -252,7 +267,8 @@ class Candidate:
         """Scene keys with their units, the shear data as fitted; empty for a law that is `unfit`."""
         if self.unfit:
             return {}
-        keys: dict[str, str | float] = {"material.law": self.law}
+        # A Newtonian fluid with the modulus of the scene is Maxwell's.
+        keys: dict[str, str | float] = {"material.law": "maxwell" if self.law == "newtonian" else self.law}
         if self.tau_Y is not None:
             keys["material.shear_yield_stress"] = f"{_written(self.tau_Y.value)} Pa"
         if self.n is None:
@@ -279,8 +295,7 @@ class Candidate:
             },
             "tensile": asdict(self.tensile),
             "relative_rms": self.relative_rms,
-            "aic": self.aic,
-            "aicc": self.aicc,
+            "criterion": self.criterion,
             "overrides": self.overrides,
             "unfit": self.unfit,
         }
@@ -412,6 +427,9 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     base = scene.replace(earlier) if isinstance(scene, Scene) else load_scene(scene, earlier)
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes |= fit.overrides(law)
+    has_modulus = base.material.youngs_modulus is not None or "material.youngs_modulus" in later
+    if changes["material.law"] == "maxwell" and not has_modulus:
+        changes["material.law"] = "newtonian"
     for path, value in later.items():
         # Taken out and put back, so that it comes last and rules out the same constant given the other way.
         changes.pop(path, None)
@@ -419,15 +437,8 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     return base.replace(changes)
 
 
-CRITERION = (
-    "least AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1) of the relative residuals (model - measured)/measured, "
-    "N points, p constants with the variance among them (Akaike 1974, Hurvich and Tsai 1989)"
-)
-
 # Relative residuals below this are rounding, of the file's digits or of the arithmetic: they choose no law.
 _ROUNDING = 1e-9
-# A difference of AICc below two tells two laws hardly apart (Burnham and Anderson 2002, 2.6).
-_CLOSE = 2.0
 _POOR = 0.1
 
 
@@ -448,7 +459,7 @@ class FlowCurveFit:
 
     def to_dict(self, law: str | None = None) -> dict[str, Any]:
         """What ``flow_curve.json`` holds, with the law that is handed on."""
-        curve, least = self.curve, self.best.aicc
+        curve, least = self.curve, self.best.criterion
         return {
             "curve": str(curve.path) if curve.path else None,
             "points": len(curve.shear_rate),
@@ -458,7 +469,7 @@ class FlowCurveFit:
             "overrides": self.candidate(law).overrides,
             "criterion": CRITERION,
             "conversion": CONVERSION,
-            "candidates": {one.law: one.to_dict() | {"delta_aicc": one.aicc - least} for one in self.candidates},
+            "candidates": {one.law: one.to_dict() | {"above_best": one.criterion - least} for one in self.candidates},
             "warnings": list(self.warnings),
         }
 
@@ -472,7 +483,7 @@ class FlowCurveFit:
 
     @property
     def best(self) -> Candidate:
-        """The law of least AICc."""
+        """The law of the least criterion."""
         return self.candidates[0]
 
     def candidate(self, law: str | None = None) -> Candidate:
@@ -489,6 +500,16 @@ class FlowCurveFit:
             raise SoftcatError(f"no law {law!r} is fitted{did_you_mean(str(law), names)}: take {', '.join(names)}")
         return found[0]
 
+    @property
+    def _close(self) -> bool:
+        """Whether the second law fits about as well: within the charge of a constant.
+
+        Of a law that contains the best one, which never fits worse, if its constant gains half its charge.
+        """
+        (best, one), (second, other) = ((each, _BY_NAME[each.law]) for each in self.candidates[:2])
+        last = charge(len(self.curve.shear_rate), max(one.constants, other.constants))
+        return second.criterion - best.criterion < (0.5 if other.contains(one) else 1.0) * last
+
     def overrides(self, law: str | None = None) -> dict[str, str | float]:
         """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
 
@@ -501,7 +522,8 @@ class FlowCurveFit:
         -------
         dict of str to str or float
             ``material.law``, the shear constants as text with their units, and the index, a number. A scene of another
-            law has constants that must go: :func:`softcat_sym.fitting.fitted_scene` sees to that.
+            law has constants that must go, and one without a modulus takes ``newtonian`` in place of ``maxwell``:
+            :func:`softcat_sym.fitting.fitted_scene` sees to that.
 
         Raises
         ------
@@ -518,13 +540,9 @@ class FlowCurveFit:
         """What a reader must know beside the numbers."""
         best, second = self.candidates[:2]
         found = list(self.curve.warnings)
-        points, needed = len(self.curve.shear_rate), max(law.constants for law in LAWS) + 3
-        if points < needed:
-            found.append(f"{points} points are too few to compare every law by AICc, which needs {needed}")
-        if second.aicc - best.aicc < _CLOSE:
-            found.append(
-                f"{best.law} and {second.law} are hardly told apart (AICc differs by {second.aicc - best.aicc:.2g})"
-            )
+        if self._close:
+            above = second.criterion - best.criterion
+            found.append(f"{best.law} and {second.law} are hardly told apart (the criterion differs by {above:.2g})")
         if best.relative_rms > _POOR:
             found.append(f"the best law, {best.law}, misses the data by {100 * best.relative_rms:.2g} % (rms)")
         for name, one in (("yield stress", best.tau_Y), ("consistency", best.k), ("flow index", best.n)):
@@ -534,7 +552,7 @@ class FlowCurveFit:
 
 
 def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
-    """Fit Bingham, Herschel-Bulkley and power law to a flow curve, by relative least squares, and compare them.
+    """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. Within these bounds the
     optimum is global: for a given index the other two follow in closed form, and all indices are searched.
@@ -547,7 +565,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
     Returns
     -------
     FlowCurveFit
-        The laws in the order of AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1), the best first.
+        The laws in the order of :data:`softcat_sym.fitting.criterion.CRITERION`, the best first.
 
     Raises
     ------
@@ -556,10 +574,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
     """
     data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve)
     candidates = [_fit(data, law) for law in LAWS]
-    # Of a Newtonian fluid Bingham and the power law are the same; a scene takes the latter. With too few points for
-    # AICc, the fewest constants come first, then the least squares.
-    fewest = {law.name: law.constants for law in LAWS}
-    candidates.sort(key=lambda one: (one.aicc, fewest[one.law], one.unfit is not None, one.aic))
+    candidates.sort(key=lambda one: (one.criterion, _BY_NAME[one.law].rank))
     return FlowCurveFit(data, tuple(candidates))
 
 
@@ -575,17 +590,14 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
     squares = float(np.sum((fitted / stress - 1) ** 2))
     values = {"tau_Y": tau_Y, "k": k, "n": n}
     judged = _judged(rate, stress, law, values, squares)
-    points, p = len(rate), law.constants + 1
-    aic = points * math.log(max(squares / points, _ROUNDING**2)) + 2 * p
-    spare = points - p - 1
+    points = len(rate)
     return Candidate(
         law=law.name,
         tau_Y=judged["tau_Y"] if law.has_yield else None,
         k=judged["k"],
         n=judged["n"] if law.has_index else None,
         relative_rms=math.sqrt(squares / points),
-        aic=aic,
-        aicc=aic + 2 * p * (p + 1) / spare if spare > 0 else math.inf,
+        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, law.constants),
         fitted=fitted,
         residuals=fitted / stress - 1,
     )
