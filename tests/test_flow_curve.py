@@ -50,12 +50,17 @@ READ = {
     "units": "shear_rate_1/min,shear_stress_mPa\n60,14000\n600,2e4\n6e3,4e4\n60000,9e4\n",
     "s^-1": "shear rate (s^-1),shear_stress_Pa\n" + ROWS,
     "s-1": "shear rate [s-1],shear stress [Pa]\n" + ROWS,
+    "slashes": "Shear rate / 1/s,Stress / Pa\n" + ROWS,
+    "one sample": "sample_id,shear_rate_1/s,stress_Pa\n" + "".join(f"ink,{row}\n" for row in ROWS.split()),
 }
 
 REFUSED = [
     ("", "holds no data"),
     (HEADER, "0 distinct shear rates; accepted: at least 4"),
-    ("shear_rate_1_s,stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'stress_Pa'"),
+    ("shear_rate_1_s,sheer_stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'sheer_stress_Pa'"),
+    ("shear_rate_1_s,shear_stress_Pa,Stress (Pa)\n" + ROWS, r"2 columns for one quantity: shear_stress_Pa, Stress"),
+    ("shear_rate_rpm,shear_stress_Pa\n" + ROWS, "rpm is a speed of rotation"),
+    ("Sample,shear_rate_1_s,shear_stress_Pa\nink,1,2\nclay,1,3\n", "2 samples; accepted: --sample with .* ink, clay"),
     ("shear_rate_1_s shear_stress_Pa\n", "separated by commas, semicolons or tabs"),
     ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns for one quantity: shear_rate_1_s, shear"),
     ("shear_rate_1_s,shear stress [kbananas]\n" + ROWS, r"column 'shear stress \[kbananas\]': unknown unit"),
@@ -83,6 +88,19 @@ def test_what_rheometers_write_is_read(tmp_path: Path) -> None:
         assert (curve.shear_rate.tolist(), curve.shear_stress.tolist()) == ([1, 10, 100, 1000], [14, 20, 40, 90]), name
     path.write_text(HEADER + ROWS + "5\n")
     assert read_flow_curve(path).warnings == ("Left out 1 of 5 rows without a number (line 6).",)
+
+
+def test_one_of_several_samples(tmp_path: Path, softcat: Softcat) -> None:
+    path = tmp_path / "inks.csv"
+    rows = "".join(f"{name},{row}\n" for row in ROWS.split() for name in ("a", "b"))
+    path.write_text("sample_id,shear_rate_1/s,stress_Pa\n" + rows.replace("b,1,14", "b,1,19"))
+    assert read_flow_curve(path, "b").shear_stress.tolist() == [19, 20, 40, 90]
+    with pytest.raises(SoftcatError, match="no sample 'c'; accepted: --sample with one of a, b"):
+        fit_flow_curve(path, "c")
+    assert softcat("flow-curve", str(path), "--sample", "b", "-o", str(tmp_path / "out"), "-q").status == 0
+    path.write_text(HEADER + ROWS)
+    with pytest.raises(SoftcatError, match=r"no sample 'b'.*one of a column sample_id"):
+        fit_flow_curve(path, "b")
 
 
 def test_bad_files_and_points_are_one_clear_refusal(tmp_path: Path) -> None:
@@ -272,6 +290,7 @@ def test_laws_on_a_bound_and_data_that_determine_little() -> None:
     assert tau_Y is not None and (tau_Y.verdict, tau_Y.interval) == ("on a bound", None)
     with pytest.raises(SoftcatError, match="yield stress is zero: take newtonian"):
         newtonian.overrides("bingham")
+    assert not any("falls" in text for text in fit_flow_curve(FlowCurve(RATE, 0 * RATE + 0.1)).warnings)
     falling = fit_flow_curve(FlowCurve(RATE, 10 * RATE**-0.2))
     assert any("falls" in text for text in falling.warnings)
     yielding = falling.candidate("herschel-bulkley")

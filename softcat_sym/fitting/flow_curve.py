@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,11 +42,18 @@ RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
 """Names of the two columns that are read, with their SI units."""
 
 # Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
+_STRESS_KIND = (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
 _KNOWN = {
     "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
-    "shear_stress": (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]"),
+    "shear_stress": _STRESS_KIND,
+    "stress": _STRESS_KIND,
 }
 _NAME = header_pattern(_KNOWN)
+_SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
+"""Name of a column that says which sample a row is of."""
+
+_TURNS = frozenset({"rpm", "rps"})
+"""Units that Pint takes for 1/s; but a speed of rotation is no shear rate."""
 
 FEWEST = 4
 """Distinct rates that are needed: one more than Herschel-Bulkley has constants."""
@@ -101,7 +109,8 @@ class FlowCurve:
                 "a yield stress is an extrapolation and hardly determined"
             )
         log_rate = np.log(self.shear_rate)
-        if np.sum((log_rate - log_rate.mean()) * np.log(self.shear_stress)) < 0:
+        # Beyond rounding, which a constant stress leaves.
+        if np.polyfit(log_rate, np.log(self.shear_stress), 1)[0] < -_ROUNDING:
             found.append(
                 "the flow curve falls: stress decreases with shear rate overall, as with thixotropy, wall slip or "
                 "shear banding; no law of steady flow describes that"
@@ -109,16 +118,18 @@ class FlowCurve:
         return tuple(found)
 
 
-def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
+def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> FlowCurve:
     """Read a flow curve from a CSV file.
 
     Parameters
     ----------
     path : str or path
         UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
-        (``shear_stress_kPa``, ``Shear rate [1/s]``); other columns are not read, nor are empty lines and lines that
-        start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal points or commas;
-        rows without a number are left out, up to a third of them.
+        (``shear_stress_kPa``, ``Shear rate [1/s]``, ``Stress / Pa``); other columns are not read, nor are empty lines
+        and lines that start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal
+        points or commas; rows without a number are left out, up to a third of them.
+    sample : str, optional
+        The rows to take, where a column ``sample`` (or ``sample_id``) names several samples.
 
     Returns
     -------
@@ -134,7 +145,9 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
     cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
     if cells is None:
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    table, faults = numbers_in(cells, _columns(cells, file), lambda _, value: _wrong(value))
+    columns = _columns(cells, file)
+    cells = _of_sample(cells, sample, file)
+    table, faults = numbers_in(cells, columns, lambda _, value: _wrong(value))
     if faults:
         raise _refusal(file, faults)
     missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
@@ -156,11 +169,13 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
         known, unit, _ = named(match)
         quantity, dimension, si, accepted = _KNOWN[known]
         try:
+            if unit.lower() in _TURNS:
+                raise NotAQuantity(f"{unit} is a speed of rotation, which only the geometry turns into a shear rate")
             columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
         except NotAQuantity as found:
             faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
             faulty.add(quantity)
-    for quantity, _, _, accepted in _KNOWN.values():
+    for quantity, _, _, accepted in dict.fromkeys(_KNOWN.values()):
         several = columns[quantity]
         if not several and quantity not in faulty:
             faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
@@ -170,6 +185,19 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
     if faults:
         raise _refusal(file, faults)
     return {quantity: several[0] for quantity, several in columns.items()}
+
+
+def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:
+    """Take the rows of one sample."""
+    place = next((k for k, name in enumerate(table.header) if _SAMPLE.fullmatch(name.strip())), len(table.header))
+    of = [cells[place] if place < len(cells) else "" for _, cells in table.rows]
+    names = [name for name in dict.fromkeys(of) if name]
+    if sample is None and len(names) < 2:
+        return table
+    if sample not in names:
+        found = f"no sample {sample!r}{did_you_mean(sample, names)}" if sample else counted(len(names), "sample")
+        raise _refusal(file, [Fault("", found, f"--sample with one of {', '.join(names) or 'a column sample_id'}")])
+    return replace(table, rows=[row for row, name in zip(table.rows, of, strict=True) if name == sample])
 
 
 def _wrong(value: float) -> tuple[str, str] | None:
@@ -551,7 +579,7 @@ class FlowCurveFit:
         return tuple(found)
 
 
-def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
+def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None = None) -> FlowCurveFit:
     """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. Within these bounds the
@@ -561,6 +589,8 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
     ----------
     curve : str, path or FlowCurve
         A CSV file with the columns ``shear_rate_1_s`` and ``shear_stress_Pa``, or the points.
+    sample : str, optional
+        Which sample of a file that holds several.
 
     Returns
     -------
@@ -572,7 +602,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
     SoftcatError
         If the file or the points make no flow curve, with every fault.
     """
-    data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve)
+    data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve, sample)
     candidates = [_fit(data, law) for law in LAWS]
     candidates.sort(key=lambda one: (one.criterion, _BY_NAME[one.law].rank))
     return FlowCurveFit(data, tuple(candidates))

@@ -293,7 +293,9 @@ class LawComparison:
         """The verdict in words."""
         if self.choice.verdict == CANNOT:
             return f"{CANNOT}: {self.choice.reason}"
-        doubts = [f"nothing gained by the further constants of {', '.join(self.choice.wider)}"] if self.choice.wider else []
+        doubts = (
+            [f"nothing gained by the further constants of {', '.join(self.choice.wider)}"] if self.choice.wider else []
+        )
         if self.best.checks.verdict == "not white":
             doubts.append("its residuals are not white")
         if not self.best.outcome.converged:
