@@ -293,6 +293,10 @@ def test_laws_on_a_bound_and_data_that_determine_little() -> None:
     assert not any("falls" in text for text in fit_flow_curve(FlowCurve(RATE, 0 * RATE + 0.1)).warnings)
     falling = fit_flow_curve(FlowCurve(RATE, 10 * RATE**-0.2))
     assert any("falls" in text for text in falling.warnings)
+    few = fit_flow_curve(FlowCurve([0.1, 1, 10, 100, 1000], [100, 60, 40, 20, 10]))
+    with pytest.raises(SoftcatError, match="cannot be handed on: the flow curve falls"):
+        few.overrides()
+    assert few.overrides("newtonian")["material.law"] == "maxwell"
     yielding = falling.candidate("herschel-bulkley")
     assert (yielding.k.value, yielding.k.verdict) == (0, "on a bound")
     assert yielding.n is not None and yielding.n.verdict == "undetermined"

@@ -100,6 +100,11 @@ class FlowCurve:
         return float(np.log10(self.shear_rate.max() / self.shear_rate.min()))
 
     @property
+    def falls(self) -> bool:
+        """Whether the stress decreases with the shear rate overall, beyond the rounding that a constant one leaves."""
+        return float(np.polyfit(np.log(self.shear_rate), np.log(self.shear_stress), 1)[0]) < -_ROUNDING
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """What a reader must know about the data themselves."""
         found = list(self.notes)
@@ -108,9 +113,7 @@ class FlowCurve:
                 f"the shear rates span a factor of {10**self.decades:.3g}, less than a decade: "
                 "a yield stress is an extrapolation and hardly determined"
             )
-        log_rate = np.log(self.shear_rate)
-        # Beyond rounding, which a constant stress leaves.
-        if np.polyfit(log_rate, np.log(self.shear_stress), 1)[0] < -_ROUNDING:
+        if self.falls:
             found.append(
                 "the flow curve falls: stress decreases with shear rate overall, as with thixotropy, wall slip or "
                 "shear banding; no law of steady flow describes that"
@@ -559,8 +562,11 @@ class FlowCurveFit:
             If no such law was fitted, or the fit is one that no scene can take.
         """
         candidate = self.candidate(law)
-        if candidate.unfit:
-            raise SoftcatError(f"the fit of {candidate.law} cannot be handed on: {candidate.unfit}")
+        unfit = candidate.unfit
+        if law is None and self.curve.falls:
+            unfit = "the flow curve falls; a law that is named is handed on all the same"
+        if unfit:
+            raise SoftcatError(f"the fit of {candidate.law} cannot be handed on: {unfit}")
         return candidate.overrides
 
     @property
