@@ -149,14 +149,14 @@ with TemporaryDirectory() as folder:
     table.write_text(f"shear_rate_1_s,shear_stress_Pa\n{rows}\n", encoding="utf-8")
     fit = sc.fit_flow_curve(table)
 for one in fit.candidates:
-    print(f"{one.law:17} misses the data by {100 * one.relative_rms:4.1f} %, AICc {one.aicc:6.1f}")
+    print(f"{one.law:17} misses the data by {100 * one.relative_rms:4.1f} %, criterion {one.criterion:6.1f}")
 assert fit.best.law == "herschel-bulkley"
 
 figure, axes = plt.subplots(figsize=(6.4, 4))
 axes.loglog(rate, stress, "o", label="measured")
 for one in fit.candidates:
     axes.loglog(rate, one.fitted, label=one.law)
-axes.set(xlabel="shear rate [1/s]", ylabel="shear stress [Pa]", title="Flow curve and three laws")
+axes.set(xlabel="shear rate [1/s]", ylabel="shear stress [Pa]", title="Flow curve and the laws")
 axes.legend()
 figure.tight_layout()
 

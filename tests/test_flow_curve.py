@@ -12,15 +12,18 @@ import pandas as pd
 import pytest
 from rich.console import Console
 from scipy.optimize import least_squares
+from scipy.stats import chi2
 from scipy.stats import t as student
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
     INDEX_BOUNDS,
     Candidate,
     FlowCurve,
     fit_flow_curve,
+    fitted_scene,
     linear_part,
     read_flow_curve,
 )
@@ -30,7 +33,7 @@ from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
 from tests.common.in_process import Softcat, sets
 
-LAWS = ("bingham", "power-law", "herschel-bulkley")
+LAWS = ("newtonian", "bingham", "power-law", "herschel-bulkley")
 ROWS = "1,14\n10,20\n100,40\n1000,90\n"
 HEADER = "shear_rate_1_s,shear_stress_Pa\n"
 
@@ -47,12 +50,17 @@ READ = {
     "units": "shear_rate_1/min,shear_stress_mPa\n60,14000\n600,2e4\n6e3,4e4\n60000,9e4\n",
     "s^-1": "shear rate (s^-1),shear_stress_Pa\n" + ROWS,
     "s-1": "shear rate [s-1],shear stress [Pa]\n" + ROWS,
+    "slashes": "Shear rate / 1/s,Stress / Pa\n" + ROWS,
+    "one sample": "sample_id,shear_rate_1/s,stress_Pa\n" + "".join(f"ink,{row}\n" for row in ROWS.split()),
 }
 
 REFUSED = [
     ("", "holds no data"),
     (HEADER, "0 distinct shear rates; accepted: at least 4"),
-    ("shear_rate_1_s,stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'stress_Pa'"),
+    ("shear_rate_1_s,sheer_stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'sheer_stress_Pa'"),
+    ("shear_rate_1_s,shear_stress_Pa,Stress (Pa)\n" + ROWS, r"2 columns for one quantity: shear_stress_Pa, Stress"),
+    ("shear_rate_rpm,shear_stress_Pa\n" + ROWS, "rpm is a speed of rotation"),
+    ("Sample,shear_rate_1_s,shear_stress_Pa\nink,1,2\nclay,1,3\n", "2 samples; accepted: --sample with .* ink, clay"),
     ("shear_rate_1_s shear_stress_Pa\n", "separated by commas, semicolons or tabs"),
     ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns for one quantity: shear_rate_1_s, shear"),
     ("shear_rate_1_s,shear stress [kbananas]\n" + ROWS, r"column 'shear stress \[kbananas\]': unknown unit"),
@@ -80,6 +88,19 @@ def test_what_rheometers_write_is_read(tmp_path: Path) -> None:
         assert (curve.shear_rate.tolist(), curve.shear_stress.tolist()) == ([1, 10, 100, 1000], [14, 20, 40, 90]), name
     path.write_text(HEADER + ROWS + "5\n")
     assert read_flow_curve(path).warnings == ("Left out 1 of 5 rows without a number (line 6).",)
+
+
+def test_one_of_several_samples(tmp_path: Path, softcat: Softcat) -> None:
+    path = tmp_path / "inks.csv"
+    rows = "".join(f"{name},{row}\n" for row in ROWS.split() for name in ("a", "b"))
+    path.write_text("sample_id,shear_rate_1/s,stress_Pa\n" + rows.replace("b,1,14", "b,1,19"))
+    assert read_flow_curve(path, "b").shear_stress.tolist() == [19, 20, 40, 90]
+    with pytest.raises(SoftcatError, match="no sample 'c'; accepted: --sample with one of a, b"):
+        fit_flow_curve(path, "c")
+    assert softcat("flow-curve", str(path), "--sample", "b", "-o", str(tmp_path / "out"), "-q").status == 0
+    path.write_text(HEADER + ROWS)
+    with pytest.raises(SoftcatError, match=r"no sample 'b'.*one of a column sample_id"):
+        fit_flow_curve(path, "b")
 
 
 def test_bad_files_and_points_are_one_clear_refusal(tmp_path: Path) -> None:
@@ -120,7 +141,7 @@ def constants(one: Candidate) -> list[float]:
 def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
     """Constants and sum of squares from SciPy's trust region, the best of many starts; k is fitted by its logarithm."""
     rate, stress = curve.shear_rate, curve.shear_stress
-    has_yield, has_index = law != "power-law", law != "bingham"
+    has_yield, has_index = law in ("bingham", "herschel-bulkley"), law in ("power-law", "herschel-bulkley")
 
     def unpack(x: np.ndarray) -> tuple[float, float, float]:
         rest = list(x)
@@ -200,20 +221,39 @@ def test_bingham_data_prefer_bingham_to_a_third_constant() -> None:
     assert chosen.count("bingham") >= 30 and "power-law" not in chosen
 
 
-def test_the_criterion_is_aicc() -> None:
+def test_a_constant_is_charged_what_chance_gains() -> None:
+    random = np.random.default_rng(8)
+    for points, constants in ((4, 3), (6, 2), (12, 3), (40, 2)):
+        columns = random.standard_normal((points, constants))
+        data = random.standard_normal((points, 4000))
+        narrow, wide = (np.linalg.lstsq(columns[:, :k], data, rcond=None)[1] for k in (constants - 1, constants))
+        gains = points * np.log(narrow / wide)
+        # Three standard deviations of a binomial with 4000 draws are 1.7 %.
+        assert np.mean(gains > charge(points, constants)) == pytest.approx(chi2.sf(2, 1), abs=0.018)
+    assert charge(100_000, 3) == pytest.approx(2, abs=1e-3) and charge(4, 3, noise_known=True) == 2
+    assert math.isinf(charge(3, 3))
+
+
+def test_the_criterion_ranks() -> None:
     data = curve_of(12.0, 3.4, 0.43, noise=0.05)
-    for points, needs in ((26, ()), (7, ()), (5, ("herschel-bulkley",)), (4, LAWS)):
+    for points in (26, 7, 5, 4):
         thin = np.linspace(0, RATE.size - 1, points).astype(int)
         fit = fit_flow_curve(FlowCurve(data.shear_rate[thin], data.shear_stress[thin]))
         for one in fit.candidates:
-            p = len(constants(one)) + 1
-            aic = points * math.log(np.mean(one.residuals**2)) + 2 * p
-            exact = math.inf if one.law in needs else aic + 2 * p * (p + 1) / (points - p - 1)
-            assert (one.aic, one.aicc) == pytest.approx((aic, exact))
-        assert [one.aicc for one in fit.candidates] == sorted(one.aicc for one in fit.candidates)
-        # Five points or fewer never speak for three constants.
-        assert points > 5 or fit.best.law != "herschel-bulkley"
-        assert any("too few" in text for text in fit.warnings) == (points < 6)
+            charged = sum(charge(points, k + 1) for k in range(len(constants(one))))
+            assert one.criterion == pytest.approx(points * math.log(np.mean(one.residuals**2)) + charged)
+        assert [one.criterion for one in fit.candidates] == sorted(one.criterion for one in fit.candidates)
+
+
+def test_six_points_of_an_ink_are_no_power_law() -> None:
+    """AICc charged 28 more for the third constant, and chose a power law with 11 % instead of 1.3 %."""
+    rate = np.geomspace(0.1, 100, 6)
+    error = 0.018 * np.array([1, -1, -1, 1, 1, -1])
+    fit = fit_flow_curve(FlowCurve(rate, (12 + 6 * rate**0.5) * (1 + error)))
+    narrow, wide = fit.candidate("power-law"), fit.candidate("herschel-bulkley")
+    assert narrow.relative_rms > 5 * wide.relative_rms
+    aicc = {one: 6 * math.log(one.relative_rms**2) + charged for one, charged in ((narrow, 18), (wide, 48))}
+    assert aicc[narrow] < aicc[wide] and fit.best is wide
 
 
 def test_tension_follows_from_shear_by_von_mises() -> None:
@@ -241,14 +281,22 @@ def test_tension_follows_from_shear_by_von_mises() -> None:
 
 def test_laws_on_a_bound_and_data_that_determine_little() -> None:
     newtonian = fit_flow_curve(curve_of(0.0, 2.0, 1.0))
-    consistency = {"material.shear_consistency": "2 Pa*s^1", "material.index": 1}
-    assert newtonian.overrides() == {"material.law": "power-law", **consistency}
+    assert newtonian.best.law == "newtonian"
+    assert newtonian.overrides() == {"material.law": "maxwell", "material.shear_viscosity": "2 Pa*s"}
+    for scene, law in (("cold-honey", "newtonian"), ("no-yield", "maxwell")):
+        material = fitted_scene(newtonian, scene).material
+        assert (material.law, material.viscosity) == (law, pytest.approx(6))
     tau_Y = newtonian.candidate("bingham").tau_Y
     assert tau_Y is not None and (tau_Y.verdict, tau_Y.interval) == ("on a bound", None)
-    with pytest.raises(SoftcatError, match="yield stress is zero: take power-law"):
+    with pytest.raises(SoftcatError, match="yield stress is zero: take newtonian"):
         newtonian.overrides("bingham")
+    assert not any("falls" in text for text in fit_flow_curve(FlowCurve(RATE, 0 * RATE + 0.1)).warnings)
     falling = fit_flow_curve(FlowCurve(RATE, 10 * RATE**-0.2))
     assert any("falls" in text for text in falling.warnings)
+    few = fit_flow_curve(FlowCurve([0.1, 1, 10, 100, 1000], [100, 60, 40, 20, 10]))
+    with pytest.raises(SoftcatError, match="cannot be handed on: the flow curve falls"):
+        few.overrides()
+    assert few.overrides("newtonian")["material.law"] == "maxwell"
     yielding = falling.candidate("herschel-bulkley")
     assert (yielding.k.value, yielding.k.verdict) == (0, "on a bound")
     assert yielding.n is not None and yielding.n.verdict == "undetermined"
@@ -273,11 +321,11 @@ def test_files_table_and_document(paste: Path, softcat: Softcat, tmp_path: Path)
     output, files = tmp_path / "deep" / "out", {"flow_curve.json", "flow_curve.csv", "flow_curve.png"}
     done = softcat("flow-curve", str(paste), "-o", str(output))
     assert done.status == 0 and {path.name for path in output.iterdir()} == files
-    assert all(text in done.out for text in ("paste.csv", "herschel-bulkley", "AICc"))
+    assert all(text in done.out for text in ("paste.csv", "herschel-bulkley", "criterion"))
     fit, found = fit_flow_curve(paste), json.loads((output / "flow_curve.json").read_text())
     assert (found["best"], found["handed_on"], found["points"]) == ("herschel-bulkley", "herschel-bulkley", RATE.size)
     assert found["overrides"] == fit.overrides() and set(found["candidates"]) == set(LAWS)
-    assert found["candidates"]["herschel-bulkley"]["delta_aicc"] == 0
+    assert found["candidates"]["herschel-bulkley"]["above_best"] == 0
     best = found["candidates"]["herschel-bulkley"]["parameters"]
     assert set(best) == {"shear_yield_stress", "shear_consistency", "index"}
     assert best["index"]["ci95"][0] < 0.43 < best["index"]["ci95"][1]

@@ -23,7 +23,11 @@ def flow_curve(
         ),
     ] = None,
     law: Annotated[
-        str | None, typer.Option("--law", metavar="LAW", help="Hand this law on: bingham, power-law, herschel-bulkley.")
+        str | None,
+        typer.Option("--law", metavar="LAW", help="Hand this law on: newtonian, bingham, power-law, herschel-bulkley."),
+    ] = None,
+    sample: Annotated[
+        str | None, typer.Option("--sample", metavar="NAME", help="Of a file of several, named in a column sample_id.")
     ] = None,
     output: OutputOption = None,
     changes: SetOption = None,
@@ -38,7 +42,7 @@ def flow_curve(
     from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
     from softcat_sym.plotting.flow_curve import print_flow_curve, write_flow_curve
 
-    fit = fit_flow_curve(curve)
+    fit = fit_flow_curve(curve, sample)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
     output = output_directory(output, "flow-curve", scene, handed_on)
     written = write_flow_curve(fit, output, law, handed_on)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
 from softcat_sym.scene.csv_reader import (
     Column,
@@ -40,11 +42,18 @@ RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
 """Names of the two columns that are read, with their SI units."""
 
 # Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
+_STRESS_KIND = (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
 _KNOWN = {
     "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
-    "shear_stress": (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]"),
+    "shear_stress": _STRESS_KIND,
+    "stress": _STRESS_KIND,
 }
 _NAME = header_pattern(_KNOWN)
+_SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
+"""Name of a column that says which sample a row is of."""
+
+_TURNS = frozenset({"rpm", "rps"})
+"""Units that Pint takes for 1/s; but a speed of rotation is no shear rate."""
 
 FEWEST = 4
 """Distinct rates that are needed: one more than Herschel-Bulkley has constants."""
@@ -91,6 +100,11 @@ class FlowCurve:
         return float(np.log10(self.shear_rate.max() / self.shear_rate.min()))
 
     @property
+    def falls(self) -> bool:
+        """Whether the stress decreases with the shear rate overall, beyond the rounding that a constant one leaves."""
+        return float(np.polyfit(np.log(self.shear_rate), np.log(self.shear_stress), 1)[0]) < -_ROUNDING
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """What a reader must know about the data themselves."""
         found = list(self.notes)
@@ -99,8 +113,7 @@ class FlowCurve:
                 f"the shear rates span a factor of {10**self.decades:.3g}, less than a decade: "
                 "a yield stress is an extrapolation and hardly determined"
             )
-        log_rate = np.log(self.shear_rate)
-        if np.sum((log_rate - log_rate.mean()) * np.log(self.shear_stress)) < 0:
+        if self.falls:
             found.append(
                 "the flow curve falls: stress decreases with shear rate overall, as with thixotropy, wall slip or "
                 "shear banding; no law of steady flow describes that"
@@ -108,16 +121,18 @@ class FlowCurve:
         return tuple(found)
 
 
-def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
+def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> FlowCurve:
     """Read a flow curve from a CSV file.
 
     Parameters
     ----------
     path : str or path
         UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
-        (``shear_stress_kPa``, ``Shear rate [1/s]``); other columns are not read, nor are empty lines and lines that
-        start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal points or commas;
-        rows without a number are left out, up to a third of them.
+        (``shear_stress_kPa``, ``Shear rate [1/s]``, ``Stress / Pa``); other columns are not read, nor are empty lines
+        and lines that start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal
+        points or commas; rows without a number are left out, up to a third of them.
+    sample : str, optional
+        The rows to take, where a column ``sample`` (or ``sample_id``) names several samples.
 
     Returns
     -------
@@ -133,7 +148,9 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
     cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
     if cells is None:
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    table, faults = numbers_in(cells, _columns(cells, file), lambda _, value: _wrong(value))
+    columns = _columns(cells, file)
+    cells = _of_sample(cells, sample, file)
+    table, faults = numbers_in(cells, columns, lambda _, value: _wrong(value))
     if faults:
         raise _refusal(file, faults)
     missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
@@ -155,11 +172,13 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
         known, unit, _ = named(match)
         quantity, dimension, si, accepted = _KNOWN[known]
         try:
+            if unit.lower() in _TURNS:
+                raise NotAQuantity(f"{unit} is a speed of rotation, which only the geometry turns into a shear rate")
             columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
         except NotAQuantity as found:
             faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
             faulty.add(quantity)
-    for quantity, _, _, accepted in _KNOWN.values():
+    for quantity, _, _, accepted in dict.fromkeys(_KNOWN.values()):
         several = columns[quantity]
         if not several and quantity not in faulty:
             faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
@@ -169,6 +188,19 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
     if faults:
         raise _refusal(file, faults)
     return {quantity: several[0] for quantity, several in columns.items()}
+
+
+def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:
+    """Take the rows of one sample."""
+    place = next((k for k, name in enumerate(table.header) if _SAMPLE.fullmatch(name.strip())), len(table.header))
+    of = [cells[place] if place < len(cells) else "" for _, cells in table.rows]
+    names = [name for name in dict.fromkeys(of) if name]
+    if sample is None and len(names) < 2:
+        return table
+    if sample not in names:
+        found = f"no sample {sample!r}{did_you_mean(sample, names)}" if sample else counted(len(names), "sample")
+        raise _refusal(file, [Fault("", found, f"--sample with one of {', '.join(names) or 'a column sample_id'}")])
+    return replace(table, rows=[row for row, name in zip(table.rows, of, strict=True) if name == sample])
 
 
 def _wrong(value: float) -> tuple[str, str] | None:
@@ -198,8 +230,23 @@ class ShearLaw:
         """How many constants are fitted."""
         return 1 + self.has_yield + self.has_index
 
+    def contains(self, other: ShearLaw) -> bool:
+        """Whether the other law is this one with fewer constants."""
+        return self.has_yield >= other.has_yield and self.has_index >= other.has_index
 
-LAWS = (ShearLaw("bingham", True, False), ShearLaw("power-law", False, True), ShearLaw("herschel-bulkley", True, True))
+    @property
+    def rank(self) -> tuple[int, bool]:
+        """Which comes first of laws that fit equally well: the fewest constants, no yield stress."""
+        return self.constants, self.has_yield
+
+
+LAWS = (
+    ShearLaw("newtonian", False, False),
+    ShearLaw("bingham", True, False),
+    ShearLaw("power-law", False, True),
+    ShearLaw("herschel-bulkley", True, True),
+)
+_BY_NAME = {law.name: law for law in LAWS}
 
 
 @dataclass(frozen=True)
@@ -215,13 +262,12 @@ class Tensile:
 class Candidate:
     """One law, fitted."""
 
-    law: str  # ``"bingham"``, ``"power-law"`` or ``"herschel-bulkley"``, as in a scene
+    law: str  # Its name in `LAWS`, as in a scene
     tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
     k: Estimate
     n: Estimate | None
     relative_rms: float  # Root mean square of the relative residuals
-    aic: float  # Akaike's criterion, and corrected for few points; the latter is infinite with too few points for it
-    aicc: float
+    criterion: float  # `CRITERION`, without a common constant; infinite with too few points for it
     fitted: Floats  # shape (points,); Stress of the law [Pa]
     residuals: Floats  # shape (points,); (fitted - measured)/measured
 
@@ -244,7 +290,7 @@ class Candidate:
         if self.k.value <= 0:
             return "its stress does not rise with the shear rate: it has no viscosity"
         if self.tau_Y is not None and self.tau_Y.value <= 0:
-            return "its yield stress is zero: take power-law"
+            return f"its yield stress is zero: take {'power-law' if self.n else 'newtonian'}"
         return None
 
     @property
@@ -252,7 +298,8 @@ class Candidate:
         """Scene keys with their units, the shear data as fitted; empty for a law that is `unfit`."""
         if self.unfit:
             return {}
-        keys: dict[str, str | float] = {"material.law": self.law}
+        # A Newtonian fluid with the modulus of the scene is Maxwell's.
+        keys: dict[str, str | float] = {"material.law": "maxwell" if self.law == "newtonian" else self.law}
         if self.tau_Y is not None:
             keys["material.shear_yield_stress"] = f"{_written(self.tau_Y.value)} Pa"
         if self.n is None:
@@ -279,8 +326,7 @@ class Candidate:
             },
             "tensile": asdict(self.tensile),
             "relative_rms": self.relative_rms,
-            "aic": self.aic,
-            "aicc": self.aicc,
+            "criterion": self.criterion,
             "overrides": self.overrides,
             "unfit": self.unfit,
         }
@@ -412,6 +458,9 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     base = scene.replace(earlier) if isinstance(scene, Scene) else load_scene(scene, earlier)
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes |= fit.overrides(law)
+    has_modulus = base.material.youngs_modulus is not None or "material.youngs_modulus" in later
+    if changes["material.law"] == "maxwell" and not has_modulus:
+        changes["material.law"] = "newtonian"
     for path, value in later.items():
         # Taken out and put back, so that it comes last and rules out the same constant given the other way.
         changes.pop(path, None)
@@ -419,15 +468,8 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     return base.replace(changes)
 
 
-CRITERION = (
-    "least AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1) of the relative residuals (model - measured)/measured, "
-    "N points, p constants with the variance among them (Akaike 1974, Hurvich and Tsai 1989)"
-)
-
 # Relative residuals below this are rounding, of the file's digits or of the arithmetic: they choose no law.
 _ROUNDING = 1e-9
-# A difference of AICc below two tells two laws hardly apart (Burnham and Anderson 2002, 2.6).
-_CLOSE = 2.0
 _POOR = 0.1
 
 
@@ -448,7 +490,7 @@ class FlowCurveFit:
 
     def to_dict(self, law: str | None = None) -> dict[str, Any]:
         """What ``flow_curve.json`` holds, with the law that is handed on."""
-        curve, least = self.curve, self.best.aicc
+        curve, least = self.curve, self.best.criterion
         return {
             "curve": str(curve.path) if curve.path else None,
             "points": len(curve.shear_rate),
@@ -458,7 +500,7 @@ class FlowCurveFit:
             "overrides": self.candidate(law).overrides,
             "criterion": CRITERION,
             "conversion": CONVERSION,
-            "candidates": {one.law: one.to_dict() | {"delta_aicc": one.aicc - least} for one in self.candidates},
+            "candidates": {one.law: one.to_dict() | {"above_best": one.criterion - least} for one in self.candidates},
             "warnings": list(self.warnings),
         }
 
@@ -472,7 +514,7 @@ class FlowCurveFit:
 
     @property
     def best(self) -> Candidate:
-        """The law of least AICc."""
+        """The law of the least criterion."""
         return self.candidates[0]
 
     def candidate(self, law: str | None = None) -> Candidate:
@@ -489,6 +531,16 @@ class FlowCurveFit:
             raise SoftcatError(f"no law {law!r} is fitted{did_you_mean(str(law), names)}: take {', '.join(names)}")
         return found[0]
 
+    @property
+    def _close(self) -> bool:
+        """Whether the second law fits about as well: within the charge of a constant.
+
+        Of a law that contains the best one, which never fits worse, if its constant gains half its charge.
+        """
+        (best, one), (second, other) = ((each, _BY_NAME[each.law]) for each in self.candidates[:2])
+        last = charge(len(self.curve.shear_rate), max(one.constants, other.constants))
+        return second.criterion - best.criterion < (0.5 if other.contains(one) else 1.0) * last
+
     def overrides(self, law: str | None = None) -> dict[str, str | float]:
         """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
 
@@ -501,7 +553,8 @@ class FlowCurveFit:
         -------
         dict of str to str or float
             ``material.law``, the shear constants as text with their units, and the index, a number. A scene of another
-            law has constants that must go: :func:`softcat_sym.fitting.fitted_scene` sees to that.
+            law has constants that must go, and one without a modulus takes ``newtonian`` in place of ``maxwell``:
+            :func:`softcat_sym.fitting.fitted_scene` sees to that.
 
         Raises
         ------
@@ -509,8 +562,11 @@ class FlowCurveFit:
             If no such law was fitted, or the fit is one that no scene can take.
         """
         candidate = self.candidate(law)
-        if candidate.unfit:
-            raise SoftcatError(f"the fit of {candidate.law} cannot be handed on: {candidate.unfit}")
+        unfit = candidate.unfit
+        if law is None and self.curve.falls:
+            unfit = "the flow curve falls; a law that is named is handed on all the same"
+        if unfit:
+            raise SoftcatError(f"the fit of {candidate.law} cannot be handed on: {unfit}")
         return candidate.overrides
 
     @property
@@ -518,13 +574,9 @@ class FlowCurveFit:
         """What a reader must know beside the numbers."""
         best, second = self.candidates[:2]
         found = list(self.curve.warnings)
-        points, needed = len(self.curve.shear_rate), max(law.constants for law in LAWS) + 3
-        if points < needed:
-            found.append(f"{points} points are too few to compare every law by AICc, which needs {needed}")
-        if second.aicc - best.aicc < _CLOSE:
-            found.append(
-                f"{best.law} and {second.law} are hardly told apart (AICc differs by {second.aicc - best.aicc:.2g})"
-            )
+        if self._close:
+            above = second.criterion - best.criterion
+            found.append(f"{best.law} and {second.law} are hardly told apart (the criterion differs by {above:.2g})")
         if best.relative_rms > _POOR:
             found.append(f"the best law, {best.law}, misses the data by {100 * best.relative_rms:.2g} % (rms)")
         for name, one in (("yield stress", best.tau_Y), ("consistency", best.k), ("flow index", best.n)):
@@ -533,8 +585,8 @@ class FlowCurveFit:
         return tuple(found)
 
 
-def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
-    """Fit Bingham, Herschel-Bulkley and power law to a flow curve, by relative least squares, and compare them.
+def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None = None) -> FlowCurveFit:
+    """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. Within these bounds the
     optimum is global: for a given index the other two follow in closed form, and all indices are searched.
@@ -543,23 +595,22 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
     ----------
     curve : str, path or FlowCurve
         A CSV file with the columns ``shear_rate_1_s`` and ``shear_stress_Pa``, or the points.
+    sample : str, optional
+        Which sample of a file that holds several.
 
     Returns
     -------
     FlowCurveFit
-        The laws in the order of AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1), the best first.
+        The laws in the order of :data:`softcat_sym.fitting.criterion.CRITERION`, the best first.
 
     Raises
     ------
     SoftcatError
         If the file or the points make no flow curve, with every fault.
     """
-    data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve)
+    data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve, sample)
     candidates = [_fit(data, law) for law in LAWS]
-    # Of a Newtonian fluid Bingham and the power law are the same; a scene takes the latter. With too few points for
-    # AICc, the fewest constants come first, then the least squares.
-    fewest = {law.name: law.constants for law in LAWS}
-    candidates.sort(key=lambda one: (one.aicc, fewest[one.law], one.unfit is not None, one.aic))
+    candidates.sort(key=lambda one: (one.criterion, _BY_NAME[one.law].rank))
     return FlowCurveFit(data, tuple(candidates))
 
 
@@ -575,17 +626,14 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
     squares = float(np.sum((fitted / stress - 1) ** 2))
     values = {"tau_Y": tau_Y, "k": k, "n": n}
     judged = _judged(rate, stress, law, values, squares)
-    points, p = len(rate), law.constants + 1
-    aic = points * math.log(max(squares / points, _ROUNDING**2)) + 2 * p
-    spare = points - p - 1
+    points = len(rate)
     return Candidate(
         law=law.name,
         tau_Y=judged["tau_Y"] if law.has_yield else None,
         k=judged["k"],
         n=judged["n"] if law.has_index else None,
         relative_rms=math.sqrt(squares / points),
-        aic=aic,
-        aicc=aic + 2 * p * (p + 1) / spare if spare > 0 else math.inf,
+        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, law.constants),
         fitted=fitted,
         residuals=fitted / stress - 1,
     )

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.defaults import STARTS
 from softcat_sym.fitting.fit import Fit, fit, noise_scale
 from softcat_sym.fitting.flow_curve import REPLACED
+from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
@@ -23,8 +25,11 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.solvers.solution import Progress
 
-CLOSE = 2.0
-"""Difference of AICc below which two laws are not told apart (Burnham and Anderson 2002, section 2.6)."""
+CLOSE = 10.0
+"""Difference of the criterion from which on a law is ruled out (Burnham and Anderson 2002, section 2.6), one constant
+being charged 2; proportionally more where it is charged more."""
+
+CANNOT = "cannot tell"
 
 # Mean squares below this share of the data's are rounding, and choose no law.
 _ROUNDING = 1e-18
@@ -45,12 +50,12 @@ class Ranked:
     """A law in the table."""
 
     law: FittedLaw  # The fit
-    # Akaike's criterion (1974), corrected for few data (Hurvich and Tsai 1989; infinite with too few for it), and
-    # Schwarz' (1978); without their common constant. All infinite for a fit that failed.
+    # `CRITERION`, which ranks, Akaike's (1974) and Schwarz' (1978); without their common constant. All infinite for a
+    # fit that failed.
+    criterion: float
     aic: float
-    aicc: float
     bic: float
-    difference: float  # Of the criterion that ranks, less its least value; infinite for a fit that failed
+    difference: float  # Of the criterion, less its least value; infinite for a fit that failed
     weight: float  # exp(-difference/2), normalised: Akaike weight
 
 
@@ -59,49 +64,76 @@ class ModelChoice:
     """The table, the best law first, those that failed last."""
 
     table: tuple[Ranked, ...]  # All laws
-    close: tuple[str, ...]  # Laws within `CLOSE` of the best, the best among them
-    verdict: str  # The name of the best law, or ``"cannot tell"`` if it is not alone
-    # What ranks: ``"AICc"``, or ``"BIC"`` where a law has too many constants for that.
-    criterion: Literal["AICc", "BIC"] = "AICc"
+    close: tuple[str, ...]  # The best law, and those that are not ruled out
+    wider: tuple[str, ...]  # Laws that contain the best, and gain nothing by it: a test can never rule them out
+    verdict: str  # The name of the best law, or `CANNOT` if it is not alone
     reason: str = ""  # Why it cannot be told; empty if it can
 
 
-def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool) -> ModelChoice:
+def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, independent: float = 1.0) -> ModelChoice:
     """Rank laws that were fitted to the same data.
 
-    With known noise AIC = chi^2 + 2 k; with estimated noise AIC = m ln(RSS/m) + 2 (k + 1), the variance being one more
-    constant. AICc adds 2 K (K + 1)/(m - K - 1) with K constants, BIC has K ln m in place of 2 K.
+    Parameters
+    ----------
+    laws : sequence of FittedLaw
+        The fits.
+    points : int
+        Number m of data.
+    noise_known : bool
+        Whether the squares are chi^2: then the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
+        :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
+    independent : float
+        Share of the data that are independent of each other, by which differences count less.
 
-    AICc is infinite with m <= K + 1, which says nothing of the law: where that happens, BIC ranks all laws, and the
-    verdict is ``"cannot tell"``.
+    Returns
+    -------
+    ModelChoice
+        The best law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the
+        best and gains less by its further constants than half their charge.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
-    rows = [(law, *_criteria(law, points, noise_known=noise_known)) for law in laws]
-    crowded = [law.name for law, _, aicc, _ in rows if not law.failure and math.isinf(aicc)]
-    ranked = [(bic if crowded else aicc, law, aic, aicc, bic) for law, aic, aicc, bic in rows]
-    ranked.sort(key=lambda row: (bool(row[1].failure), row[0], row[1].unknowns))
-    least = ranked[0][0]
-    differences = [math.inf if math.isinf(row[0]) else row[0] - least for row in ranked]
-    weights = [math.exp(-0.5 * difference) for difference in differences]
-    total = sum(weights)
-    table = tuple(
-        Ranked(law, aic, aicc, bic, difference, weight / total if total > 0 else 0.0)
-        for (_, law, aic, aicc, bic), difference, weight in zip(ranked, differences, weights, strict=True)
+    rows = sorted(
+        ((*_criteria(law, points, noise_known=noise_known), law) for law in laws),
+        key=lambda row: (bool(row[-1].failure), row[0], row[-1].unknowns),
     )
-    fitted = tuple(row.law.name for row in table if not row.law.failure)
-    close = fitted if crowded else tuple(row.law.name for row in table if row.difference < CLOSE)
-    reason = _undecided(fitted, close, crowded, points)
-    return ModelChoice(table, close, "cannot tell" if reason else close[0], "BIC" if crowded else "AICc", reason)
+    least, best = rows[0][0], rows[0][-1]
+    differences = [math.inf if math.isinf(row[0]) else row[0] - least for row in rows]
+    weights = [math.exp(-0.5 * difference) for difference in differences]
+    total = sum(weights) or 1.0
+    table = tuple(
+        Ranked(law, criterion, aic, bic, difference, weight / total)
+        for (criterion, aic, bic, law), difference, weight in zip(rows, differences, weights, strict=True)
+    )
+    close = [best.name] * math.isfinite(least)
+    wider: list[str] = []
+    charged = {law.name: charges(points, law.unknowns, noise_known=noise_known) for law in laws}
+    for row in table[1:]:
+        one, most = row.law, max(row.law.unknowns, best.unknowns)
+        limit = CLOSE / 2 * charge(points, most, noise_known=noise_known) / independent
+        enough = _contains(one.name, best.name) and 2 * row.difference > charged[one.name] - charged[best.name]
+        if row.difference < limit:
+            (wider if enough else close).append(one.name)
+    reason = _undecided(table, close, points)
+    return ModelChoice(table, tuple(close), tuple(wider), CANNOT if reason else best.name, reason)
 
 
-def _undecided(fitted: Sequence[str], close: Sequence[str], crowded: Sequence[str], points: int) -> str:
+def _contains(wider: str, narrower: str) -> bool:
+    inside = LIMITS.get(wider, {})
+    return narrower in inside or any(_contains(one, narrower) for one in inside)
+
+
+def _undecided(table: Sequence[Ranked], close: Sequence[str], points: int) -> str:
     """Why no law is alone; empty if one is."""
-    if not fitted:
-        return "no law could be fitted"
-    if crowded:
-        return f"{points} data are too few to weigh {', '.join(crowded)} by AICc; the order is that of BIC"
-    return f"{', '.join(close)} fit about equally well" if len(close) > 1 else ""
+    failed = [row.law.name for row in table if row.law.failure]
+    crowded = [row.law.name for row in table if math.isinf(row.criterion) and not row.law.failure]
+    objections = [
+        (close[1:], "{} not ruled out"),
+        (crowded, f"{points} data too few to weigh {{}}"),
+        (failed, "no fit of {}"),
+    ]
+    found = [words.format(", ".join(names)) for names, words in objections if names]
+    return f"{table[0].law.name} ranks first, but {'; '.join(found)}" if found else ""
 
 
 def _criteria(law: FittedLaw, points: int, *, noise_known: bool) -> tuple[float, float, float]:
@@ -109,10 +141,8 @@ def _criteria(law: FittedLaw, points: int, *, noise_known: bool) -> tuple[float,
         return math.inf, math.inf, math.inf
     constants = law.unknowns + (not noise_known)
     misfit = law.squares if noise_known else points * math.log(max(law.squares / points, _ROUNDING))
-    aic = misfit + 2 * constants
-    spare = points - constants - 1
-    aicc = aic + 2 * constants * (constants + 1) / spare if spare > 0 else math.inf
-    return aic, aicc, misfit + constants * math.log(points)
+    criterion = misfit + charges(points, law.unknowns, noise_known=noise_known)
+    return criterion, misfit + 2 * constants, misfit + constants * math.log(points)
 
 
 _STIFFER = 50.0
@@ -261,26 +291,25 @@ class LawComparison:
     @property
     def sentence(self) -> str:
         """The verdict in words."""
-        name = self.choice.table[0].law.name
-        if self.choice.verdict != "cannot tell":
-            doubt = ", though its residuals are not white" if self.fits[name].checks.verdict == "not white" else ""
-            if not self.fits[name].outcome.converged:
-                doubt += ", though its fit did not reach its optimum"
-            alone = "only {} could be fitted" if len(self.fits) == 1 else "the films speak for {}"
-            text = alone.format(name) + doubt
-        elif any(math.isinf(row.aicc) for row in self.choice.table if not row.law.failure):
-            text = f"cannot tell: too few readings to weigh {', '.join(self.choice.close)} against each other"
-        else:
-            text = f"cannot tell: {', '.join(self.choice.close)} fit about equally well"
-        return text + (f"; no fit of {', '.join(self.failures)}" if self.failures else "")
+        if self.choice.verdict == CANNOT:
+            return f"{CANNOT}: {self.choice.reason}"
+        doubts = (
+            [f"nothing gained by the further constants of {', '.join(self.choice.wider)}"] if self.choice.wider else []
+        )
+        if self.best.checks.verdict == "not white":
+            doubts.append("its residuals are not white")
+        if not self.best.outcome.converged:
+            doubts.append("its fit did not reach its optimum")
+        return "; ".join([f"the films speak for {self.choice.verdict}", *doubts])
 
     def to_dict(self) -> dict[str, Any]:
         """What ``fit.json`` says of the laws, in SI; infinite where there are too few readings, or no fit."""
         return {
             "verdict": self.choice.verdict,
             "sentence": self.sentence,
-            "criterion": self.choice.criterion,
+            "criterion": CRITERION,
             "close": list(self.choice.close),
+            "wider": list(self.choice.wider),
             "restarted": dict(self.restarted),
             "table": [self._row(row) for row in self.choice.table],
         }
@@ -291,7 +320,7 @@ class LawComparison:
             "law": law.name,
             "constants": law.unknowns,
             "squares": None if one is None else law.squares,
-            **{key: getattr(row, key) for key in ("aic", "aicc", "bic", "difference", "weight")},
+            **{key: getattr(row, key) for key in ("criterion", "aic", "bic", "difference", "weight")},
             "residual_std_m": None if one is None else one.residual_std,
             "residuals": None if one is None else one.checks.verdict,
             "outcome": None if one is None else one.outcome.word,
@@ -316,14 +345,24 @@ def compared(
     best = _ranked(laws, fits, failures, loss, besides).table[0].law.name
     # An optimum that was not reached would lie lower still: of the best law that is no objection.
     unreached = {law: one.outcome.value for law, one in fits.items() if not one.outcome.converged and law != best}
-    fits = {law: one for law, one in fits.items() if law not in unreached}
     failed = {**failures, **unreached}
-    return LawComparison(fits, failed, _ranked(laws, fits, failed, loss, besides))
+    reached = {law: one for law, one in fits.items() if law not in unreached}
+    return LawComparison(reached, failed, _ranked(laws, reached, failed, loss, besides, judge=fits[best]))
 
 
 def _ranked(
-    laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
+    laws: Sequence[str],
+    fits: Mapping[str, Fit],
+    failures: Mapping[str, str],
+    loss: Loss,
+    besides: int,
+    judge: Fit | None = None,
 ) -> ModelChoice:
+    """Rank fits, given the best of them by what its residuals say of the noise.
+
+    Errors that are stated too small are estimated instead, and neighbours that are correlated by r count as
+    (1 - r)/(1 + r) independent readings each.
+    """
     first, values = next(iter(fits.values())), loss_values(loss, fits)
     rows = [
         FittedLaw(law, len(fits[law].problem.names), 2 * values[law])
@@ -331,7 +370,13 @@ def _ranked(
         else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
         for law in laws
     ]
-    return choose_model(rows, first.starts.best.residuals.size, noise_known=first.noise_known)
+    known, independent = first.noise_known, 1.0
+    if judge is not None:
+        checks = judge.checks
+        known = known and not (checks.size and checks.size.p_value < SIGNIFICANCE)
+        if checks.verdict == "not white" and (r := checks.autocorrelation or 0.0) > 0:
+            independent = (1 - r) / (1 + r)
+    return choose_model(rows, first.starts.best.residuals.size, noise_known=known, independent=independent)
 
 
 def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
@@ -402,7 +447,7 @@ def fit_laws(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> LawComparison:
-    """Fit every constant of several laws, and compare them by AICc and BIC.
+    """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
 
     A law that contains another, as Herschel and Bulkley's contains Bingham's, need not end worse than it: where its own
     starts do, it is started again from the other's optimum, and the better of both fits counts.

@@ -412,7 +412,7 @@ def laws_figure(found: LawComparison) -> Figure:
     left = [[film.model - film.measured for film in one.films] for one in fits]
     reaches = [max(float(np.abs(part).max()) for part in parts) or 1e-12 for parts in left]
     far = 1.1 * min(max(reaches), 3.0 * reaches[0])
-    ruler, criterion = length_unit(far), found.choice.criterion
+    ruler = length_unit(far)
     edge = float(ruler.of(far))
     with style.styled():
         figure, body = headed(found.best, found.sentence, 1.35 * len(rows) + 0.4)
@@ -433,7 +433,7 @@ def laws_figure(found: LawComparison) -> Figure:
             axes.yaxis.set_major_formatter(FuncFormatter(plain))
             style.lighten(axes)
             time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
-            above = f"{criterion} {row.difference:.1f} above the best" if row.difference else f"least {criterion}"
+            above = f"criterion {row.difference:.1f} above the best" if row.difference else "least criterion"
             rms = length_unit(one.residual_std).text(one.residual_std)
             title = f"{row.law.name} · {above} · residuals {one.checks.verdict} · rms {rms}"
             axes.set_title(title, loc="left", fontsize=8.5, pad=3, parse_math=False)

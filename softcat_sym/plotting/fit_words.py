@@ -128,7 +128,7 @@ def reading_text(one: Reading, unit: Unit) -> str:
     return f"{with_error(one.value / unit.size, one.error / unit.size)} {unit.symbol}".rstrip()
 
 
-LAW_HEADINGS = ("law", "constants", "AICc", "BIC", "above the best", "weight", "residuals", "rms")
+LAW_HEADINGS = ("law", "constants", "criterion", "BIC", "above the best", "weight", "residuals", "rms")
 """Of the columns of :func:`law_texts`."""
 
 
@@ -138,7 +138,8 @@ def law_texts(found: LawComparison, row: Ranked) -> tuple[str, ...]:
     if law.failure:
         return (law.name, str(law.unknowns), NONE, NONE, NONE, NONE, "no fit", NONE)
     one = found.fits[law.name]
-    texts = [f"{value:.1f}" if math.isfinite(value) else "infinite" for value in (row.aicc, row.bic, row.difference)]
+    values = (row.criterion, row.bic, row.difference)
+    texts = [f"{value:.1f}" if math.isfinite(value) else "infinite" for value in values]
     numbers = (*(text.replace("-", "\N{MINUS SIGN}") for text in texts), f"{row.weight:.2f}")
     rms = length_unit(one.residual_std).text(one.residual_std)
     return (law.name, str(law.unknowns), *numbers, one.checks.verdict, rms)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 _LOOKS: dict[str, tuple[str, Any, str]] = {
+    "newtonian": (style.GREY, "-.", "v"),
     "bingham": (style.BLUE, (0, (5, 1.5)), "s"),
     "power-law": (style.GREEN, (0, (1.5, 1.2)), "^"),
     "herschel-bulkley": (style.VERMILLION, "-", "o"),
@@ -36,7 +36,7 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
     curve = fit.curve
     title = curve.path.name if curve.path else "Flow curve"
-    found = f"flow curve, {len(curve.shear_rate)} points · {fit.best.law} by AICc · rms relative residuals"
+    found = f"flow curve, {len(curve.shear_rate)} points · {fit.best.law} by the criterion · rms relative residuals"
     with style.styled():
         figure, body = style.sheet(title, found, height=5.2)
         above, below = body.subplots(2, 1, height_ratios=[3.4, 1])
@@ -91,17 +91,17 @@ def _log(axes: Axes, which: Literal["x", "y"], values: Floats) -> None:
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
     """Lay the candidates out side by side, the best first."""
-    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "AICc", "AICc − least")
+    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
     rows = zip(names, *(_column(one, fit) for one in fit.candidates), strict=True)
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
-    caption = f"± 95 %; rms of the relative residuals; least AICc first\n{CONVERSION}"
-    header, right = ["", *(one.law for one in fit.candidates)], range(1, 9)
-    return text_table(header, list(rows), title=title, caption=caption, right=right, whole=range(9))
+    caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"
+    header, right = ["", *(one.law for one in fit.candidates)], range(1, 5)
+    looks: dict[str, Any] = {"right": right, "whole": [0], "padding": (0, 1, 0, 0)}
+    return text_table(header, list(rows), title=title, caption=caption, **looks)
 
 
 def _column(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
     tensile = one.tensile
-    finite = math.isfinite(one.aicc)
     return (
         _with_interval(one.tau_Y),
         _with_interval(one.k),
@@ -109,8 +109,7 @@ def _column(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
         "–" if tensile.yield_stress is None else significant(tensile.yield_stress),
         significant(tensile.viscosity),
         significant(100 * one.relative_rms),
-        f"{one.aicc:.1f}" if finite else "too few points",
-        f"{one.aicc - fit.best.aicc:.1f}" if finite else "–",
+        f"{one.criterion - fit.best.criterion:.1f}",
     )
 
 

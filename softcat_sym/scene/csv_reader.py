@@ -145,7 +145,7 @@ def table_in(text: str) -> CsvTable | None:
 
 
 def header_pattern(names: Iterable[str]) -> re.Pattern[str]:
-    """Match a column's name with its unit: ``time_s``, ``time [s]``, ``Time (s)``.
+    """Match a column's name with its unit: ``time_s``, ``time [s]``, ``Time (s)``, ``time / s``.
 
     The longest name that fits comes first, so that ``midpoint_std_m`` is no midpoint; an underscore in it may be a
     space.
@@ -153,14 +153,14 @@ def header_pattern(names: Iterable[str]) -> re.Pattern[str]:
     spaced = [name.replace("_", "[_ ]") for name in sorted(names, key=len, reverse=True)]
     return re.compile(
         rf"(?P<name>{'|'.join(spaced)})"
-        r"(?:_(?P<suffix>[^\s\[\](),;]+)|\s*\[(?P<square>[^\[\]]+)\]|\s*\((?P<round>[^()]+)\)|)",
+        r"(?:_(?P<suffix>[^\s\[\](),;]+)|\s*\[(?P<square>[^\[\]]+)\]|\s*\((?P<round>[^()]+)\)|\s*/\s*(?P<slash>[^\[\]();,]+)|)",
         re.IGNORECASE,
     )
 
 
 def named(match: re.Match[str]) -> tuple[str, str, bool]:
     """Return what :func:`header_pattern` has found: the name, its unit or nothing, whether that stands in brackets."""
-    bracketed = match["square"] or match["round"]
+    bracketed = match["square"] or match["round"] or match["slash"]
     return match["name"].lower().replace(" ", "_"), bracketed or match["suffix"] or "", bool(bracketed)
 
 
