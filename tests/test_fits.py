@@ -222,9 +222,9 @@ def test_parameter_axes_have_two_ticks_at_least(two_fitted: sc.Fit) -> None:
 
 def test_the_band_is_what_the_covariance_makes_of_the_model(two_fitted: sc.Fit) -> None:
     """Against draws of the parameters: the half-width is 1.96 standard deviations of what the model then says."""
-    draws = np.random.default_rng(3).multivariate_normal(
-        two_fitted.starts.best.q, two_fitted.information.covariance, size=120, method="cholesky"
-    )
+    best, noise = two_fitted.starts.best, two_fitted.information.noise
+    covariance = noise**2 * np.linalg.inv(best.jacobian.T @ best.jacobian)
+    draws = np.random.default_rng(3).multivariate_normal(best.q, covariance, size=120, method="cholesky")
     curves = np.array([two_fitted.problem.curves(q)[0] for q in draws])
     (band,) = model_bands(two_fitted)
     # 120 draws tell a standard deviation to 6.5 %; the readings share them.

@@ -173,9 +173,9 @@ def test_one_unknown_needs_no_derivatives_along_the_way() -> None:
 
     p = problem("k", alone, [0.2], 0.1)
     best = minimise(p, np.zeros(1))
-    p.asked.clear()
+    p.seen.clear()
     one = profile(p, best.q, 0, noise_known=True)
-    assert len(p.asked) == 1
+    assert len(p.seen) == 1
     for side in (one.lower, one.upper):
         assert side.crossing is not None
         rise = np.sum(p.residuals(np.array([side.crossing])) ** 2) - 2 * best.value

@@ -41,7 +41,7 @@ def test_optimum_is_that_of_scipy() -> None:
                 for method in ("gauss-newton", "ipopt"):
                     p = problem(names, model, truth, std, seed)
                     found = minimise(p, np.full(2, start), method=method)
-                    asked = [point.tobytes() for point in p.asked]
+                    asked = [point.tobytes() for point in p.seen]
                     case = (names, std, seed, start, method)
                     other = scipy_optimum(p, [start, start])
                     assert found.converged and not found.at_bound.any(), case
@@ -80,7 +80,7 @@ def test_a_bound_holds_the_optimum_exactly() -> None:
     np.testing.assert_allclose(found.q, scipy_optimum(p, [0.0, -1.0]).x, atol=1e-5)
     assert found.converged and found.q[1] == 0.0
     assert found.at_bound.tolist() == [False, True]
-    assert np.all(np.array(p.asked) <= p.upper)
+    assert np.all(np.array(p.seen) <= p.upper)
 
 
 def test_what_is_not_identified_does_not_stop_the_fit() -> None:
@@ -157,14 +157,14 @@ def test_steps_are_shortened_where_the_model_has_no_answer() -> None:
             found = minimise(p, np.array(start), method=method)
             assert found.converged
             np.testing.assert_allclose(found.q, best, atol=1e-6)
-    assert any(q[1] >= 0.5 for q in p.asked)
+    assert any(q[1] >= 0.5 for q in p.seen)
     with pytest.raises(SoftcatError, match="no answer"):
         minimise(p, np.array([0.0, 1.0]))
 
 
 def raising(p: Problem, when: int, error: BaseException):
     def model(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        if len(p.asked) == when:
+        if len(p.seen) == when:
             raise error
         return decay(q)
 
@@ -179,17 +179,17 @@ def test_what_the_model_raises_reaches_the_caller(method: str) -> None:
             p.model = raising(p, when, error("deep inside"))
             with pytest.raises(error, match="deep inside"):
                 minimise(p, np.array([-2.0, -4.0]), method=method)
-            assert len(p.asked) == when
+            assert len(p.seen) == when
 
     def pressed(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        if len(p.asked) == 4:
+        if len(p.seen) == 4:
             os.kill(os.getpid(), signal.SIGINT)
         return decay(q)
 
     p = replaced(pressed)
     with pytest.raises(KeyboardInterrupt):
         minimise(p, np.array([-2.0, -4.0]), method=method)
-    assert len(p.asked) == 4
+    assert len(p.seen) == 4
 
 
 def test_a_fit_that_is_cut_short_is_no_success_and_all_are_quiet(capfd: pytest.CaptureFixture[str]) -> None:

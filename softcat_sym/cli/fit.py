@@ -70,6 +70,19 @@ StartsOption = Annotated[int, typer.Option("--starts", min=0, help="Starts besid
 NoProfilesOption = Annotated[
     bool, typer.Option("--no-profile-likelihood", help="Intervals from the curvature alone: sooner, and less true.")
 ]
+CalibratedOption = Annotated[
+    bool,
+    typer.Option(
+        "--calibrated",
+        help="The camera's scale, clock, zero and tilt are exact; else known to 2 %, a frame, 2 %, 1 deg.",
+    ),
+]
+NoDiscrepancyOption = Annotated[
+    bool, typer.Option("--no-discrepancy", help="Intervals know of noise only, not of the theory's own error.")
+]
+TimeLimitOption = Annotated[
+    float | None, typer.Option("--time-limit", metavar="SECONDS", help="End after it with what is known by then.")
+]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 
 
@@ -85,6 +98,9 @@ def fit(
     scale: ScaleOption = None,
     starts: StartsOption = STARTS,
     no_profiles: NoProfilesOption = False,
+    calibrated: CalibratedOption = False,
+    no_discrepancy: NoDiscrepancyOption = False,
+    time_limit: TimeLimitOption = None,
     seed: SeedOption = 0,
     fresh: FreshOption = False,
     changes: SetOption = None,
@@ -112,6 +128,7 @@ def fit(
         progress.doing("reading and compiling")
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
+        how |= {"calibrated": calibrated, "discrepancy": not no_discrepancy, "time_limit": time_limit}
         if not law:
             found = fit_filament(films, known, also, **how)
         elif len(law) == 1:

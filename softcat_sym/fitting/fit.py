@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,20 +12,40 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
+from scipy import stats
 
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.lists import everything, named
-from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import closed_form
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import FEWEST, Features, read_features
-from softcat_sym.fitting.forward_model import ForwardModel
-from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, Unknowns, free_parameters, with_values
-from softcat_sym.fitting.identifiability import Combination, Information, ResidualChecks, check_residuals
-from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, infer
-from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss, Method, MultiStartResult, multi_start
+from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, with_values
+from softcat_sym.fitting.identifiability import (
+    Combination,
+    Information,
+    ResidualChecks,
+    check_residuals,
+    information,
+)
+from softcat_sym.fitting.inference import Inference, ParameterVerdict, Profile, Word, infer
+from softcat_sym.fitting.least_squares import (
+    LINEAR,
+    OUT_OF_TIME,
+    STUCK,
+    Floats,
+    Loss,
+    Method,
+    MultiStartResult,
+    Optimum,
+    minimise,
+    multi_start,
+)
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
+from softcat_sym.fitting.problem import CAMERA, FilamentProblem
+from softcat_sym.fitting.resolution import SHARE, Moved, finer, first_look, moved, tighter
+from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import recalled, without_estimate
@@ -33,149 +54,6 @@ from softcat_sym.solvers.solution import Progress, Silence, counting
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-@dataclass(frozen=True, eq=False)
-class Filmed:
-    """One series, the model of its filament, and which unknowns of the problem that model has."""
-
-    series: Series  # What was measured
-    model: ForwardModel  # What it is compared with
-    columns: tuple[int, ...]  # For each unknown of the model its number in the problem
-    time: Floats  # shape (n,); Of every reading [s]: those of the midpoint, then the points of whole shapes
-    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
-    data: Floats  # shape (n,); Heights [m]
-    std: Floats  # shape (n,); By which residuals are divided [m]
-
-    @property
-    def name(self) -> str:
-        """Its file; empty if it has none."""
-        return self.series.path.name if self.series.path else ""
-
-    def heights(self, q: Floats) -> Floats:
-        """What the model says at every reading [m], shape (n,), of the unknowns of the whole problem."""
-        own, shapes = q[list(self.columns)], self.series.shapes
-        parts = [self.model.midpoints(own)] if self.series.time.size else []
-        if shapes is not None:
-            parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
-        return np.concatenate(parts)
-
-    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """The same with derivatives by the unknowns of the whole problem, shape (n, k)."""
-        own, shapes = q[list(self.columns)], self.series.shapes
-        parts = [self.model.with_derivatives(own)] if self.series.time.size else []
-        if shapes is not None:
-            parts.append(self.model.shapes(own, shapes.time, shapes.x))
-        slopes = np.zeros((self.data.size, q.size))
-        slopes[:, list(self.columns)] = np.concatenate([part[1] for part in parts])
-        return np.concatenate([part[0] for part in parts]), slopes
-
-
-class FilamentProblem(Unknowns):
-    """(model - measured)/standard error of all readings: a problem of least squares.
-
-    Every filament shares the unknowns of the material; each camera has its own `time_offset` and `initial_sag`, with
-    the number of the film behind their names where there are several.
-    """
-
-    def __init__(
-        self,
-        scene: Scene,
-        measurements: Measurements,
-        names: Sequence[str],
-        bounds: Mapping[str, tuple[object, object]] | None = None,
-        backend: str = "auto",
-        rtol: float | None = None,
-    ) -> None:
-        common, series = free_parameters(scene, names, bounds), measurements.series
-        # A film that has a free parameter's value of its own leaves nothing to fit there.
-        faults = [
-            Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", "free it, or set it, not both")
-            for free in common
-            for film in series
-            if free.path in film.overrides
-        ]
-        if faults:
-            raise SceneError(faults)
-        self.free, columns = _unknowns(common, len(series))
-        readings = [_readings(film) for film in series]
-        self.noise_known = all(std is not None for *_, std in readings)
-        unit = max(float(np.max(np.abs(data))) for *_, data, _ in readings)
-        self.films = tuple(
-            Filmed(
-                series=film,
-                model=ForwardModel(own_scene(film, scene), common, film.time, backend, rtol),
-                columns=places,
-                time=time,
-                place=place,
-                data=data,
-                std=std if self.noise_known and std is not None else np.full(data.size, unit),
-            )
-            for film, places, (time, place, data, std) in zip(series, columns, readings, strict=True)
-        )
-
-    @property
-    def logarithmic(self) -> tuple[bool, ...]:
-        """Which unknowns are logarithms."""
-        return tuple(free.logarithmic for free in self.free)
-
-    @property
-    def unit(self) -> float:
-        """What a residual of one is [m]; where the errors are known they differ, and it is their mean."""
-        return float(np.mean(np.concatenate([film.std for film in self.films])))
-
-    def curves(self, q: Floats) -> list[Floats]:
-        """What the model says at the readings of each film [m]."""
-        return [film.heights(q) for film in self.films]
-
-    def residuals(self, q: Floats) -> Floats:
-        """(model - datum)/standard error of all films, shape (m,); NaN where the model has no answer."""
-        pairs = zip(self.films, self.curves(q), strict=True)
-        return np.concatenate([(found - film.data) / film.std for film, found in pairs])
-
-    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Residuals, shape (m,), and their derivatives, shape (m, k)."""
-        residuals, rows = [], []
-        for film in self.films:
-            found, slopes = film.linearised(q)
-            residuals.append((found - film.data) / film.std)
-            rows.append(slopes / film.std[:, None])
-        return np.concatenate(residuals), np.concatenate(rows)
-
-    def by_film(self, values: Floats) -> list[Floats]:
-        """Split what all films have, shape (m,), into one array for each."""
-        ends = np.cumsum([film.data.size for film in self.films])[:-1]
-        return [np.asarray(part) for part in np.split(values, ends)]
-
-    def values(self, q: Floats) -> dict[str, float]:
-        """The unknowns in SI."""
-        return {free.name: free.value(float(x)) for free, x in zip(self.free, q, strict=True)}
-
-
-def _readings(series: Series) -> tuple[Floats, Floats, Floats, Floats | None]:
-    """Times [s], places [m], heights [m] and, where all are stated, standard errors [m]: midpoints, then shapes."""
-    shapes, midpoint = series.shapes, np.full(series.time.size, np.nan)
-    if shapes is None:
-        return series.time, midpoint, series.midpoint, series.std
-    if not series.time.size:
-        return shapes.time, shapes.x, shapes.y, shapes.std
-    known = None if series.std is None or shapes.std is None else np.concatenate([series.std, shapes.std])
-    pairs = (series.time, shapes.time), (midpoint, shapes.x), (series.midpoint, shapes.y)
-    time, place, data = (np.concatenate(pair) for pair in pairs)
-    return time, place, data, known
-
-
-def _unknowns(common: tuple[FreeParameter, ...], films: int) -> tuple[tuple[FreeParameter, ...], list[tuple[int, ...]]]:
-    """All unknowns, and for each film the numbers of its own."""
-    unknowns: list[FreeParameter] = []
-    columns: list[list[int]] = [[] for _ in range(films)]
-    for free in common:
-        for k in range(films):
-            if k == 0 or free.of_measurement:
-                alone = films == 1 or not free.of_measurement
-                unknowns.append(free if alone else replace(free, name=f"{free.name}_{k + 1}"))
-            columns[k].append(len(unknowns) - 1)
-    return tuple(unknowns), [tuple(numbers) for numbers in columns]
 
 
 def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
@@ -212,8 +90,20 @@ class FitOutcome(Enum):
     )
     at_a_bound = "the best fit lies on a bound that the data push against: widen the bound, or doubt the law"
     model_error = (
-        "the residuals are not white noise: the model misses something that the data show, so that the intervals, "
-        "which know of noise only, are too narrow; try another law, more effects, or free time_offset and initial_sag"
+        "the data show something that the model misses, beyond what the theory is known to err by, so that the "
+        "intervals are too narrow; try another law, more effects, or name what else is not known of the camera"
+    )
+    outliers = (
+        "some readings lie far outside the noise of the others, and pull the constants: do not use the numbers; "
+        "repeat with --loss soft-l1, or take them out"
+    )
+    discretization_error = (
+        "grid, fibres and time steps move the constants by more than a third of their standard errors, and the finest "
+        "that the program chooses by itself are no remedy: the intervals are widened by as much; give numerics.cells, "
+        "numerics.fibres and numerics.rtol for less"
+    )
+    out_of_time = (
+        "the time limit came before an optimum was found: the numbers are the best so far; give a longer --time-limit"
     )
     localised = (
         "in the filament that fits best strain gathers in one cell, and the midpoint that was fitted changes with the "
@@ -224,13 +114,13 @@ class FitOutcome(Enum):
         "fitted scene ends as solved; its advice says what to change"
     )
     not_converged = (
-        "IPOPT did not reach an optimum: do not use the numbers; give nearer starting values in the scene, or bounds"
+        "no optimum was reached: do not use the numbers; give nearer starting values in the scene, or bounds"
     )
 
     @property
     def converged(self) -> bool:
         """Whether an optimum was found."""
-        return self is not FitOutcome.not_converged
+        return self not in (FitOutcome.not_converged, FitOutcome.out_of_time)
 
     @property
     def word(self) -> str:
@@ -275,9 +165,12 @@ class FittedParameter:
     typical: float
     bounds: tuple[float, float]
 
+    discretization: float = 0.0
+    """By which grid, fibres and time steps may falsify it [its unit]; in the interval where that matters."""
+
     def to_dict(self) -> dict[str, Any]:
         """Its entry in ``fit.json``."""
-        keys = ("value", "std", "ci95", "verdict", "reason", "unit", "best", "typical", "bounds")
+        keys = ("value", "std", "ci95", "verdict", "reason", "unit", "best", "typical", "bounds", "discretization")
         return {key: getattr(self, key) for key in keys}
 
 
@@ -289,7 +182,7 @@ class FittedFilm:
     place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
     measured: Floats
     model: Floats
-    residuals: Floats  # shape (n,); (model - measured) over the noise
+    residuals: Floats  # shape (n,); (model - measured) over the noise, without what is correlated
     # What it shows without a model; None of a film that is too short, or under shaken gravity.
     features: Features | None
     name: str  # File or number
@@ -349,6 +242,14 @@ class Fit:
         Why the fit was repeated with more effects.
     seconds : float
         What it took after compiling, without the run that judges it.
+    camera : dict of str to (float, float, float)
+        Of the camera's own numbers: value, standard error, and the standard error known beforehand; SI.
+    theory : float
+        Standard deviation of the theory's error that is allowed for, over the height of the midpoint; 0 if none is.
+    resolution : Moved
+        Cells, fibres and tolerance it ended with, and how far they move the constants.
+    late : bool
+        Whether the time limit came before all was looked at.
     message : str
         What speaks against a run of the fitted filament; empty if nothing does.
     """
@@ -372,6 +273,10 @@ class Fit:
     backend: str
     repeats: tuple[str, ...]
     seconds: float
+    camera: dict[str, tuple[float, float, float]]
+    theory: float
+    resolution: Moved | None
+    late: bool
     message: str = ""
 
     def plot(self, what: str = "curves") -> Figure:
@@ -420,9 +325,14 @@ class Fit:
 
     @property
     def squares(self) -> float:
-        """Sum of the squared residuals in units of the problem."""
+        """Sum of the squared residuals, those of priors included: chi^2 where the noise is known, otherwise [m^2]."""
         residuals = self.starts.best.residuals
-        return float(residuals @ residuals)
+        return float(residuals @ residuals) * (1.0 if self.noise_known else self.problem.unit**2)
+
+    @property
+    def outlying(self) -> list[tuple[str, float]]:
+        """Readings far outside the noise of the others: film and time [s]."""
+        return [(film.name, float(time)) for film in self.films for time in film.time[far_out(film.residuals)]]
 
     @property
     def residual_std(self) -> float:
@@ -445,6 +355,13 @@ class Fit:
                 f"{sum(film.time.size for film in self.films)} readings, p = {size.p_value:.2g}): the intervals are "
                 "too narrow"
             )
+        if self.late and self.outcome.converged:
+            found.append("the time limit came before the profiles: intervals are from the curvature alone")
+        if self.outcome is not FitOutcome.outliers and (far := self.outlying):
+            found.append(f"{counted(len(far), 'reading')} far outside the noise, first at {far[0][1]:.4g} s")
+        if self.problem.noise.correlation:
+            together = f"{self.problem.noise.correlation:.2f}"
+            found.append(f"neighbouring readings are correlated by {together}, which widens the intervals")
         if starts.reached_best == 1 and len(starts.results) > 2:
             found.append("only one start reached the best fit: there may be a better one, ask for more starts")
         for one in self.profiles:
@@ -474,6 +391,12 @@ class Fit:
             "combinations": list(self.combinations),
             "noise_m": self.noise,
             "noise_known": self.noise_known,
+            "noise_correlation": self.problem.noise.correlation,
+            "camera": {name: dict(zip(_OF_CAMERA, one, strict=True)) for name, one in self.camera.items()},
+            "theory_error": self.theory,
+            "resolution": None if self.resolution is None else self._resolution(self.resolution),
+            "outliers": [{"film": film, "time_s": time} for film, time in self.outlying],
+            "late": self.late,
             "residuals": {
                 "verdict": checks.verdict,
                 "tests": [vars(test) for test in checks.tests],
@@ -500,6 +423,11 @@ class Fit:
             "seconds": self.seconds,
             "evaluations": self.evaluations,
         }
+
+    def _resolution(self, moved: Moved) -> dict[str, Any]:
+        """Cells, fibres, tolerance; and by how many standard errors each moves the constants at the most."""
+        shares = {"cells": moved.shares.space, "rtol": moved.shares.time, "fibres": moved.shares.section}
+        return {name: {"value": getattr(moved.at, name), "standard_errors": share} for name, share in shares.items()}
 
     def _profile(self, one: Profile) -> dict[str, Any]:
         free = next(free for free in self.problem.free if free.name == one.name)
@@ -533,6 +461,14 @@ FEATURES = {
 }
 """What a film shows without a model: attributes of its features, what they are called, units in names of keys."""
 
+# By which chi^2 would still fall in a step that is not worth making: a hundredth of a standard error.
+_GAIN = 1e-4
+# Evaluations with derivatives that an optimum and a profile take, the rounds after the first among them.
+_PER_OPTIMUM, _PER_PROFILE = 14, 12
+# Readings below which nothing is said of their distribution; mean square residual that is taken for noise; share of
+# outliers that pull a fit; share of a film over which noise may be correlated.
+_FEW, _AS_NOISE, _WILD, _LONG = 20, 1.5, 0.005, 0.05
+_OF_CAMERA = ("value", "std", "known_to")
 _OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
 # p-value from which on a test is worth a warning.
 _SMALL = 0.01
@@ -574,20 +510,29 @@ class _Request:
     rtol: float | None
     seed: int
     method: Method
+    camera: bool
+    theory: bool
+    deadline: float
     progress: Progress
 
     def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
         """The problem; with all physics that applies where a parameter needs more than the scene's values call for."""
         try:
-            return FilamentProblem(scene, films, self.free, self.bounds, self.backend, self.rtol)
+            return self._made(scene, films)
         except SceneError as refusal:
             if scene.run.effects != "auto":
                 raise
             try:
-                wider = _with_effects(scene, everything(scene, ()))
-                return FilamentProblem(wider, films, self.free, self.bounds, self.backend, self.rtol)
+                return self._made(_with_effects(scene, everything(scene, ())), films)
             except SceneError:
                 raise refusal from None
+
+    def _made(self, scene: Scene, films: Measurements) -> FilamentProblem:
+        how = (self.free, self.bounds, self.backend, self.rtol)
+        scene = scene if self.rtol is not None else first_look(scene)
+        made = FilamentProblem(scene, films, *how, camera=self.camera, theory=self.theory)
+        made.deadline = self.deadline
+        return made
 
 
 def fit(
@@ -603,9 +548,18 @@ def fit(
     rtol: float | None = None,
     seed: int = 0,
     method: Method = "gauss-newton",
+    calibrated: bool = False,
+    discrepancy: bool = True,
+    time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
+
+    The likelihood knows of the noise of the readings and of the correlation of neighbours, both estimated where no
+    errors are stated; of the scale, clock, zero and tilt of the camera, about as well as
+    :data:`softcat_sym.fitting.problem.CAMERA` says; and of the theory's own error, as it was measured against finite
+    elements (:func:`softcat_sym.fitting.discrepancy.discrepancy`). Cells, fibres and tolerance are refined until they
+    move the parameters by less than a third of their standard errors.
 
     With ``run.effects = "auto"`` the physics is chosen for the scene's values, and the fit is repeated where the fitted
     values call for more. In the end the filament that fits best is run once and judged as any run is.
@@ -629,6 +583,10 @@ def fit(
         Whether intervals come from profile likelihoods, or from the curvature alone; hears how far it is.
     method : str
         ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
+    calibrated, discrepancy : bool
+        Whether the camera's own numbers are known exactly; whether the theory's error is allowed for.
+    time_limit : float, optional
+        Seconds after which the fit ends with what it has, and says so.
 
     Returns
     -------
@@ -642,16 +600,22 @@ def fit(
     """
     if not 0 <= starts <= MAX_STARTS:
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
+    if time_limit is not None and not time_limit > 0:
+        raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene)
     films = taken(measurements, scene)
-    request = _Request(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, progress or Silence())
+    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    how = (tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, not calibrated, discrepancy)
+    request = _Request(*how, deadline, progress or Silence())
     features = [_features(film, own_scene(film, scene)) for film in films.series]
     found = _fit(scene, scene, films, features, request)
     more = _called_for(found) if scene.run.effects == "auto" else []
-    if more:
+    if more and time.monotonic() < deadline:
         wider = _with_effects(scene, sorted({*found.effects, *more}))
         again = _fit(wider, scene, films, features, request)
         found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
+    if time.monotonic() > deadline:
+        return found
     request.progress.stage("the run of what fits best")
     return _trusted(found)
 
@@ -670,20 +634,34 @@ def _trusted(found: Fit) -> Fit:
     return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
+ROUNDS = 6
+"""Optima at most that are sought from one another, as noise, the theory's error and the resolution become known."""
+
+
 def _fit(
     scene: Scene, given: Scene, films: Measurements, features: Sequence[Features | None], request: _Request
 ) -> Fit:
     """One fit with the effects that the scene's own values call for."""
     problem = request.problem(scene, films)
     begin = time.perf_counter()
-    first = _first(problem, scene, features)
-    loss = _scaled(request.loss, problem, first, request.method)
-    how: dict[str, Any] = {"loss": loss, "method": request.method}
+    first, loss = _first(problem, scene, features), request.loss
+    how: dict[str, Any] = {"loss": loss, "method": request.method, "gain": _GAIN}
+    _foretell(problem, request)
     starts = multi_start(
-        problem, first, count=request.starts, seed=request.seed, on_progress=counting(request.progress, "starts"), **how
+        problem,
+        first,
+        count=request.starts,
+        seed=request.seed,
+        asked=problem.asked,
+        enough=lambda best: _as_noise(problem, best),
+        on_progress=counting(request.progress, "starts"),
+        **how,
     )
+    problem, best, resolution = _settled(problem, starts.best, scene, request, how)
+    front = replace(starts.results[0], optimum=best)
+    starts = replace(starts, results=(front, *starts.results[1:]))
     of_profiles = counting(request.progress, "profiles")
-    inferred = infer(problem, starts, profiles=request.profiles, on_progress=of_profiles, **how)
+    inferred = infer(problem, starts, loss, profiles=request.profiles, method=request.method, on_progress=of_profiles)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
     parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
@@ -695,19 +673,25 @@ def _fit(
         fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
     spent = time.perf_counter() - begin
     request.progress.stage("done")
+    asked = problem.free[: problem.asked]
+    shifts = np.zeros(problem.asked) if resolution is None else resolution.total
+    parameters = {
+        free.name: fitted_parameter(free, verdict, float(shift))
+        for free, verdict, shift in zip(asked, inferred.verdicts, shifts, strict=True)
+    }
+    coarse = resolution is not None and resolution.shares.total > SHARE
+    if coarse:
+        parameters = {name: _widened(one) for name, one in parameters.items()}
     return Fit(
         scene=given,
-        fitted_scene=with_values(given, problem.free, list(problem.values(best.q).values())),
+        fitted_scene=with_values(given, asked, [free.value(float(q)) for free, q in zip(asked, best.q, strict=False)]),
         measurements=films,
-        parameters={
-            free.name: fitted_parameter(free, verdict)
-            for free, verdict in zip(problem.free, inferred.verdicts, strict=True)
-        },
+        parameters=parameters,
         correlation=known.correlation,
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=reading * problem.unit,
         noise_known=problem.noise_known,
-        outcome=_outcome({one.word for one in inferred.verdicts}, checks, converged=best.converged),
+        outcome=_outcome(problem, inferred, checks, parts, coarse=coarse, loss=loss),
         films=tuple(fitted),
         checks=checks,
         starts=inferred.starts,
@@ -718,10 +702,92 @@ def _fit(
         backend=problem.films[0].model.backend,
         repeats=(_RESTARTED,) * inferred.restarts,
         seconds=spent,
+        camera=_of_camera(problem, best),
+        theory=max((film.theory_size for film in problem.films), default=0.0),
+        resolution=resolution,
+        late=inferred.late or best.status == OUT_OF_TIME,
     )
 
 
-def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedParameter:
+def _settled(
+    problem: FilamentProblem, best: Optimum, scene: Scene, request: _Request, how: Mapping[str, Any]
+) -> tuple[FilamentProblem, Optimum, Moved | None]:
+    """Fit again from the optimum until its noise and the theory's error are its own, and its resolution suffices."""
+    resolution = None
+    for _ in range(ROUNDS):
+        if not best.converged:
+            if best.status != STUCK or request.rtol is not None:
+                break
+            problem, start = problem.at(tighter(problem), best.q)
+            best = minimise(problem, start, **how)
+            continue
+        now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
+        again: tuple[FilamentProblem, Floats] | None = None
+        if not problem.has(now, best.q):
+            again = problem.settled(best.q, now)
+        elif request.rtol is None:
+            request.progress.stage("grid, fibres and time steps")
+            resolution = moved(problem, best, _information(problem, best, how["loss"]))
+            at = finer(resolution, scene)
+            again = None if at is None else problem.at(at, best.q)
+        if again is None:
+            break
+        problem, start = again
+        best = minimise(problem, start, **how)
+    return problem, best, resolution
+
+
+def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:
+    asked = problem.asked
+    box, flags = (problem.lower[:asked], problem.upper[:asked]), problem.logarithmic[:asked]
+    given = problem.names[:asked], best.q[:asked], best.residuals, best.jacobian, box
+    return information(*given, noise_known=problem.noise_known, logarithmic=flags, loss=loss)
+
+
+def _foretell(problem: FilamentProblem, request: _Request) -> None:
+    """Say about how long the fit will take, by one evaluation."""
+    begin = time.perf_counter()
+    problem.linearised(problem.typical)
+    one = time.perf_counter() - begin
+    profiles = _PER_PROFILE * problem.asked if request.profiles else 0
+    request.progress.doing(f"about {one * (_PER_OPTIMUM + profiles):.2g} s for {problem.asked} unknowns")
+
+
+def _as_noise(problem: FilamentProblem, best: Optimum) -> bool:
+    """Whether an optimum leaves no more than the noise, so that none can be much better."""
+    data = best.residuals[: problem.readings]
+    return data.size >= _FEW and float(data @ data) < _AS_NOISE * data.size
+
+
+def _of_camera(problem: FilamentProblem, best: Optimum) -> dict[str, tuple[float, float, float]]:
+    """Value, standard error and the one known beforehand of the camera's own numbers."""
+    covariance = np.linalg.pinv(best.jacobian.T @ best.jacobian)
+    return {
+        free.name: (
+            free.value(float(q)),
+            abs(free.slope(float(q))) * float(np.sqrt(variance)),
+            abs(free.slope(free.scaled(free.typical))) * free.prior,
+        )
+        for free, q, variance in zip(problem.free, best.q, np.diag(covariance), strict=True)
+        if free.path in CAMERA and np.isfinite(free.prior)
+    }
+
+
+def far_out(residuals: Floats) -> NDArray[np.bool_]:
+    """Which residuals lie so far outside the others that noise would hardly do it once in a thousand films."""
+    count = residuals.size
+    limit = float(stats.norm.isf(0.5e-3 / max(count, 1)))
+    found: NDArray[np.bool_] = (np.abs(residuals) > limit * noise_scale(residuals)) & (count >= _FEW)
+    return found
+
+
+def _widened(one: FittedParameter) -> FittedParameter:
+    low, high = one.ci95
+    ends = (None if low is None else low - one.discretization, None if high is None else high + one.discretization)
+    return replace(one, ci95=ends)
+
+
+def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict, shift: float = 0.0) -> FittedParameter:
     """Turn a verdict on q into one on the parameter."""
     low, high = (None if q is None else free.value(q) for q in (verdict.lower, verdict.upper))
     return FittedParameter(
@@ -735,17 +801,44 @@ def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedPa
         reason=verdict.reason,
         typical=free.typical,
         bounds=free.bounds,
+        discretization=abs(free.slope(verdict.best)) * shift,
     )
 
 
-def _outcome(words: set[Word], checks: ResidualChecks, *, converged: bool) -> FitOutcome:
-    if not converged:
-        return FitOutcome.not_converged
-    if checks.verdict == "not white":
+def _outcome(
+    problem: FilamentProblem,
+    inferred: Inference,
+    checks: ResidualChecks,
+    parts: Sequence[Floats],
+    *,
+    coarse: bool,
+    loss: Loss,
+) -> FitOutcome:
+    best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
+    if not best.converged:
+        return FitOutcome.out_of_time if best.status == OUT_OF_TIME else FitOutcome.not_converged
+    wild = sum(int(far_out(part).sum()) for part in parts)
+    if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
+        return FitOutcome.outliers
+    if checks.verdict == "not white" or _beyond_theory(problem, best) or _correlated_for_long(problem):
         return FitOutcome.model_error
     if "at a bound" in words:
         return FitOutcome.at_a_bound
+    if coarse:
+        return FitOutcome.discretization_error
     return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified
+
+
+def _beyond_theory(problem: FilamentProblem, best: Optimum) -> bool:
+    """Whether the theory errs by more than it was measured to, or the camera is off by more than it may be."""
+    known = best.residuals[problem.readings :]
+    return bool(known.size) and float(stats.chi2.sf(float(known @ known), known.size)) < _SMALL
+
+
+def _correlated_for_long(problem: FilamentProblem) -> bool:
+    """Whether what a camera's noise is correlated by lasts for so much of a film that it is the model's error."""
+    correlation, frames = problem.noise.correlation, min(film.data.size for film in problem.films)
+    return correlation > 0 and -1 / np.log(correlation) > _LONG * frames
 
 
 def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
@@ -764,18 +857,6 @@ def _called_for(found: Fit) -> list[str]:
 def noise_scale(residuals: Floats) -> float:
     """Standard deviation of residuals by the median of their magnitudes, which outliers hardly move."""
     return max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
-
-
-def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats], method: Method) -> Loss:
-    """The loss with its scale in the problem's unit of residuals, where that is not their standard error."""
-    if loss.kind == "linear" or problem.noise_known:
-        return loss
-    scaled, at = LINEAR, given
-    # Least squares follow outliers, the median of what they leave hardly; the second round is robust itself.
-    for _ in range(2):
-        best = multi_start(problem, at, loss=scaled, method=method).best
-        scaled, at = Loss(loss.kind, loss.scale * noise_scale(best.residuals)), [best.q]
-    return scaled
 
 
 def _features(series: Series, scene: Scene) -> Features | None:

@@ -237,6 +237,11 @@ class ForwardModel(Unknowns):
         """What integrates, and why."""
         return str(self._filament.backend)
 
+    @property
+    def compiled(self) -> bool:
+        """Whether generated C integrates."""
+        return self._filament.backend.compiled
+
     def scene(self, q: Floats) -> Scene:
         """The scene with these unknowns."""
         return self._filament.scene_of(self._of_scene(q))

@@ -50,7 +50,8 @@ from softcat_sym.scene.units import (
     to_si_of_any,
 )
 
-TIME_OFFSET, INITIAL_SAG = "time_offset", "initial_sag"
+TIME_OFFSET, INITIAL_SAG, SCALE, TILT = "time_offset", "initial_sag", "scale", "tilt"
+OF_CAMERA = (TIME_OFFSET, INITIAL_SAG, SCALE, TILT)
 
 _FACTOR = 1e3
 _INDEX = (0.02, 5.0)
@@ -310,6 +311,8 @@ def _of_measurement(scene: Scene) -> Iterator[Candidate]:
     infinite = (-math.inf, math.inf)
     yield Candidate(TIME_OFFSET, TIME_OFFSET, "s", 0.0, unit, False, (-duration, duration), infinite, TIME_OFFSET)
     yield Candidate(INITIAL_SAG, INITIAL_SAG, "m", 0.0, sag, False, (-span, span), infinite, INITIAL_SAG)
+    yield _positive(SCALE, "", 1.0, (0.5, 2.0))
+    yield Candidate(TILT, TILT, "rad", 0.0, 1.0, False, (-0.3, 0.3), (-_ANGLE, _ANGLE), TILT)
 
 
 def why_not_free(scene: Scene, name: str, known: Mapping[str, Candidate]) -> Fault:
@@ -347,15 +350,16 @@ class FreeParameter:
     name: str  # Leaf name, as in tables and reports
     path: str  # Dotted path in the scene; of the measurement the name itself
     unit: str  # SI; ``"1"`` of a pure number
-    typical: float  # What the scene says; zero of the measurement
+    typical: float  # What the scene says; zero of the measurement, but for its scale
     logarithmic: bool  # Whether q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
+    prior: float = math.inf  # Standard deviation of q about the typical one; infinite where nothing is known
 
     @property
     def of_measurement(self) -> bool:
         """Whether the camera has it, and not the filament."""
-        return self.path in (TIME_OFFSET, INITIAL_SAG)
+        return self.path in OF_CAMERA
 
     @property
     def lower(self) -> float:

@@ -289,6 +289,15 @@ class Information:
         return two_sided_quantile(self.freedom)
 
 
+def marginal(jacobian: Floats, asked: int) -> Floats:
+    """Derivatives by the first unknowns, of the residuals that the others leave: J^T J is their marginal precision."""
+    others = jacobian[:, asked:]
+    if not others.size:
+        return jacobian
+    left: Floats = jacobian[:, :asked] - others @ np.linalg.lstsq(others, jacobian[:, :asked], rcond=None)[0]
+    return left
+
+
 def information(
     names: tuple[str, ...],
     q: Floats,
@@ -300,8 +309,9 @@ def information(
     logarithmic: tuple[bool, ...] | None = None,
     loss: Loss = LINEAR,
 ) -> Information:
-    """Judge an optimum by its Jacobian."""
+    """Judge an optimum by its Jacobian, for the first of its unknowns; the others are integrated out."""
     spread, unknowns = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss), len(names)
+    jacobian = marginal(jacobian, unknowns)
     scaled = jacobian / spread.deviation
     # Rows of zeros, so that there are as many singular values as unknowns even for fewer data.
     _, singular, rows = np.linalg.svd(np.vstack([scaled, np.zeros((unknowns, unknowns))]), full_matrices=False)

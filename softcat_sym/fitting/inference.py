@@ -22,6 +22,7 @@ from softcat_sym.fitting.least_squares import (
     MultiStartResult,
     Optimum,
     StartResult,
+    TimeLimitError,
     minimise,
     multi_start,
     on_bound,
@@ -46,7 +47,7 @@ _BETTER = 0.01
 # A crossing is found when the root of the increase is the threshold's to this share, and interpolated from there.
 _ACCURACY = 0.005
 # Share of the threshold by which the increase may be wrong.
-_GAIN = 1e-6
+_GAIN = 3e-5
 # Where evaluations are counted: root of the increase below which a point is taken as it is.
 _SUFFICIENT = 0.3
 
@@ -266,7 +267,7 @@ def verdicts(
     """Judge every unknown, by its profile or by the curvature alone."""
     if not optimum.converged:
         reason = "the fit did not converge, so that nothing follows from where it ended"
-        last = zip(known.names, optimum.q.tolist(), strict=True)
+        last = zip(known.names, optimum.q.tolist(), strict=False)
         return tuple(ParameterVerdict(name, "not identified", None, q, None, None, None, reason) for name, q in last)
     pulls = _pulls(optimum, known, loss)
     found = []
@@ -355,6 +356,10 @@ class Judged(LeastSquares, Protocol):
     def logarithmic(self) -> tuple[bool, ...]:
         """Which unknowns are logarithms."""
 
+    @property
+    def asked(self) -> int:
+        """How many unknowns are asked for: the first; what is known of the others beforehand is in the residuals."""
+
 
 @dataclass(frozen=True, eq=False)
 class Inference:
@@ -365,6 +370,7 @@ class Inference:
     profiles: tuple[Profile, ...]  # From there; empty if they were not requested
     verdicts: tuple[ParameterVerdict, ...]
     restarts: int  # How many better optima the profiles led to
+    late: bool = False  # Whether the time limit came before all profiles
 
 
 def infer(
@@ -380,22 +386,29 @@ def infer(
     restarts = 0
     while True:
         best = starts.best
+        asked = problem.asked
         known = information(
-            problem.names,
-            best.q,
+            problem.names[:asked],
+            best.q[:asked],
             best.residuals,
             best.jacobian,
-            (problem.lower, problem.upper),
+            (problem.lower[:asked], problem.upper[:asked]),
             noise_known=problem.noise_known,
-            logarithmic=problem.logarithmic,
+            logarithmic=problem.logarithmic[:asked],
             loss=loss,
         )
         most, traced = None, list[Profile]()
         if not (known.determined.all() and known.identified.all()):
             most = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
-        for k in range(len(problem.names) if profiles and best.converged else 0):
-            on_progress(k, len(problem.names))
-            traced.append(profile(problem, best.q, k, noise_known=problem.noise_known, loss=loss, max_evaluations=most))
+        try:
+            for k in range(asked if profiles and best.converged else 0):
+                on_progress(k, asked)
+                traced.append(
+                    profile(problem, best.q, k, noise_known=problem.noise_known, loss=loss, max_evaluations=most)
+                )
+        except TimeLimitError:
+            traced.clear()
+            return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)
         better = _improved(problem, starts, traced, loss, method) if restarts < MAX_RESTARTS else None
         if better is None:
             judged = verdicts(problem, best, known, traced or None, loss)

@@ -53,11 +53,14 @@ class Starts:
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns nothing is sought: the straight filament as it is.
         self._bare = replace(self._graph, still=Layout([]))
-        self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae and not spatial else None
+        self._settles = self._graph.is_dae and not spatial
         # Its shape at rest may be that of another graph, without inertia and viscous stress.
         is_followed = not self._straight and not self._graph.positions_are_algebraic
         self._at_rest = cache(assembled.at_rest)
-        self._followed = _Followed(self._graph, self._at_rest()) if is_followed and not spatial else None
+        self._followed = (
+            _Followed(self._graph, self._at_rest(), self._balanced) if is_followed and not spatial else None
+        )
+        self._equilibrium = cache(Equilibrium)
         self.last: Start | None = None
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
@@ -85,18 +88,22 @@ class Starts:
             x, guess = plain.x, near.z if near.z.size else plain.z
         else:
             x, guess = near.x, near.z
-        if self._equilibrium is None or not settle:
+        if not self._settles or not settle:
             return Start(x, guess)
-        z = self._equilibrium.search(0.0, x, p, [guess])
+        z = self._balanced(self._graph, x, p, guess)
         return None if z is None else Start(x, z)
+
+    def _balanced(self, graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
+        """Algebraic unknowns in balance: found in C, or by CasADi where that has none or finds none."""
+        found = None if self._newton is None else self._newton(graph, x, p, guess)
+        return self._equilibrium(graph).search(0.0, x, p, [guess]) if found is None else found
 
 
 class _Followed:
     """A shape at rest, as unknowns of the filament that moves."""
 
-    def __init__(self, graph: Graph, rest: Graph) -> None:
-        self._graph, self.rest = graph, rest
-        self._equilibrium = Equilibrium(rest)
+    def __init__(self, graph: Graph, rest: Graph, balanced: Newton) -> None:
+        self._graph, self.rest, self._balanced = graph, rest, balanced
         x = _numbered(graph.x_kinds, graph.x_places)
         z = _numbered(graph.z_kinds, graph.z_places)
         rest_x, rest_z = _numbered(rest.x_kinds, rest.x_places), _numbered(rest.z_kinds, rest.z_places)
@@ -116,7 +123,7 @@ class _Followed:
             # A taut filament starts without its weight.
             values["gravity"] = 0.0
         constants = np.array([values[name] for name in self.rest.parameters])
-        shape = self._equilibrium.search(0.0, x, constants, [z])
+        shape = self._balanced(self.rest, x, constants, z)
         if shape is None:
             return None
         result = Start(near.x.copy(), near.z.copy())
@@ -332,11 +339,11 @@ class CompiledForward:
 
         Neighbours have no step control of their own, and may be lost where the run itself is not: then the steps are
         chosen more tightly. Where the discrete solution jumps, a short difference sees the jumps and not the slope:
-        there neighbours lie further apart, each with step control of its own, and err by about the root of the
-        tolerance times that of the solution.
+        there neighbours lie further apart, on one side each, with step control of their own, and err by about the root
+        of the tolerance, which hardly moves an optimum.
         """
         if self.jumps:
-            return self._apart(begin, seen, max_steps)
+            return self._apart(begin, seen, max_steps, two_sided=False)
         for tightening in _TIGHTENINGS:
             run = self._run(begin, max_steps, tightening)
             path, code = self._with_slopes(run, begin, seen)
@@ -344,15 +351,24 @@ class CompiledForward:
                 break
         return path
 
-    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate, and two neighbours for every unknown."""
-        path = self.run(begin, seen, max_steps)
-        slopes = np.full((len(begin.d_parameters), *path.values.shape), np.nan)
+    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int, *, two_sided: bool) -> Path:
+        """Integrate, and a neighbour for every unknown, or one to either side, as many at a time as there are cores."""
         size = max(_APART * self.settings.rtol**0.5, _MIN_APART)
-        for row in range(len(slopes)):
-            low, high = (self.run(begin.moved(row, step), seen, max_steps) for step in (-size, size))
-            slopes[row] = (high.values - low.values) / (2 * size)
-        return replace(path, slopes=slopes)
+        steps = (-size, size) if two_sided else (size,)
+        count = len(begin.d_parameters)
+        runs = [begin, *(begin.moved(row, step) for row in range(count) for step in steps)]
+        inputs, statuses = [self._run(run, max_steps) for run in runs], [Status() for _ in runs]
+        work = [
+            lambda stop, run=run, status=status: self.filament.model.integrate(run, status, stop)
+            for run, status in zip(inputs, statuses, strict=True)
+        ]
+        answers = _watched(*work)
+        base, *others = (
+            self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)
+        )
+        ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
+        low, across = (ends[:, 0], 2 * size) if two_sided else (base.values, size)
+        return replace(base, slopes=(ends[:, -1] - low) / across)
 
     def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
         """One integration for each core, with its share of the neighbours beside it: all take the same steps."""
@@ -403,7 +419,7 @@ class CompiledForward:
 def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
     """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it."""
     stop = ct.c_int(0)
-    with ThreadPoolExecutor(len(works)) as pool:
+    with ThreadPoolExecutor(max(1, min(worker_count(None), len(works)))) as pool:
         answers = [pool.submit(work, stop) for work in works]
         try:
             while wait(answers, _LOOK).not_done:
@@ -413,8 +429,6 @@ def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
     return [answer.result() for answer in answers]
 
 
-_ACCURACY = 1e-3
-_TIGHT_ENOUGH = 5e-5  # of filaments that ring: measured, 1e-5 of the largest sag
 _STEP = 1e-5  # in unknowns of order one; differences of smooth formulas err by 1e-10
 _FURTHER = 1e-3  # in unknowns, for what of the supports is free to move
 
@@ -517,7 +531,7 @@ class FrozenFilament:
 
     def _made(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
         scene = self._scene
-        settings = _tolerances(scene, effects)
+        settings = compiled_settings(scene, effects)
         kinks = np.array(
             sorted({row[0] / self.scale for row in (*scene.ends.motion, *scene.ends.right_twist) if row[0] > 0})
         )
@@ -556,16 +570,6 @@ def frozen_filament(
         found = "without inertia or flow nothing of the motion depends on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
     return FrozenFilament(scene, free, effects, choose_backend(scene, effects), without_idle=without_idle)
-
-
-def _tolerances(scene: Scene, effects: Effects) -> Settings:
-    """Those with which the time error is 1e-4 of the largest sag at most; those of a run conserve energy too."""
-    accuracy = min(_ACCURACY, scene.run.accuracy)
-    accurate = scene.model_copy(update={"run": scene.run.model_copy(update={"accuracy": accuracy})})
-    settings = compiled_settings(accurate, effects)
-    if scene.numerics.rtol is not None or settings.rtol >= _TIGHT_ENOUGH:
-        return settings
-    return replace(settings, rtol=_TIGHT_ENOUGH, atol=settings.atol * _TIGHT_ENOUGH / settings.rtol)
 
 
 def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) -> Assembled:

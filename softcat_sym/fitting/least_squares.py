@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Literal, Protocol
 
 import casadi as ca
@@ -17,6 +17,10 @@ from softcat_sym.errors import Fault, SoftcatError
 
 Floats = NDArray[np.float64]
 Method = Literal["gauss-newton", "ipopt"]
+
+
+class TimeLimitError(Exception):
+    """A problem is asked for another evaluation after its time limit."""
 
 
 class LeastSquares(Protocol):
@@ -121,11 +125,13 @@ class Fixed:
 AT_BOUND = 1e-4
 """An unknown this close to a bound, as a share of the box, lies on it."""
 
-REACHED = 0.1
+REACHED = 0.2
 """Offset of an optimum that is reached as far as data can tell (Bates and Watts 1981)."""
 
 SOLVED, NOISE = "Solve_Succeeded", "Stopped_At_Noise_Of_Model"
-_CUT_SHORT, _STUCK = "Maximum_Evaluations_Exceeded", "Search_Direction_Becomes_Too_Small"
+STUCK = "Search_Direction_Becomes_Too_Small"
+_CUT_SHORT = "Maximum_Evaluations_Exceeded"
+OUT_OF_TIME = "Time_Limit_Exceeded"
 
 # Of the residuals' variance: what twice the loss would still fall by in a step that is not worth making; and in one
 # that, where it fails, fails by the noise of the model's own arithmetic.
@@ -158,6 +164,7 @@ class Optimum:
     # root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means nothing
     # where the data are met to rounding.
     offset: float
+    begun: float  # Norm of the residuals where it started
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,10 +222,11 @@ class _Model:
             jacobian=point.jacobian,
             iterations=iterations,
             evaluations=self.evaluations,
-            status=_STUCK if status in (SOLVED, NOISE) and not met else status,
+            status=STUCK if status in (SOLVED, NOISE) and not met else status,
             converged=status in (SOLVED, NOISE) and met,
             at_bound=on_bound(self.problem, point.q),
             offset=offset,
+            begun=float(np.linalg.norm(self.first.residuals)),
         )
 
 
@@ -251,9 +259,12 @@ def minimise(
             return model.optimum(point, iterations, SOLVED)
         if model.evaluations >= max_evaluations:
             return model.optimum(point, iterations, _CUT_SHORT)
-        ahead = model.at(
-            np.clip(point.q + step, problem.lower, problem.upper), unless_above=point.value if failed else math.inf
-        )
+        try:
+            ahead = model.at(
+                np.clip(point.q + step, problem.lower, problem.upper), unless_above=point.value if failed else math.inf
+            )
+        except TimeLimitError:
+            return model.optimum(point, iterations, OUT_OF_TIME)
         noisy, length = fall < _NOISY_GAIN * variance, float(np.abs(step).max())
         # Where values differ by noise alone, derivatives still tell whether the step came closer.
         closer = noisy and math.isfinite(ahead.value) and _step(model, ahead, variance, radius)[1] < 0.25 * fall
@@ -408,6 +419,8 @@ SAME_FIT = 0.1
 _SAME_OPTIMUM = 1e-6
 # Of a drawn start: what has not come to rest by then is a corner of the box that no filament would survive.
 _MAX_OF_DRAWN = 40
+# Evaluations after which a drawn start is hopeless if its loss is so many times that of the best.
+_FIRST_LOOK, _HOPELESS = 10, 10.0
 # Share of the residuals' variance that an unknown changes the sum of squares by, where it does nothing.
 _FLAT, _HALVINGS = 1e-3, 3
 
@@ -449,30 +462,46 @@ def multi_start(
     seed: int = 0,
     loss: Loss = LINEAR,
     method: Method = "gauss-newton",
+    gain: float | None = None,
+    asked: int | None = None,
+    enough: Callable[[Optimum], bool] = lambda best: False,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> MultiStartResult:
-    """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979)."""
+    """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
+
+    None is begun once the best is good enough; one that is drawn and still far above the best after some steps is
+    hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand, begin where they
+    are expected.
+    """
     starts = [check_in_box(problem, start) for start in given]
     if count:
-        drawn = qmc.LatinHypercube(problem.lower.size, seed=np.random.default_rng(seed)).random(count)
-        starts += list(qmc.scale(drawn, problem.lower, problem.upper))
-    ended, sizes = [], []
+        asked = problem.lower.size if asked is None else asked
+        drawn = qmc.LatinHypercube(asked, seed=np.random.default_rng(seed)).random(count)
+        box = problem.lower[:asked], problem.upper[:asked]
+        starts += [np.concatenate([row, starts[0][asked:]]) for row in qmc.scale(drawn, *box)]
+    ended, late = list[tuple[Floats, Optimum]](), False
+    how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
-        is_drawn = number >= len(given)
-        begin = _off_plateau(problem, start) if is_drawn else start
-        residuals = problem.residuals(begin)
-        if not (np.isfinite(residuals).all() and np.isfinite(problem.linearised(begin)[1]).all()):
-            continue
-        sizes.append(float(np.linalg.norm(residuals)))
-        most = _MAX_OF_DRAWN if is_drawn else 300
-        ended.append((start, minimise(problem, begin, loss=loss, method=method, max_evaluations=most)))
+        best = min((one for _, one in ended if one.converged), key=lambda one: one.value, default=None)
+        late = late or any(one.status == OUT_OF_TIME for _, one in ended)
+        if late or (best is not None and enough(best)):
+            starts = starts[:number]
+            break
+        try:
+            is_drawn = number >= len(given)
+            found = _fallen(problem, start, best, how) if is_drawn else _begun(problem, start, 300, how)
+        except TimeLimitError:
+            found, late = None, True
+        ended += [(start, found)] if found is not None else []
     if not ended:
+        if late:
+            raise SoftcatError("the time limit came before the first start was evaluated; accepted: a longer one")
         remedy = "bounds or starting values for which it can be solved"
         raise SoftcatError(f"the model has no answer at any of {len(starts)} starts; accepted: {remedy}")
     ended.sort(key=lambda pair: (not pair[1].converged, pair[1].value))
-    best = ended[0][1].residuals
-    near = max(SAME_FIT * float(np.sqrt(np.mean(best**2))), _SAME_OPTIMUM * max(sizes))
+    first = ended[0][1].residuals
+    near = max(SAME_FIT * float(np.sqrt(np.mean(first**2))), _SAME_OPTIMUM * max(one.begun for _, one in ended))
     leaders, results = list[Floats](), []
     for start, optimum in ended:
         distances = [float(np.linalg.norm(optimum.residuals - leader)) for leader in leaders]
@@ -481,6 +510,23 @@ def multi_start(
             leaders.append(optimum.residuals)
         results.append(StartResult(start, optimum, cluster))
     return MultiStartResult(tuple(results), len(starts) - len(ended))
+
+
+def _begun(problem: LeastSquares, start: Floats, most: int, how: Mapping[str, Any]) -> Optimum | None:
+    """The optimum reached from a start; None where the model has no answer there."""
+    residuals = problem.residuals(start)
+    if not (np.isfinite(residuals).all() and np.isfinite(problem.linearised(start)[1]).all()):
+        return None
+    return minimise(problem, start, **how, max_evaluations=most)
+
+
+def _fallen(problem: LeastSquares, start: Floats, best: Optimum | None, how: Mapping[str, Any]) -> Optimum | None:
+    """The same from a start that is drawn: given up after a first look if it is hopeless."""
+    found = _begun(problem, _off_plateau(problem, start), _FIRST_LOOK, how)
+    if found is None or found.converged or (best is not None and found.value > _HOPELESS * best.value):
+        return found
+    further = minimise(problem, found.q, **how, max_evaluations=_MAX_OF_DRAWN)
+    return replace(further, begun=found.begun)
 
 
 def _off_plateau(problem: LeastSquares, start: Floats) -> Floats:

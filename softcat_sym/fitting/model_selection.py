@@ -14,7 +14,7 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import Fit, fit, noise_scale
+from softcat_sym.fitting.fit import Fit, fit
 from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, Loss
@@ -365,7 +365,7 @@ def _ranked(
     """
     first, values = next(iter(fits.values())), loss_values(loss, fits)
     rows = [
-        FittedLaw(law, len(fits[law].problem.names), 2 * values[law])
+        FittedLaw(law, fits[law].problem.asked, 2 * values[law])
         if law in fits
         else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
         for law in laws
@@ -376,15 +376,19 @@ def _ranked(
         known = known and not (checks.size and checks.size.p_value < SIGNIFICANCE)
         if checks.verdict == "not white" and (r := checks.autocorrelation or 0.0) > 0:
             independent = (1 - r) / (1 + r)
-    return choose_model(rows, first.starts.best.residuals.size, noise_known=known, independent=independent)
+    return choose_model(rows, first.problem.readings, noise_known=known, independent=independent)
 
 
 def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
-    """The same loss of every fit: a robust one has each fit's own estimate of the noise; here the least is used."""
-    residuals = {name: one.starts.best.residuals for name, one in fits.items()}
-    if loss.kind != "linear" and not next(iter(fits.values())).noise_known:
-        loss = Loss(loss.kind, loss.scale * min(noise_scale(left) for left in residuals.values()))
-    return {name: loss.value(left) for name, left in residuals.items()}
+    """The same loss of every fit, in one unit of residuals: where the noise is not known a metre, and the least noise.
+
+    Rows of priors are among the residuals: what a law takes of the camera's and the theory's error counts against it.
+    """
+    known = next(iter(fits.values())).noise_known
+    units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
+    if loss.kind != "linear":
+        loss = Loss(loss.kind, loss.scale * min(units.values()))
+    return {name: loss.value(units[name] * one.starts.best.residuals) for name, one in fits.items()}
 
 
 # By which a wider law's sum of squares may exceed that of one it contains: the limit is never quite reached.
@@ -423,12 +427,16 @@ def fit_law(
     starts: int = STARTS,
     profiles: bool = True,
     seed: int = 0,
+    calibrated: bool = False,
+    discrepancy: bool = True,
+    time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    request = _Request(read, tuple(also_free), bounds or {}, {"loss": loss, "seed": seed})
+    how = {"loss": loss, "seed": seed, "calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
+    request = _Request(read, tuple(also_free), bounds or {}, how)
     return request.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
 
 
@@ -445,6 +453,9 @@ def fit_laws(
     backend: str = "auto",
     rtol: float | None = None,
     seed: int = 0,
+    calibrated: bool = False,
+    discrepancy: bool = True,
+    time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
@@ -464,7 +475,9 @@ def fit_laws(
         As for :func:`softcat_sym.fitting.fit`; each law takes those of its own constants.
     profiles : bool
         Whether the law that ranks first is fitted once more, with intervals from profile likelihoods.
-    measurements, loss, starts, backend, rtol, seed, progress
+    time_limit : float, optional
+        Seconds for each law.
+    measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, progress
         As for :func:`softcat_sym.fitting.fit`.
 
     Raises
@@ -476,6 +489,7 @@ def fit_laws(
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     seen = checked(read, scene)
     how = {"loss": loss, "backend": backend, "rtol": rtol, "seed": seed}
+    how |= {"calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
     request = _Request(read, tuple(also_free), bounds or {}, how)
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}

@@ -135,7 +135,7 @@ def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     """Draw what there is to draw, with captions."""
-    shown = {"profiles": bool(fit.profiles), "correlation": len(fit.problem.free) > 1}
+    shown = {"profiles": bool(fit.profiles), "correlation": fit.problem.asked > 1}
     found = {
         name: (caption, FIGURES[what](fit)) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
     }

@@ -107,9 +107,10 @@ def curves_figure(fit: Fit) -> Figure:
 
 def model_bands(fit: Fit) -> list[Floats]:
     """Half-width of the model's 95 % interval at each reading [m], one array for each film, to first order."""
-    jacobian = fit.starts.best.jacobian
-    variance = np.einsum("ij,jk,ik->i", jacobian, fit.information.covariance, jacobian)
-    half = fit.information.quantile * np.sqrt(np.maximum(variance, 0.0))
+    # The leverage of every reading, through what is known of the camera and of the theory's error too.
+    left, size, _ = np.linalg.svd(fit.starts.best.jacobian, full_matrices=False)
+    leverage = np.sum(left[:, size > 1e-10 * size[0]] ** 2, axis=1)
+    half = fit.information.quantile * fit.information.noise * np.sqrt(leverage)
     return [part * film.std for part, film in zip(fit.problem.by_film(half), fit.problem.films, strict=True)]
 
 
@@ -174,7 +175,7 @@ def profiles_figure(fit: Fit) -> Figure:
         what = "profile likelihood: how much worse the fit becomes with one parameter held, the others fitted anew"
         figure, body = headed(fit, what, 2.6 * rows + 0.3)
         panels = body.subplots(rows, across, squeeze=False)
-        for k, (one, free) in enumerate(zip(fit.profiles, fit.problem.free, strict=True)):
+        for k, (one, free) in enumerate(zip(fit.profiles, fit.problem.free, strict=False)):
             axes = panels.flat[k]
             _draw_profile(axes, one, free, float(fit.information.standard_errors[k]))
             axes.set_title(fit.parameters[free.name].verdict, loc="left", fontsize=8.5, pad=4)
@@ -222,7 +223,7 @@ JOINT = 5.991
 
 def correlation_figure(fit: Fit) -> Figure:
     """Draw the matrix of all pairs: below its diagonal regions in standard errors, above it correlations."""
-    count = len(fit.problem.free)
+    count = fit.problem.asked
     size = min(1.7, 6.6 / count)
     with style.styled():
         what = "joint 95 % regions in standard errors, and correlations of the estimates"
@@ -264,7 +265,7 @@ def _draw_region(axes: Axes, fit: Fit, across: int, up: int) -> None:
     for held, color in ((across, style.VERMILLION), (up, style.PURPLE)):
         if fit.profiles:
             way = np.insert(fit.profiles[held].others, held, fit.profiles[held].q, axis=1) - fit.starts.best.q
-            scaled = way / np.where(error > 0, error, 1.0)
+            scaled = way[:, : error.size] / np.where(error > 0, error, 1.0)
             axes.plot(scaled[:, across], scaled[:, up], color=color, linewidth=0.9)
     axes.plot([0], [0], "o", color=style.VERMILLION, markersize=3.5)
     axes.set(xlim=(-3.6, 3.6), ylim=(-3.6, 3.6))
@@ -286,7 +287,7 @@ def _color(cluster: int) -> str:
 
 def starts_figure(fit: Fit) -> Figure:
     """Draw a line for each start, the best on top: what is left of the misfit, and each parameter's way."""
-    results, count = fit.starts.results, 1 + len(fit.problem.free)
+    results, count = fit.starts.results, 1 + fit.problem.asked
     across, ranks = min(count, 4), np.arange(1, len(results) + 1)
     rows = math.ceil(count / across)
     values = np.array([result.optimum.value for result in results])

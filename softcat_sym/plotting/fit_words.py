@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.features import Reading
     from softcat_sym.fitting.fit import Fit, FittedFilm, FittedParameter
     from softcat_sym.fitting.model_selection import LawComparison, Ranked
+    from softcat_sym.fitting.resolution import Moved
 
 NONE = "–"
 
@@ -96,12 +97,29 @@ def starts_text(fit: Fit) -> str:
     return f"{text}; at {fit.starts.rejected} more the model has no answer" if fit.starts.rejected else text
 
 
+def camera_text(name: str, one: tuple[float, float, float]) -> str:
+    """What a film says of its camera, beside what was known."""
+    value, error, known = one
+    unit = next((unit for key, unit in (("sag", "m"), ("time", "s"), ("tilt", "rad")) if key in name), "")
+    return f"{with_error(value, error)} {unit}".rstrip() + f" (known to {significant(known)})"
+
+
+def resolution_text(moved: Moved) -> str:
+    """Cells, fibres and tolerance, and how far they move the parameters."""
+    at, share = moved.at, moved.shares.total
+    fibres = f", {at.fibres} fibres" if at.fibres else ""
+    return f"{at.cells} cells{fibres}, tolerance {at.rtol:.1g}: moves the parameters by {share:.2g} standard errors"
+
+
 def basis(fit: Fit) -> list[tuple[str, str]]:
     """What a fit rests on: headings and texts."""
     return [
         ("noise", noise_text(fit)),
         ("residuals", residuals_text(fit)),
         ("starts", starts_text(fit)),
+        *((name, camera_text(name, one)) for name, one in fit.camera.items()),
+        ("theory", f"may be wrong by {fit.theory:.2g} of the height" if fit.theory else "taken for exact"),
+        *(("resolution", resolution_text(one)) for one in (fit.resolution,) if one is not None),
         *(("corrected", text) for text in fit.notes),
         *(("repeated", text) for text in fit.repeats),
         ("effects", ", ".join(fit.effects)),

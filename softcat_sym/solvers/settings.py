@@ -72,6 +72,9 @@ _TIGHTEST_RODAS4 = 1e-5  # below this a method of fifth order takes so many step
 # Amplitude that the method itself takes from a ringing over a run, over rtol: a tenth of the accuracy of a ringing by
 # half of the sag. In n steps a period it takes 5e-6 (2 pi)^6/n^5 of the amplitude, for n of nine and more.
 _TAKEN, _TAKEN_PER_PERIOD = 10.2, 0.31
+# Periods of a ringing that lasts from which on what it gains or loses on the clock counts: it grows with their number,
+# and for a thousand of them it is 0.2 of the accuracy at the share above (tests/slow/test_energy_drift.py).
+_MANY_PERIODS = 500.0
 _VELOCITIES = frozenset({"u", "v", "w", "omega", "o1", "o2", "o3"})
 _PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
@@ -174,6 +177,10 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
             smallest = min(smallest, _PER_YIELD_STRAIN * (limit / modulus))
     elif _flow_damps(scene, effects):
         choice = _DESCENDING if terms.yields else _FLOWING
+    lasting = _lasting_period(scene, effects) if choice is _RINGING else None
+    if lasting is not None:
+        share = choice.share * min(1.0, _MANY_PERIODS * lasting / scene.run.duration)
+        choice = choice._replace(share=share, per_velocity=1.0)
     rtol = scene.numerics.rtol or min(_LOOSEST[choice.method], scene.run.accuracy * choice.share)
     method = choice.method if rtol >= _TIGHTEST_RODAS4 else RODAS5P
     noise = _roundoff(scene, effects)
@@ -182,22 +189,24 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     level = level and not scene.initial.centreline and not is_curved(scene)
     slope = min(1.0, 4 * expected_sag(scene)) if level else 1.0
     across = max(rtol * smallest, noise * slope)
-    longest = _max_step(scene, effects, rtol) if choice is _RINGING else None
+    longest = None if lasting is None else _longest_step(scene, lasting, rtol)
     atol, velocity = max(rtol * smallest, noise), choice.per_velocity * rtol * smallest
     return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method)
 
 
-def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
-    """Longest step [s] of a filament that rings: an L-stable method takes from the ringing what no tolerance misses.
+def _lasting_period(scene: Scene, effects: Effects) -> float | None:
+    """Period [s] of a ringing that nothing damps; None where there is none that can be seen."""
+    rings = ringing(scene)
+    lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
+    return 2 * math.pi / rings.frequency if effects.terms().inertia and lasts else None
+
+
+def _longest_step(scene: Scene, period: float, rtol: float) -> float:
+    """Longest step [s] of a filament that rings on: an L-stable method takes from the ringing what no tolerance misses.
 
     The tolerances hold the error of a step. It falls with the amplitude, so that steps grow as the ringing is lost, and
     a ringing by little of the sag is lost from the beginning.
     """
-    rings = ringing(scene)
-    lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
-    if not effects.terms().inertia or not lasts:
-        return None
-    period = 2 * math.pi / rings.frequency
     per_period = (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
     return period / float(per_period)
 

@@ -20,13 +20,17 @@ class Problem:
     model: Model
     data: np.ndarray
     std: float
-    asked: list[np.ndarray] = field(default_factory=list)
+    seen: list[np.ndarray] = field(default_factory=list)
+
+    @property
+    def asked(self) -> int:
+        return len(self.names)
 
     def residuals(self, q: np.ndarray) -> np.ndarray:
         return (self.model(q)[0] - self.data) / self.std
 
     def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        self.asked.append(q.copy())
+        self.seen.append(q.copy())
         values, derivatives = self.model(q)
         return (values - self.data) / self.std, derivatives / self.std
 

@@ -62,13 +62,21 @@ SCENES: dict[str, dict[str, Any]] = {
         "initial": {"stretch": 1.05, "relaxed": False},
     },
 }
+ACCURACY = 1e-3
+"""Asked of every run."""
+
 PERIODS = {"no-yield, elastic": 0.0983, "stretched-rubber-band": 0.01277, "drawn thin": 0.0394}
 """Of the first mode [s], as measured."""
 
 
 def swinging(name: str, periods: int, frames: int, effects: str, numerics: dict[str, object]) -> Prepared:
     """An elastic filament for so many periods, with so many frames in each."""
-    run = {"duration": f"{PERIODS[name] * periods!r} s", "frames": frames * periods + 1, "effects": effects}
+    run = {
+        "duration": f"{PERIODS[name] * periods!r} s",
+        "frames": frames * periods + 1,
+        "effects": effects,
+        "accuracy": ACCURACY,
+    }
     table = {"title": name, **SCENES[name], "run": run, "numerics": {"estimate": False, **numerics}}
     scene = sc.Scene.model_validate(table)
     return build(scene, choose_effects(scene))

@@ -33,8 +33,9 @@ THEORIES: Mapping[str, Mapping[str, object]] = {
 NOISE = (1e-2, 1e-3)
 """Of the largest sag."""
 
-UNBOUNDED = ("elastic, thick", "ringing arrest")
-"""Films that ring for so many periods that phases part by a radian: the error is not linear any more."""
+RINGING = ("elastic, thick", "ringing arrest")
+"""Films of which the covariance holds too little: phases part by a radian; and necks swing, which the published theory
+does not have."""
 
 
 @dataclass(frozen=True)
@@ -131,30 +132,32 @@ def test_amplitude_is_what_elements_show(theory: str) -> None:
         "correlation, log t",
     ]
     show(f"{theory}, minus elements", header, rows)
-    told = [ratio for name, ratio in ratios.items() if name not in UNBOUNDED]
-    assert max(told) < 1.7
-    assert 0.3 < np.sqrt(np.mean(np.square(told))) < 1.2
+    told = np.array(list(ratios.values()))
+    assert told.max() < 1.4
+    assert 0.4 < np.sqrt(np.mean(told**2)) < 1.0
 
 
 @pytest.mark.parametrize("theory", THEORIES)
 def test_constants_lie_within_their_intervals(theory: str) -> None:
-    rows, scores = [], []
+    rows, scores, ringing = [], [], []
     for name in (*KNOWN, *HELD):
         one = compared(name, theory)
         for free in _asked(one.names):
             for noise in NOISE:
                 shift, error = one.shift(noise, free)
-                pairs = zip(shift, error, strict=True)
-                both = [f"{100 * off:+.2f} ± {100 * std:.2f} %" for off, std in pairs]
-                rows.append([name, f"{100 * noise:g} %", *[""] * (3 - len(both)), *both])
-                if name not in UNBOUNDED:
-                    scores += list(shift / error)
-    within, rms = float(np.mean(np.abs(scores) < 1.96)), float(np.sqrt(np.mean(np.square(scores))))
-    show(
-        f"{theory}: {100 * within:.0f} % within, shift over error {rms:.2f} in rms",
-        ["film", "noise", "E", "eta", "sY"],
-        rows,
-    )
-    assert within > 0.9
+                said = dict(zip(free, zip(shift, error, strict=True), strict=True))
+                both = [
+                    "{:+.2f} ± {:.2f} %".format(*(100 * x for x in said[key])) if key in said else ""
+                    for key in CONSTANTS
+                ]
+                rows.append([name, f"{100 * noise:g} %", *both])
+                (ringing if name in RINGING else scores).extend(shift / error)
+    within, every = (float(np.mean(np.abs(each) < 1.96)) for each in (scores, [*scores, *ringing]))
+    rms = float(np.sqrt(np.mean(np.square(scores))))
+    summary = f"within {100 * every:.0f} %; without what rings {100 * within:.0f} %, shift over error {rms:.2f} in rms"
+    show(f"{theory}: {summary}", ["film", "noise", "E", "eta", "sY"], rows)
+    assert within > 0.95
+    assert every > 0.88
     if theory == "default":
-        assert 0.4 < rms < 1.2
+        assert every > 0.92
+        assert 0.5 < rms < 1.0

@@ -8,10 +8,9 @@ import pytest
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
-from tests.common.symplectic_rivals import PERIODS, SCENES, Path, Swing, energies, swinging
+from tests.common.symplectic_rivals import ACCURACY, PERIODS, SCENES, Path, Swing, energies, swinging
 from tests.common.table import show
 
-ACCURACY = 1e-3  # of a scene that says nothing
 LONG, MANY, FRAMES = 1000, 200, 8
 LAST = 10  # periods at the end over which errors are looked at
 # A string takes thousands of steps a period with the cells of a usual run; what the time steps lose does not need them.

@@ -1,0 +1,147 @@
+"""As accurate as the data need: how far grid, fibres and time steps move the constants of a fit, and what to refine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from softcat_sym.discretization.assembly import choose_cells
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.error_control.estimate import (
+    LOOSER,
+    MORE,
+    ORDER,
+    SECTION_ORDER,
+    TIGHTER,
+    Differences,
+    Resolution,
+    resolution_of,
+    with_more_fibres,
+)
+from softcat_sym.error_control.refinement import refined
+from softcat_sym.errors import SceneError
+from softcat_sym.fitting.free_parameters import TIME_OFFSET
+from softcat_sym.fitting.identifiability import Information
+from softcat_sym.fitting.least_squares import Floats, Optimum
+from softcat_sym.fitting.problem import FilamentProblem, Filmed
+from softcat_sym.scene.scene import Scene
+from softcat_sym.simulate import recalled, without_estimate
+
+SHARE = 1 / 3
+"""Of a standard error that grid, fibres and time steps together may move a constant."""
+
+_FRAMES = 201
+_TIGHTER = 0.1
+_FEWEST_CELLS = 16
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a resolution does to the constants."""
+
+    at: Resolution
+    shifts: Floats  # shape (3, k); Of the unknowns asked for, by grid, time steps and fibres; NaN where not known
+    shares: Differences  # The largest of each over the standard errors of what is identified
+
+    @property
+    def total(self) -> Floats:
+        """Of each unknown, the three together, shape (k,)."""
+        found: Floats = np.nansum(np.abs(self.shifts), axis=0)
+        return found
+
+
+def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
+    """Compare the filaments that fit best with companions on half the cells, with looser steps and more fibres."""
+    shifts, found = np.zeros((3, len(known.names))), list[Resolution]()
+    for film in problem.films:
+        scene, begin = _filmed(film, problem, best.q)
+        effects = choose_effects(scene)
+        at = resolution_of(scene, effects, compiled=film.model.compiled)
+        found.append(at)
+        rows = np.full((3, best.residuals.size), 0.0)
+        offset = sum(one.data.size for one in problem.films[: problem.films.index(film)])
+        rows[:, offset : offset + film.data.size] = [
+            film.whitened(change) for change in _changes(film, scene, effects, at, begin, best.q)
+        ]
+        shifts += np.linalg.lstsq(best.jacobian, rows.T, rcond=1e-8)[0][: len(known.names)].T
+    first = found[0]
+    sure = known.identified
+    over = np.abs(shifts[:, sure]) / known.standard_errors[sure] if sure.any() else np.zeros((3, 1))
+    space, time, section = (float(row.max()) if np.all(np.isfinite(row)) else None for row in over)
+    return Moved(first, shifts, Differences(space, time, section if first.fibres else None, None, ()))
+
+
+def first_look(scene: Scene) -> Scene:
+    """The scene on half the cells of a run, if it says nothing of them: noise hides more than they miss."""
+    if scene.numerics.cells is not None:
+        return scene
+    effects = choose_effects(scene)
+    cells = max(_FEWEST_CELLS, choose_cells(scene, effects) // 2)
+    changes = {
+        "numerics.cells": cells,
+        "numerics.grading": scene.numerics.grading or choose_grading(scene, cells, effects),
+    }
+    return scene.replace(changes)
+
+
+def tighter(problem: FilamentProblem) -> Resolution:
+    """The same grid with smaller time steps, for values whose own noise hides the optimum."""
+    film = problem.films[0]
+    scene = film.model.scene(problem.typical[list(film.columns)])
+    at = resolution_of(scene, choose_effects(scene), compiled=film.model.compiled)
+    return replace(at, rtol=_TIGHTER * at.rtol)
+
+
+def finer(found: Moved, given: Scene) -> Resolution | None:
+    """What to fit with next; None where it suffices, or nothing that the given scene leaves open would help."""
+    if found.shares.total <= SHARE:
+        return None
+    effects = choose_effects(given)
+    asked = given.model_copy(update={"run": given.run.model_copy(update={"accuracy": SHARE})})
+    following = refined(found.at, found.shares, asked, lambda cells: choose_grading(given, cells, effects))
+    return None if following == found.at else following
+
+
+def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, float]:
+    """The filament that fits best, for as long as it was filmed, and the time of its release on the camera's clock."""
+    begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
+    scene = film.model.scene(q[list(film.columns)])
+    lasts = max(float(film.time.max()) - begin, 1e-6 * scene.run.duration)
+    changes = {"run.effects": list(film.model.effects), "run.duration": f"{lasts!r} s", "run.frames": _FRAMES}
+    return scene.replace(changes), begin
+
+
+def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:
+    """By how much each part of the resolution falsifies the readings [m]; NaN where a companion has no answer."""
+    coarse = replace(at, cells=max(4, at.cells // 2))
+    loose = replace(coarse, rtol=min(LOOSER * at.rtol, 0.5))
+    fuller = with_more_fibres(coarse, MORE)
+    curves = {one: _midpoint(one, scene) for one in {at, coarse, loose, fuller}}
+    grid = 1 / ((at.cells / coarse.cells) ** ORDER - 1)
+    steps = 1 / (LOOSER - 1)
+    if np.isnan(curves[loose]).any():
+        # What has no answer with larger steps has one with smaller ones.
+        loose, steps = replace(coarse, rtol=TIGHTER * at.rtol), 1 / (1 - TIGHTER)
+        curves[loose] = _midpoint(loose, scene)
+    ratio = (fuller.fibres or 1) / (coarse.fibres or 1)
+    section = 0.0 if fuller == coarse else 1 / (1 - ratio**-SECTION_ORDER)
+    parts = [(at, coarse, grid), (loose, coarse, steps), (fuller, coarse, section)]
+    frames = np.linspace(0.0, scene.run.duration, _FRAMES)
+    # Points of whole shapes are taken to move as the midpoint does.
+    result, size = [], max(float(np.max(np.abs(curves[at]))), np.finfo(float).tiny)
+    for one, other, factor in parts:
+        change = np.interp(film.time - begin, frames, factor * (curves[one] - curves[other]))
+        result.append(np.where(np.isnan(film.place), change, change / size * np.abs(film.data)))
+    return result
+
+
+def _midpoint(resolution: Resolution, scene: Scene) -> Floats:
+    """Heights of the midpoint [m], shape (frames,); NaN without an answer."""
+    try:
+        run = recalled(without_estimate(resolution.of(scene)))
+    except SceneError:
+        return np.full(_FRAMES, np.nan)
+    heights = np.asarray(run.data["midpoint"].values, dtype=float)
+    return heights if run.outcome.is_success and heights.size == _FRAMES else np.full(_FRAMES, np.nan)
