@@ -25,7 +25,11 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.least_squares import Loss
+    from softcat_sym.fitting.measurements import Measurements
+    from softcat_sym.fitting.model_selection import LawComparison
+    from softcat_sym.scene.scene import Scene
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -83,6 +87,17 @@ NoDiscrepancyOption = Annotated[
 TimeLimitOption = Annotated[
     float | None, typer.Option("--time-limit", metavar="SECONDS", help="End after it with what is known by then.")
 ]
+PosteriorOption = Annotated[
+    bool, typer.Option("--posterior", help="Draw from the posterior too: softcat_sym\\[bayes].")
+]
+PriorOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--prior",
+        metavar="NAME=DIST",
+        help="Of scipy.stats, for the posterior: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
+    ),
+]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 
 
@@ -101,6 +116,8 @@ def fit(
     calibrated: CalibratedOption = False,
     no_discrepancy: NoDiscrepancyOption = False,
     time_limit: TimeLimitOption = None,
+    posterior: PosteriorOption = False,
+    prior: PriorOption = None,
     seed: SeedOption = 0,
     fresh: FreshOption = False,
     changes: SetOption = None,
@@ -115,39 +132,55 @@ def fit(
     """
     if not free and not law:
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
-    limits, robust = _bounds(bounds or []), _loss(loss, scale)
+    if prior and not posterior:
+        raise typer.BadParameter("only a posterior has priors: add --posterior", param_hint="--prior")
+    limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = scene_and_directory(scene, changes, output, "fit")
-    from softcat_sym.fitting.fit import fit as fit_filament
     from softcat_sym.fitting.measurements import read_measurements
-    from softcat_sym.fitting.model_selection import fit_law, fit_laws
+    from softcat_sym.fitting.posterior import packages, posterior_of
     from softcat_sym.plotting.fit import print_fit, print_laws, write_fit
     from softcat_sym.progress import StudyDisplay
 
-    films, also, compared = read_measurements(data), free or [], None
+    if posterior:
+        # Said before the fit, not after it.
+        packages()
+    films, also = read_measurements(data), free or []
     with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
         how |= {"calibrated": calibrated, "discrepancy": not no_discrepancy, "time_limit": time_limit}
-        if not law:
-            found = fit_filament(films, known, also, **how)
-        elif len(law) == 1:
-            found = fit_law(films, known, law[0], also_free=also, **how)
-        else:
-            compared = fit_laws(films, known, law, also_free=also, **how)
-            found = compared.best
+        found, compared = _fitted(films, known, also, law or [], how)
+        drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
-        written = write_fit(found, output, command, compared)
+        written = write_fit(found, output, command, compared, drawn)
     if not quiet:
         if compared is not None:
             print_laws(compared)
-        print_fit(found)
+        print_fit(found, posterior=drawn)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     if not found.outcome.converged:
         if quiet:
             print_error(f"{found.outcome.word}: {found.outcome.value}")
         raise typer.Exit(UNTRUSTED)
+    if drawn is not None and not drawn.outcome.is_success:
+        raise typer.Exit(UNTRUSTED)
+
+
+def _fitted(
+    films: Measurements, known: Scene, also: list[str], law: list[str], how: dict[str, Any]
+) -> tuple[Fit, LawComparison | None]:
+    """The fit, or of several laws the best one and how all compare."""
+    from softcat_sym.fitting.fit import fit as fit_filament
+    from softcat_sym.fitting.model_selection import fit_law, fit_laws
+
+    if not law:
+        return fit_filament(films, known, also, **how), None
+    if len(law) == 1:
+        return fit_law(films, known, law[0], also_free=also, **how), None
+    compared = fit_laws(films, known, law, also_free=also, **how)
+    return compared.best, compared
 
 
 def _loss(kind: str, scale: float | None) -> Loss:
@@ -156,6 +189,20 @@ def _loss(kind: str, scale: float | None) -> Loss:
     if scale is not None and kind == "linear":
         raise typer.BadParameter("least squares have none: name --loss soft-l1 or cauchy", param_hint="--scale")
     return Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
+
+
+def _priors(texts: list[str]) -> dict[str, str]:
+    """Read ``name=distribution(...)``."""
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, law = (part.strip() for part in text.partition("="))
+        if not name or not equals or not law:
+            form = "write a name and a distribution, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"
+            raise typer.BadParameter(f"{text!r} is no prior: {form}", param_hint="--prior")
+        if name in found:
+            raise typer.BadParameter(f"{name} has two priors", param_hint="--prior")
+        found[name] = law
+    return found
 
 
 def _bounds(texts: list[str]) -> dict[str, tuple[object, object]]:

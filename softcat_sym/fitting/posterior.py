@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextvars
 import math
+import tempfile
 import time
 import warnings
 from collections.abc import Mapping, Sequence
@@ -19,7 +20,8 @@ from scipy.special import expit, log_expit, logit
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
-from softcat_sym.fitting.priors import Prior, refuse_excluded
+from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
+from softcat_sym.fitting.problem import Marginal
 from softcat_sym.solvers.solution import Progress, Silence
 
 if TYPE_CHECKING:
@@ -126,6 +128,13 @@ class Posterior:
         """Write the draws; ``arviz.from_netcdf`` reads them."""
         self.data.to_netcdf(str(path), engine="h5netcdf")
 
+    def to_bytes(self) -> bytes:
+        """Content of ``posterior.nc``."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "posterior.nc"
+            self.to_netcdf(path)
+            return path.read_bytes()
+
     def to_dict(self) -> dict[str, Any]:
         """Its entry in ``fit.json``."""
         parameters = {
@@ -141,6 +150,41 @@ class Posterior:
         from softcat_sym.plotting.posterior import posterior_figure
 
         return posterior_figure(fit, self)
+
+
+def posterior_of(
+    fit: Fit,
+    priors: Mapping[str, str] | None = None,
+    *,
+    draws: int = DRAWS,
+    seed: int = 0,
+    time_limit: float = TIME_LIMIT,
+    progress: Progress | None = None,
+) -> Posterior:
+    """Draw from the posterior of a fit's parameters; noise, camera and the theory's error as the fit has them.
+
+    Parameters
+    ----------
+    fit : Fit
+        With an optimum.
+    priors : mapping of str to str, optional
+        By parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them.
+    draws, seed, time_limit, progress
+        As for :func:`sample`.
+
+    Raises
+    ------
+    SoftcatError
+        As :func:`sample`; or if no optimum was found.
+    """
+    if not fit.outcome.converged:
+        raise SoftcatError(f"a posterior begins at an optimum, and the fit ended as {fit.outcome.word!r}")
+    problem = Marginal(fit.problem, fit.starts.best)
+    fit.problem.deadline = math.inf
+    best, read = fit.starts.best.q[: fit.problem.asked], read_priors(priors or {}, problem.free)
+    seen = {film.name: film.measured for film in fit.films}
+    how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
+    return sample(problem, best, read, **how, observed=seen, progress=progress)
 
 
 def sample(
@@ -190,7 +234,7 @@ def sample(
     SoftcatError
         If nutpie is missing, the time does not suffice, or the model has no answer around the best fit.
     """
-    nutpie, arviz = _packages()
+    nutpie, arviz = packages()
     if min(draws, tune, chains) < 1:
         raise SoftcatError(f"{draws} draws, {tune} tuning, {chains} chains; accepted: 1 or more of each")
     refuse_excluded(priors, best)
@@ -235,7 +279,8 @@ def sample(
     return Posterior(data, parameters, *own)
 
 
-def _packages() -> tuple[Any, Any]:
+def packages() -> tuple[Any, Any]:
+    """Import nutpie and ArviZ, or say how they are installed."""
     try:
         with warnings.catch_warnings():
             # ArviZ announces its next version on import.

@@ -24,7 +24,7 @@ from softcat_sym.fitting.free_parameters import (
     Unknowns,
     free_parameters,
 )
-from softcat_sym.fitting.least_squares import Floats, Loss, TimeLimitError
+from softcat_sym.fitting.least_squares import Floats, Loss, Optimum, TimeLimitError
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.scene.scene import Scene
@@ -442,3 +442,35 @@ def _unknowns(
             unknowns.append(numbered(free, k))
             columns[k].append(len(unknowns) - 1)
     return tuple(unknowns), asked, [tuple(numbers) for numbers in columns]
+
+
+class Marginal(Unknowns):
+    """A problem in the unknowns that are asked for; the others are integrated out around an optimum.
+
+    They are linear, or as good as: what they would take of the residuals is projected out, so that r.r is that of their
+    best values, and J^T J the marginal precision.
+    """
+
+    def __init__(self, problem: FilamentProblem, best: Optimum) -> None:
+        self._problem, self._best = problem, best.q
+        self.free, self.noise_known = problem.free[: problem.asked], problem.noise_known
+        asked, others = best.jacobian[:, : problem.asked], best.jacobian[:, problem.asked :]
+        # How the others follow the unknowns.
+        self._follow = -np.linalg.lstsq(others, asked, rcond=None)[0] if others.size else np.zeros((0, problem.asked))
+
+    def residuals(self, q: Floats) -> Floats:
+        """Residuals that the others leave, shape (m,)."""
+        return self.linearised(q)[0]
+
+    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
+        """Those and their derivatives, shape (m, k)."""
+        count = q.size
+        around = self._best[count:] + self._follow @ (q - self._best[:count])
+        whole = np.clip(np.append(q, around), self._problem.lower, self._problem.upper)
+        residuals, jacobian = self._problem.linearised(whole)
+        if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
+            return np.full(residuals.size, np.nan), np.full((residuals.size, count), np.nan)
+        taken, _ = np.linalg.qr(jacobian[:, count:])
+        left = np.column_stack([residuals, jacobian[:, :count]])
+        left = left - taken @ (taken.T @ left)
+        return left[:, 0], left[:, 1:]

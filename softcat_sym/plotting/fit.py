@@ -15,7 +15,15 @@ from rich.text import Text
 
 from softcat_sym.plotting.files import json_bytes, page, write_results
 from softcat_sym.plotting.fit_figures import FIGURES, features_figure, laws_figure
-from softcat_sym.plotting.fit_words import LAW_HEADINGS, basis, feature_texts, law_remarks, law_texts, parameter_texts
+from softcat_sym.plotting.fit_words import (
+    LAW_HEADINGS,
+    basis,
+    feature_texts,
+    law_remarks,
+    law_texts,
+    parameter_texts,
+    posterior_texts,
+)
 from softcat_sym.plotting.style import png
 from softcat_sym.plotting.terminal import text_table
 
@@ -24,6 +32,7 @@ if TYPE_CHECKING:
 
     from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.model_selection import LawComparison
+    from softcat_sym.fitting.posterior import Posterior
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 """Of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""
@@ -44,7 +53,7 @@ def print_laws(found: LawComparison, console: Console | None = None) -> None:
     screen.print()
 
 
-def print_fit(fit: Fit, console: Console | None = None) -> None:
+def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | None = None) -> None:
     """Print parameters, outcome and what they rest on."""
     screen, parameters = console or Console(), list(fit.parameters.values())
     texts, title = [parameter_texts(one) for one in parameters], fit.scene.title or "Filament"
@@ -54,6 +63,7 @@ def print_fit(fit: Fit, console: Console | None = None) -> None:
     rows += [(one.name, one.reason) for one in parameters if one.reason]
     rows += [("identified", text) for text in fit.combinations]
     rows += [("warning", text) for text in fit.warnings]
+    rows += [] if posterior is None else posterior_texts(posterior)
     rows += [row for row in basis(fit) if row[0] not in ("effects", "solver", "effort")]
     for film in fit.films:
         rows += [("film", film.name)] if len(fit.films) > 1 else []
@@ -68,7 +78,11 @@ def print_fit(fit: Fit, console: Console | None = None) -> None:
 
 
 def fit_page(
-    fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str = "", laws: LawComparison | None = None
+    fit: Fit,
+    pictures: Mapping[str, tuple[str, bytes]],
+    command: str = "",
+    laws: LawComparison | None = None,
+    posterior: Posterior | None = None,
 ) -> bytes:
     """Write a page that needs no other file."""
     table = [] if laws is None else laws.choice.table
@@ -89,7 +103,7 @@ def fit_page(
         rows=[(one.verdict == "identified", parameter_texts(one)) for one in parameters],
         reasons=[f"{one.name}: {one.reason}" for one in parameters if one.reason],
         remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
-        basis=basis(fit),
+        basis=[*([] if posterior is None else posterior_texts(posterior)), *basis(fit)],
         features=[(film.name, feature_texts(film)) for film in fit.films],
         pictures=[(name.removesuffix(".png"), what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
         command=command,
@@ -97,21 +111,35 @@ def fit_page(
 
 
 # Files that not every fit has: those of an earlier fit in the same folder would belong to no document there.
-_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws)\.png|laws\.csv")
+_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws|posterior)\.png|laws\.csv|posterior\.nc")
 
 
-def write_fit(fit: Fit, directory: str | Path, command: str = "", laws: LawComparison | None = None) -> list[Path]:
-    """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``, and ``laws.csv`` of several."""
+def write_fit(
+    fit: Fit,
+    directory: str | Path,
+    command: str = "",
+    laws: LawComparison | None = None,
+    posterior: Posterior | None = None,
+) -> list[Path]:
+    """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``.
+
+    And ``laws.csv`` of several laws, ``posterior.nc`` of a posterior.
+    """
     pictures = fit_pictures(fit)
     if laws is not None:
         pictures["laws.png"] = ("what every law leaves unexplained, the best law first", png(laws_figure(laws)))
+    if posterior is not None:
+        pictures["posterior.png"] = ("draws of the posterior, best fit and intervals", png(posterior.plot(fit)))
+    beside = {"laws": laws, "posterior": posterior}
+    facts = fit.to_dict() | {name: one.to_dict() for name, one in beside.items() if one is not None}
     contents = {
-        "fit.json": json_bytes(fit.to_dict() | ({} if laws is None else {"laws": laws.to_dict()}), is_ascii=False),
+        "fit.json": json_bytes(facts, is_ascii=False),
         "scene.toml": fitted_toml(fit),
         "fit.csv": fit.to_frame().to_csv(index=False),
         "laws.csv": None if laws is None else laws.to_frame().to_csv(index=False),
         **{name: picture for name, (_, picture) in pictures.items()},
-        "fit.html": fit_page(fit, pictures, command, laws),
+        "posterior.nc": None if posterior is None else posterior.to_bytes(),
+        "fit.html": fit_page(fit, pictures, command, laws, posterior),
     }
     written = write_results(directory, contents)
     for path in Path(directory).iterdir():

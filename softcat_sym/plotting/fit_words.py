@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.features import Reading
     from softcat_sym.fitting.fit import Fit, FittedFilm, FittedParameter
     from softcat_sym.fitting.model_selection import LawComparison, Ranked
+    from softcat_sym.fitting.posterior import Posterior
     from softcat_sym.fitting.resolution import Moved
 
 NONE = "–"
@@ -126,6 +127,20 @@ def basis(fit: Fit) -> list[tuple[str, str]]:
         ("solver", fit.backend),
         ("effort", f"{fit.seconds:.2g} s; {fit.evaluations} evaluations from all starts"),
     ]
+
+
+def posterior_texts(posterior: Posterior) -> list[tuple[str, str]]:
+    """What a posterior is worth, and the 95 % interval of every parameter between its quantiles."""
+    rows = [("posterior", f"{posterior.outcome.word}: {posterior.outcome.value}; {posterior.message}")]
+    for prior in posterior.priors:
+        one = posterior.parameters[prior.free.name]
+        unit = display_unit(prior.free.unit, abs(one["median"]))
+        low, middle, high = (
+            significant(value / unit.size) for value in (one["eti95"][0], one["median"], one["eti95"][1])
+        )
+        sign = "" if unit.symbol == "1" else f" {unit.symbol}"
+        rows.append((prior.free.name, f"{middle}{sign}, 95 % of the draws {low} to {high}; prior {prior.text}"))
+    return rows
 
 
 def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
