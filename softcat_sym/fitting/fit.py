@@ -461,8 +461,8 @@ FEATURES = {
 }
 """What a film shows without a model: attributes of its features, what they are called, units in names of keys."""
 
-# By which chi^2 would still fall in a step that is not worth making: a hundredth of a standard error.
-_GAIN = 1e-4
+# By which chi^2 would still fall in a step that is not worth making: a twentieth of a standard error.
+_GAIN = 3e-3
 # Evaluations with derivatives that an optimum and a profile take, the rounds after the first among them.
 _PER_OPTIMUM, _PER_PROFILE = 14, 12
 # Readings below which nothing is said of their distribution; mean square residual that is taken for noise; share of
