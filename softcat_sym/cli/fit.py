@@ -134,6 +134,10 @@ def fit(
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
     if prior and not posterior:
         raise typer.BadParameter("only a posterior has priors: add --posterior", param_hint="--prior")
+    if posterior and loss != "linear":
+        raise typer.BadParameter(
+            "the likelihood of a posterior is Gaussian: leave --loss out", param_hint="--posterior"
+        )
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = scene_and_directory(scene, changes, output, "fit")
     from softcat_sym.fitting.measurements import read_measurements

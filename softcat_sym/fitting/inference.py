@@ -342,7 +342,7 @@ MAX_RESTARTS = 2
 """Better optima that are followed; beyond them the starts tell how rugged the problem is."""
 
 # Where directions are undetermined: a profile may take as many evaluations as the starts did together, at least these.
-_MIN_EVALUATIONS = 100
+_MIN_EVALUATIONS = 40
 
 
 class Judged(LeastSquares, Protocol):
