@@ -484,8 +484,8 @@ def multi_start(
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
         # Stuck is one whose values differ by their own noise: smaller time steps will take it further.
-        near = (one for _, one in ended if one.converged or one.status == STUCK)
-        best = min(near, key=lambda one: one.value, default=None)
+        reached = (one for _, one in ended if one.converged or one.status == STUCK)
+        best = min(reached, key=lambda one: one.value, default=None)
         late = late or any(one.status == OUT_OF_TIME for _, one in ended)
         if late or (best is not None and enough(best)):
             starts = starts[:number]
