@@ -355,6 +355,7 @@ class FreeParameter:
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
     prior: float = math.inf  # Standard deviation of q about the typical one; infinite where nothing is known
+    film: int | None = None  # Number of the only film that has it, from 1; None of what all share
 
     @property
     def of_measurement(self) -> bool:

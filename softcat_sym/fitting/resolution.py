@@ -129,11 +129,12 @@ def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin
     section = 0.0 if fuller == coarse else 1 / (1 - ratio**-SECTION_ORDER)
     parts = [(at, coarse, grid), (loose, coarse, steps), (fuller, coarse, section)]
     frames = np.linspace(0.0, scene.run.duration, _FRAMES)
-    # Points of whole shapes are taken to move as the midpoint does.
+    # Points of whole shapes, and forces, are taken to move as the midpoint does.
     result, size = [], max(float(np.max(np.abs(curves[at]))), np.finfo(float).tiny)
     for one, other, factor in parts:
         change = np.interp(film.time - begin, frames, factor * (curves[one] - curves[other]))
-        result.append(np.where(np.isnan(film.place), change, change / size * np.abs(film.data)))
+        of_midpoint = np.isnan(film.place) & ~film.is_force
+        result.append(np.where(of_midpoint, change, change / size * np.abs(film.data)))
     return result
 
 
