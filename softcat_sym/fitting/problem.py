@@ -98,6 +98,12 @@ class Filmed:
     correlation: float = 0.0  # Of the noise of neighbouring readings of the midpoint
 
     @property
+    def force_way(self) -> NDArray[np.int64]:
+        """Number of its way of each force, -1 of each height, shape (n,)."""
+        ways = [np.full(one.time.size, WAYS.index(one.way)) for one in self.series.forces]
+        return np.concatenate([np.full(int(np.sum(~self.is_force)), -1), *ways])
+
+    @property
     def name(self) -> str:
         """Its file; empty if it has none."""
         return self.series.path.name if self.series.path else ""
@@ -234,7 +240,7 @@ class FilamentProblem(Unknowns):
             films.append(
                 Filmed(
                     series=film,
-                    model=ForwardModel(one, [free for _, free in inside], film.time, backend, _steps(film, one, rtol)),
+                    model=ForwardModel(one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)),
                     columns=tuple(number for number, _ in inside),
                     time=given.time,
                     place=given.place,
@@ -502,8 +508,8 @@ def _of_bends(rows: Sequence[Floats], largest: float) -> float:
     return max(found, _LEAST_NOISE * largest)
 
 
-def _steps(film: Series, scene: Scene, rtol: float | None) -> float | None:
-    """Tolerance of a film's model."""
+def time_steps(film: Series, scene: Scene, rtol: float | None) -> float | None:
+    """Relative tolerance of the model of a film; None where it is that of a run."""
     if rtol is not None or not film.forces:
         return rtol
     return min(scene.numerics.rtol or math.inf, _RTOL_OF_FORCES)
