@@ -76,9 +76,7 @@ class FlowReadings:
     known: bool  # Whether they are stated
 
     @classmethod
-    def of(
-        cls, curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter], columns: Sequence[int]
-    ) -> FlowReadings:
+    def of(cls, curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter], columns: Sequence[int]) -> FlowReadings:
         """With the errors that are stated, or the relative scatter about the best of the same law."""
         steady_shear_stress(scene.material, curve.shear_rate)
         if curve.std is not None:

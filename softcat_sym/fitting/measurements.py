@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.fitting.trackers import Camera, camera_in, in_rows
 from softcat_sym.scene.csv_reader import (
     Column,
     CsvTable,
@@ -40,7 +41,7 @@ WAYS = (HORIZONTAL, VERTICAL)
 """Forces of the right support on the filament, outwards and upwards."""
 
 _OF_FORCE = {way: f"{way}_{STD}" for way in WAYS}
-FORCE = "force"
+FORCE, FRAME = "force", "frame"
 _TIME_UNITS, _LENGTH_UNITS, _FORCE_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um"), ("N", "mN", "uN")
 
 # A name before its unit: what it is, and whether it counts downwards.
@@ -58,11 +59,12 @@ _KNOWN = {
     "y_std": (STD, False),
     **{name: (name, False) for pair in _OF_FORCE.items() for name in pair},
     FORCE: (FORCE, False),
+    FRAME: (FRAME, False),
 }
 _NAME = header_pattern(_KNOWN)
 
 
-def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
+def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list[Fault]]:
     """Find the columns that are read; others are left alone."""
     where = f"line {table.line}"
     candidates: dict[str, list[Column]] = {}
@@ -75,9 +77,7 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
         known, unit, bracketed = named(match)
         quantity, down = _KNOWN[known]
         try:
-            if quantity == FORCE:
-                raise NotAQuantity("a force without its way")
-            si = unit_of(unit, *_dimension(quantity))
+            si = _si(quantity, unit, camera)
         except NotAQuantity as found:
             fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
             if bracketed and not is_pixels(unit):
@@ -87,6 +87,11 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
             continue
         candidates.setdefault(quantity, []).append(Column(name, place, si, down))
     found_columns = {quantity: several[0] for quantity, several in candidates.items()}
+    # Frames stand for times where there are none.
+    for there in (found_columns, candidates, unreadable):
+        frames = there.pop(FRAME, None)  # type: ignore[attr-defined]
+        if frames is not None and TIME not in {*found_columns, *unreadable}:
+            there[TIME] = frames  # type: ignore[index]
     # Of a tracker that writes pixels besides: what is there in units will do.
     there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
     unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
@@ -103,6 +108,24 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
         fault for quantity, fault in unreadable.items() if quantity not in found_columns and fault not in unknown
     ]
     return found_columns, unknown + faults + _missing(table, {*found_columns, *unreadable})
+
+
+def _si(quantity: str, unit: str, camera: Camera) -> float:
+    """SI value of the unit of a column; of frames and pixels by what is known of the camera."""
+    if quantity == FORCE:
+        raise NotAQuantity("a force without its way")
+    if quantity == FRAME:
+        if camera.fps is None:
+            raise NotAQuantity("frames, which only their rate turns into times: # camera.fps = 240 in the file")
+        return 1 / camera.fps
+    in_pixels = is_pixels(unit) or (not unit and quantity in (X, Y))
+    if in_pixels and camera.pixel is not None:
+        return camera.pixel
+    try:
+        return unit_of(unit, *_dimension(quantity))
+    except NotAQuantity as found:
+        hint = ": # camera.pixel = 0.05 mm in the file" if in_pixels else ""
+        raise NotAQuantity(f"{found}{hint}") from None
 
 
 def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
@@ -132,7 +155,7 @@ def _names(quantity: str) -> str:
     if FORCE in quantity:
         forces = WAYS if quantity == FORCE else (quantity,)
         return ", ".join(f"{name}_{unit}" for name in forces for unit in _FORCE_UNITS)
-    if quantity == TIME:
+    if quantity in (TIME, FRAME):
         return "time_s, " + ", ".join(f"time_{unit}" for unit in _TIME_UNITS[1:])
     if quantity == MIDPOINT:
         names = ", ".join(f"midpoint_{unit}" for unit in _LENGTH_UNITS)
@@ -571,15 +594,30 @@ def _same(one: Path, other: Path) -> bool:
     return os.path.realpath(one) == os.path.realpath(other)
 
 
+def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tuple[Table, tuple[str, ...]]:
+    """Times from the release, and places from halfway between the supports, where they are counted otherwise."""
+    placed, notes = dict(table), []
+    if camera.release and columns[TIME].name.lower() == FRAME and camera.fps is not None:
+        placed[TIME] = table[TIME] - camera.release / camera.fps
+    if camera.pixel is not None and X in columns and columns[X].unit == camera.pixel:
+        across, down = (camera.pixel * place for place in camera.origin)
+        placed |= {X: table[X] - across, Y: down - table[Y]}
+        notes.append(f"Counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards.")
+    return placed, tuple(notes)
+
+
 def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
     """Columns of heights and of each force for themselves, and their rows: without those that only others fill."""
     names = {"": MIDPOINT if MIDPOINT in table else Y, **{way: way for way in WAYS}}
     there = {part: ~np.isnan(table[name]) for part, name in names.items() if name in table}
     found = {}
     for part, filled in there.items():
-        others = np.any([other for name, other in there.items() if name != part] or [~filled & False], axis=0)
-        rows = np.flatnonzero(filled | ~others)
-        given = {FORCE: table[part], STD: table.get(_OF_FORCE[part])} if part else {n: table.get(n) for n in (MIDPOINT, X, Y, STD)}
+        rows = np.flatnonzero(filled if len(there) > 1 else np.ones_like(filled))
+        given = (
+            {FORCE: table[part], STD: table.get(_OF_FORCE[part])}
+            if part
+            else {n: table.get(n) for n in (MIDPOINT, X, Y, STD)}
+        )
         columns = {TIME: table[TIME], **{name: values for name, values in given.items() if values is not None}}
         found[part] = {name: values[rows] for name, values in columns.items()}, rows
     return found
@@ -588,16 +626,22 @@ def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
 def _series(file: Path) -> Series:
     text = text_of(file, _KIND, _ACCEPTED)
     overrides, faults = overrides_in(text)
-    cells = table_in(text)
+    cells, (camera, wrong) = table_in(text), camera_in(text)
+    if wrong:
+        raise refusal(_KIND, file, faults + wrong)
     if cells is None:
         raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", _ACCEPTED)])
-    columns, wrong = columns_of(cells)
+    cells, tracker = in_rows(cells)
+    columns, wrong = columns_of(cells, camera)
     faults += wrong
     if wrong:
         raise refusal(_KIND, file, faults)
     table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity.endswith(STD)))
     faults += wrong
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...] = (f"Read as a table of {tracker}.",) if tracker else ()
+    if not faults:
+        table, said = _placed(table, columns, camera)
+        notes += said
     parts: dict[str, Table] = {}
     for name, (part, lines) in ({} if faults else _parts(table)).items():
         parts[name], said, wrong = repaired(part, lambda k, lines=lines: f"line {cells.rows[lines[k]][0]}")  # type: ignore[misc]
@@ -606,7 +650,9 @@ def _series(file: Path) -> Series:
     if faults:
         raise refusal(_KIND, file, faults)
     try:
-        forces = tuple(Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts)
+        forces = tuple(
+            Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
+        )
     except SoftcatError as error:
         raise SoftcatError(f"{_KIND} {file}: {error}") from None
     table = parts.get("", {})

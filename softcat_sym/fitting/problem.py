@@ -240,7 +240,9 @@ class FilamentProblem(Unknowns):
             films.append(
                 Filmed(
                     series=film,
-                    model=ForwardModel(one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)),
+                    model=ForwardModel(
+                        one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)
+                    ),
                     columns=tuple(number for number, _ in inside),
                     time=given.time,
                     place=given.place,
@@ -328,7 +330,9 @@ class FilamentProblem(Unknowns):
         self._check_time()
         pairs = zip(self.films, self.curves(q), strict=True)
         of_curve = [] if self.flow is None else [self.flow.residuals(q)]
-        return np.concatenate([*(film.whitened(found - film.data) for film, found in pairs), *of_curve, self._priors(q)])
+        return np.concatenate(
+            [*(film.whitened(found - film.data) for film, found in pairs), *of_curve, self._priors(q)]
+        )
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives, shape (m, k)."""
