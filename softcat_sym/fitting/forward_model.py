@@ -119,7 +119,8 @@ class ForwardForces(ForwardReadings):
         stress = filament.support(len(values))(
             times[None, :], values[:, :count].T, values[:, count:].T, filament.parameters(ours)
         )
-        return np.asarray(stress, dtype=float)[self._way] * undeformed_area(filament.scene_of(ours))
+        force: Floats = np.asarray(stress, dtype=float)[self._way] * undeformed_area(filament.scene_of(ours))
+        return force
 
 
 class ForwardShapes(ForwardReadings):

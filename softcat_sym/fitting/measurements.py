@@ -88,10 +88,11 @@ def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list
         candidates.setdefault(quantity, []).append(Column(name, place, si, down))
     found_columns = {quantity: several[0] for quantity, several in candidates.items()}
     # Frames stand for times where there are none.
-    for there in (found_columns, candidates, unreadable):
-        frames = there.pop(FRAME, None)  # type: ignore[attr-defined]
-        if frames is not None and TIME not in {*found_columns, *unreadable}:
-            there[TIME] = frames  # type: ignore[index]
+    of_frames = found_columns.pop(FRAME, None), unreadable.pop(FRAME, None)
+    candidates.pop(FRAME, None)
+    if TIME not in {*found_columns, *unreadable}:
+        found_columns |= {} if of_frames[0] is None else {TIME: of_frames[0]}
+        unreadable |= {} if of_frames[1] is None else {TIME: of_frames[1]}
     # Of a tracker that writes pixels besides: what is there in units will do.
     there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
     unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
@@ -342,7 +343,7 @@ class Shapes:
 
 @dataclass(frozen=True, eq=False)
 class Forces:
-    """Force of the right support on the filament, as a load cell under it reads it: alike at both of a symmetric one."""
+    """Force of the right support on the filament, as a load cell reads it; alike at both of a symmetric filament."""
 
     time: Floats  # shape (n,); [s] since the release, increasing
     force: Floats  # shape (n,); [N], outwards or upwards
@@ -607,19 +608,17 @@ def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tupl
 
 
 def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
-    """Columns of heights and of each force for themselves, and their rows: without those that only others fill."""
+    """Columns of heights, named by nothing, and of each force for themselves; of several those rows that each fills."""
     names = {"": MIDPOINT if MIDPOINT in table else Y, **{way: way for way in WAYS}}
-    there = {part: ~np.isnan(table[name]) for part, name in names.items() if name in table}
+    names = {part: name for part, name in names.items() if name in table}
     found = {}
-    for part, filled in there.items():
-        rows = np.flatnonzero(filled if len(there) > 1 else np.ones_like(filled))
-        given = (
-            {FORCE: table[part], STD: table.get(_OF_FORCE[part])}
-            if part
-            else {n: table.get(n) for n in (MIDPOINT, X, Y, STD)}
-        )
-        columns = {TIME: table[TIME], **{name: values for name, values in given.items() if values is not None}}
-        found[part] = {name: values[rows] for name, values in columns.items()}, rows
+    for part, name in names.items():
+        given = {one: table[one] for one in (TIME, MIDPOINT, X, Y, STD) if one in table}
+        if part:
+            given = {TIME: table[TIME], FORCE: table[part]}
+            given |= {STD: table[_OF_FORCE[part]]} if _OF_FORCE[part] in table else {}
+        rows = np.flatnonzero(~np.isnan(table[name]) | (len(names) == 1))
+        found[part] = {one: values[rows] for one, values in given.items()}, rows
     return found
 
 
@@ -633,40 +632,46 @@ def _series(file: Path) -> Series:
         raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", _ACCEPTED)])
     cells, tracker = in_rows(cells)
     columns, wrong = columns_of(cells, camera)
-    faults += wrong
     if wrong:
-        raise refusal(_KIND, file, faults)
+        raise refusal(_KIND, file, faults + wrong)
     table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity.endswith(STD)))
-    faults += wrong
-    notes: tuple[str, ...] = (f"Read as a table of {tracker}.",) if tracker else ()
-    if not faults:
-        table, said = _placed(table, columns, camera)
-        notes += said
+    if faults or wrong:
+        raise refusal(_KIND, file, faults + wrong)
+    table, said = _placed(table, columns, camera)
+    notes = [*([f"Read as a table of {tracker}."] if tracker else []), *said]
     parts: dict[str, Table] = {}
-    for name, (part, lines) in ({} if faults else _parts(table)).items():
-        parts[name], said, wrong = repaired(part, lambda k, lines=lines: f"line {cells.rows[lines[k]][0]}")  # type: ignore[misc]
-        notes += tuple(one for one in said if one not in notes)
+    for name, (part, rows) in _parts(table).items():
+        lines = [cells.rows[k][0] for k in rows]
+        parts[name], said, wrong = repaired(part, lambda k, lines=lines: f"line {lines[k]}")  # type: ignore[misc]
+        notes += [one for one in said if one not in notes]
         faults += wrong
     if faults:
         raise refusal(_KIND, file, faults)
     try:
-        forces = tuple(
-            Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
-        )
+        return _of_parts(parts, columns, overrides, file, notes)
     except SoftcatError as error:
-        raise SoftcatError(f"{_KIND} {file}: {error}") from None
+        message = str(error)
+        raise SoftcatError(message if str(file) in message else f"{_KIND} {file}: {message}") from None
+
+
+def _of_parts(
+    parts: Mapping[str, Table],
+    columns: Mapping[str, Column],
+    overrides: Mapping[str, str],
+    file: Path,
+    notes: Sequence[str],
+) -> Series:
+    """One film of what its columns hold."""
+    forces = tuple(
+        Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
+    )
     table = parts.get("", {})
-    std = table.get(STD)
-    if not table:
-        return Series(np.empty(0), np.empty(0), None, None, overrides, file, notes, forces)
-    if MIDPOINT in table:
-        down = columns[MIDPOINT].down
-        if down:
-            notes = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *notes)
-        midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
-        return Series(table[TIME], midpoint, std, None, overrides, file, notes, forces)
-    try:
-        shapes = Shapes(table[TIME], table[X], table[Y], std)
-    except SoftcatError as error:
-        raise SoftcatError(f"{_KIND} {file}: {error}") from None
-    return Series(np.empty(0), np.empty(0), None, shapes, overrides, file, notes)
+    empty, std, said = np.empty(0), table.get(STD), tuple(notes)
+    if MIDPOINT not in table:
+        shapes = Shapes(table[TIME], table[X], table[Y], std) if table else None
+        return Series(empty, empty, None, shapes, overrides, file, said, forces)
+    down = columns[MIDPOINT].down
+    if down:
+        said = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *said)
+    midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
+    return Series(table[TIME], midpoint, std, None, overrides, file, said, forces)

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_smoothing_spline
 from scipy import stats
+from scipy.interpolate import make_smoothing_spline
 from scipy.linalg import eigh
 
 from softcat_sym.error_control.estimate import Resolution
@@ -179,8 +179,9 @@ class FilamentProblem(Unknowns):
     """Residuals in standard errors: a problem of least squares with Gaussian priors.
 
     Every filament shares the unknowns of the material, which are named first, but for those of single films: their
-    names end in ``@2``, the number of the film, or in ``@each``. Behind them come each camera's own numbers, known about as well as :data:`CAMERA` says, with the number of the film behind their names where there are
-    several; and the amplitudes of the theory's own error, in the directions of its covariance
+    names end in ``@2``, the number of the film, or in ``@each``. Behind them come each camera's own numbers, known
+    about as well as :data:`CAMERA` says, with the number of the film behind their names where there are several; and
+    the amplitudes of the theory's own error, in the directions of its covariance
     (:mod:`softcat_sym.fitting.discrepancy`). What has a prior adds a row to the residuals, behind those of the data.
 
     Parameters
@@ -442,7 +443,7 @@ class FilamentProblem(Unknowns):
             remaining = float(residuals[part] @ residuals[part]) - explained
             freedom = max(int(part.sum()) - basis.shape[1], 1)
             # What a contradiction adds to an estimated noise is no noise.
-            known = part[end - 1] and self.flow.known or not part[end - 1] and self.noise_known
+            known = self.flow.known if part[end - 1] else self.noise_known
             fall += explained / (1.0 if known else max(remaining / freedom, _LEAST_NOISE))
             ranks += basis.shape[1]
         freedom = max(ranks - int(np.linalg.matrix_rank(jacobian, tol=_RANK * float(np.linalg.norm(jacobian, 2)))), 1)

@@ -44,28 +44,32 @@ class Camera:
 
 def camera_in(text: str) -> tuple[Camera, list[Fault]]:
     """Read what comments say of the camera; lines of other programs about theirs are left alone."""
-    found, faults = dict[str, object](), list[Fault]()
+    found, faults = dict[str, list[float]](), list[Fault]()
     for number, line in enumerate(text.splitlines(), start=1):
         match = _LINE.match(line.strip())
         if match is None or match["key"] not in _KEYS:
             continue
         key, value = match["key"], match["value"].strip().rstrip(",;\t ")
-        numbers = [number_in(part) for part in value.replace(",", " ").split()]
+        where = f"line {number}, camera.{key}"
+        found[key] = [_or_nan(part) for part in value.replace(",", " ").split()]
         try:
             if key == "pixel":
-                found[key] = to_si(value, "length", "m")
-            elif key == "origin":
-                found[key] = tuple(numbers)
-            else:
-                found[key] = numbers[0] if len(numbers) == 1 else to_si(value, "frequency", "Hz")
+                found[key] = [to_si(value, "length", "m")]
+            elif key == "fps" and len(found[key]) != 1:
+                found[key] = [to_si(value, "frequency", "Hz")]
         except NotAQuantity as error:
-            faults.append(Fault(f"line {number}, camera.{key}", str(error), _KEYS[key]))
+            faults.append(Fault(where, str(error), _KEYS[key]))
             continue
-        given = found[key] if isinstance(found[key], tuple) else (found[key],)
-        wrong = any(one is None or not np.isfinite(one) for one in given) or len(given) != 1 + (key == "origin")
-        if wrong or (key in ("fps", "pixel") and not given[0] > 0):
-            faults.append(Fault(f"line {number}, camera.{key}", shown(value), _KEYS[key]))
-    return Camera() if faults else Camera(**found), faults  # type: ignore[arg-type]
+        count = 2 if key == "origin" else 1
+        wrong = len(found[key]) != count or not np.all(np.isfinite(found[key]))
+        if wrong or (key in ("fps", "pixel") and found[key][0] <= 0):
+            faults.append(Fault(where, shown(value), _KEYS[key]))
+    if faults:
+        return Camera(), faults
+    single = {key: values[0] for key, values in found.items() if key != "origin"}
+    if "origin" not in found:
+        return Camera(**single), []  # type: ignore[arg-type]
+    return Camera(**single, origin=(found["origin"][0], found["origin"][1])), []
 
 
 def in_rows(table: CsvTable) -> tuple[CsvTable, str]:
@@ -90,11 +94,14 @@ def _by_pairs(table: CsvTable, header: list[str], places: list[int], width: int,
         for place in places:
             point = cells[place : place + width]
             # A point that was not seen is no row.
-            if len(point) == width and all(
-                np.isfinite(number_in(cell) or 0.0) and number_in(cell) is not None for cell in point
-            ):
+            if len(point) == width and all(np.isfinite(_or_nan(cell)) for cell in point):
                 rows.append((line, [frame, *point]))
     return replace(table, header=header, rows=rows)
+
+
+def _or_nan(cell: str) -> float:
+    value = number_in(cell)
+    return np.nan if value is None else value
 
 
 def _deep_lab_cut(table: CsvTable) -> tuple[CsvTable, str]:
