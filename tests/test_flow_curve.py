@@ -122,7 +122,7 @@ def test_bad_files_and_points_are_one_clear_refusal(tmp_path: Path) -> None:
             fit_flow_curve(absent)
     points = [
         ([1, 2, 3, 4], [1, 2, 3], r"shape \(4,\).*shape \(3,\)"),
-        ([[1, 2], [3, 4]], [[1, 2], [3, 4]], "two lists"),
+        ([[1, 2], [3, 4]], [[1, 2], [3, 4]], "lists of the same length"),
         ([1, 2, 3, "x"], [1, 2, 3, 4], "shear_rate: not a list of numbers"),
         ([1, 2, 3, 4], [1, 2, float("nan"), 4], r"shear_stress\[2\]: nan is not finite"),
         ([1, 2, 3, -4], [1, 2, 3, 0], "2 faults"),

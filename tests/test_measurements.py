@@ -133,7 +133,7 @@ REFUSED = [
     ("time,midpoint\n" + ROWS, "2 faults.*'time': no unit.*'midpoint': no unit in its name; accepted: midpoint_m"),
     ("tiem_s,midpiont_m\n" + ROWS, "is it what is called 'tiem_s'.*is it what is called 'midpiont_m'"),
     ("time_s midpoint_m\n", "separated by commas, semicolons or tabs"),
-    ("frame,midpoint_px\n" + ROWS, "'midpoint_px': pixels, which.*no column of times"),
+    ("frame,midpoint_px\n" + ROWS, "'midpoint_px': pixels, which.*frames, which only"),
     ("time_m,midpoint_s\n" + ROWS, "'m' is a length, not a time.*'s' is a time, not a length"),
     ("time_s,midpoint_bananas\n" + ROWS, "unknown unit 'bananas'"),
     ("time_s,midpoint_m,sag [bananas]\n" + ROWS, r"column 'sag \[bananas\]': unknown unit 'bananas'"),

@@ -74,7 +74,8 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         massive.rate(slot, b.slots) if massive and slot.name in ("u", "v") else _rate(b, of, outer, slot, fixed)
         for slot in slots
     )
-    powers = _powers(b, of, outer, heat, mass, gravity, gravity_rate)
+    support = _support(b, of, outer, mass, gravity)
+    powers = _powers(b, of, outer, heat, mass, gravity_rate, support)
     shown = _observables(b, of, outer, mass, gravity, rotary) | heat.shown
     everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
@@ -88,6 +89,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         parameters=parameters_of(b, everything),
         places=place_names(b.body),
         profiles=of.profiles or _linear_profiles(b),
+        support=tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True)),
     )
 
 
@@ -166,8 +168,25 @@ def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
     return {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
 
 
+_AT_RIGHT = Where(-1, 0, alone=True)
+
+
+def _support(b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Force of the right support: it carries the last cell and its own share."""
+    pushed = [outer.at(way, -1, None) for way in (0, 1)]
+    # At small slopes the tension acts along x, which needs no balance there.
+    along = of.shown.get("axial_force", of.shown["tension"]) if of.level else of.force[0][-1]
+    return along - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
+
+
 def _powers(
-    b: Builder, of: Mechanics, outer: Outer, heat: Heating, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
+    b: Builder,
+    of: Mechanics,
+    outer: Outer,
+    heat: Heating,
+    mass: ca.SX,
+    gravity_rate: ca.SX,
+    support: tuple[ca.SX, ca.SX],
 ) -> dict[str, tuple[Field, ...]]:
     """Plastic power, power of the changing load, of the gradient and of what effects dissipate, site by site.
 
@@ -176,14 +195,10 @@ def _powers(
     span, at = b.span, b.supports
     scale = b.scale / energy_scale(b.density, span, b.scale)
     lifted = mass * (span * b.density * gravity_rate * scale)
-    # The force on the right support carries the last cell and its own share.
-    weight = mass * b.density * gravity * span
-    pushed = [outer.at(way, -1, None) for way in (0, 1)]
-    moved = (of.force[0][-1] - pushed[0]) * at.right_u + (of.force[1][-1] + weight - pushed[1]) * at.right_v
-    moved *= scale
+    moved = (support[0] * at.right_u + support[1] * at.right_v) * scale
     load = [Field("power_load_0", NODES, lifted * of.y[0])]
     if not moved.is_zero():
-        load.append(Field("power_load_1", Where(-1, 0, alone=True), moved))
+        load.append(Field("power_load_1", _AT_RIGHT, moved))
     load += [Field(one.name, one.where, one.value * scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:

@@ -27,6 +27,7 @@ class Expressions:
     rates: tuple[ca.SX, ca.SX]  # `ode` and `alg`
     powers: tuple[ca.SX, ...]  # In the order of the program
     observables: Mapping[str, ca.SX]  # What a trajectory shows
+    support: tuple[ca.SX, ...]  # Force of the right support
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,8 @@ class Symbolic:
             for name, item in program.shown.items()
         }
         ode, alg = (gathered(layout, rates) for layout in (self.moving, self.still))
-        return Expressions((ca.SX(ode), ca.SX(alg)), powers, shown)
+        support = tuple(spread.values(one) for one in program.support)
+        return Expressions((ca.SX(ode), ca.SX(alg)), powers, shown, support)
 
     def spread(self, x: Any, z: Any, shared: Mapping[Leaf, Any]) -> Spread:
         """The sites of this grid with these unknowns, ready for the fields of the program."""
@@ -135,6 +137,11 @@ class Symbolic:
     def stretch(self) -> ca.Function:
         """(t, x, z, p) to the stretch of the cells."""
         return ca.Function("stretch", [self.t, self.x, self.z, self.p], [self.raw.observables["stretch"]])
+
+    @cached_property
+    def support(self) -> ca.Function:
+        """(t, x, z, p) to the force of the right support on the filament along x and y, per undeformed area [Pa]."""
+        return ca.Function("support", [self.t, self.x, self.z, self.p], [ca.densify(ca.vertcat(*self.raw.support))])
 
     @property
     def quad(self) -> ca.SX:

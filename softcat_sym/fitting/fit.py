@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,6 +21,7 @@ from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import closed_form
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import FEWEST, Features, read_features
+from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
 from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, with_values
 from softcat_sym.fitting.identifiability import (
     Combination,
@@ -89,6 +91,10 @@ class FitOutcome(Enum):
         "known otherwise, or film what softcat's experiment design proposes"
     )
     at_a_bound = "the best fit lies on a bound that the data push against: widen the bound, or doubt the law"
+    contradiction = (
+        "films and flow curve ask for different constants, beyond the noise of both: do not use the numbers before it "
+        "is known which of them is of another material, temperature or age, or whether the law holds in both"
+    )
     model_error = (
         "the data show something that the model misses, beyond what the theory is known to err by, so that the "
         "intervals are too narrow; try another law, more effects, or name what else is not known of the camera"
@@ -183,19 +189,25 @@ class FittedFilm:
     measured: Floats
     model: Floats
     residuals: Floats  # shape (n,); (model - measured) over the noise, without what is correlated
+    is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
     # What it shows without a model; None of a film that is too short, or under shaken gravity.
     features: Features | None
     name: str  # File or number
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """Some of its readings."""
-        keys = ("time", "place", "measured", "model", "residuals")
+        keys = ("time", "place", "measured", "model", "residuals", "is_force")
         return replace(self, **{key: getattr(self, key)[chosen] for key in keys})
 
     @property
     def of_midpoint(self) -> NDArray[np.bool_]:
         """Which readings are of the midpoint, shape (n,)."""
-        return np.isnan(self.place)
+        return np.isnan(self.place) & ~self.is_force
+
+    @property
+    def of_shape(self) -> NDArray[np.bool_]:
+        """Which readings are points of whole shapes, shape (n,)."""
+        return ~np.isnan(self.place)
 
 
 @dataclass(frozen=True, eq=False)
@@ -337,7 +349,7 @@ class Fit:
     @property
     def residual_std(self) -> float:
         """Root mean square of model less measurement over all readings [m]."""
-        left = np.concatenate([film.model - film.measured for film in self.films])
+        left = np.concatenate([(film.model - film.measured)[~film.is_force] for film in self.films])
         return float(np.sqrt(np.mean(left**2)))
 
     @property
@@ -357,6 +369,7 @@ class Fit:
             )
         if self.late and self.outcome.converged:
             found.append("the time limit came before the profiles: intervals are from the curvature alone")
+        found += [] if self.problem.flow is None else self.problem.flow.warnings
         if self.outcome is not FitOutcome.outliers and (far := self.outlying):
             found.append(f"{counted(len(far), 'reading')} far outside the noise, first at {far[0][1]:.4g} s")
         if self.problem.noise.correlation:
@@ -442,13 +455,15 @@ class Fit:
     def to_frame(self) -> pd.DataFrame:
         """Content of ``fit.csv``: data, model [m] and residuals of all films; of a midpoint without a place."""
         columns = {"time_s": "time", "x_m": "place", "measured_m": "measured", "model_m": "model"}
-        columns |= {"residual": "residuals", "film": "name"}
+        columns |= {"residual": "residuals", "film": "name", "is_force": "is_force"}
         rows = [
             pd.DataFrame({column: getattr(film, key) for column, key in columns.items()}, range(film.time.size))
             for film in self.films
         ]
         frame = pd.concat(rows, ignore_index=True)
-        return frame.drop(columns="x_m") if frame["x_m"].isna().all() else frame
+        # Of a film without forces, or without shapes, as before.
+        empty = {"x_m": frame["x_m"].isna().all(), "is_force": not frame["is_force"].any()}
+        return frame.drop(columns=[name for name, is_empty in empty.items() if is_empty])
 
 
 FEATURES = {
@@ -512,6 +527,7 @@ class _Request:
     method: Method
     camera: bool
     theory: bool
+    flow_curve: FlowCurve | None
     deadline: float
     progress: Progress
 
@@ -530,7 +546,8 @@ class _Request:
     def _made(self, scene: Scene, films: Measurements) -> FilamentProblem:
         how = (self.free, self.bounds, self.backend, self.rtol)
         scene = scene if self.rtol is not None else first_look(scene)
-        made = FilamentProblem(scene, films, *how, camera=self.camera, theory=self.theory)
+        given: dict[str, Any] = {"camera": self.camera, "theory": self.theory, "flow_curve": self.flow_curve}
+        made = FilamentProblem(scene, films, *how, **given)
         made.deadline = self.deadline
         return made
 
@@ -551,6 +568,7 @@ def fit(
     calibrated: bool = False,
     discrepancy: bool = True,
     time_limit: float | None = None,
+    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
@@ -587,6 +605,9 @@ def fit(
         Whether the camera's own numbers are known exactly; whether the theory's error is allowed for.
     time_limit : float, optional
         Seconds after which the fit ends with what it has, and says so.
+    flow_curve : FlowCurve or path, optional
+        Of the same material in a rheometer: its readings enter as further residuals, weighted by stated errors or by
+        their scatter about the best of the same law.
 
     Returns
     -------
@@ -606,7 +627,8 @@ def fit(
     films = taken(measurements, scene)
     deadline = math.inf if time_limit is None else time.monotonic() + time_limit
     how = (tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, not calibrated, discrepancy)
-    request = _Request(*how, deadline, progress or Silence())
+    curve = read_flow_curve(flow_curve) if isinstance(flow_curve, (str, os.PathLike)) else flow_curve
+    request = _Request(*how, curve, deadline, progress or Silence())
     features = [_features(film, own_scene(film, scene)) for film in films.series]
     found = _fit(scene, scene, films, features, request)
     more = _called_for(found) if scene.run.effects == "auto" else []
@@ -669,7 +691,7 @@ def _fit(
     fitted = []
     for number, curve in enumerate(problem.curves(best.q)):
         film = problem.films[number]
-        own = film.time, film.place, film.data, curve, parts[number], features[number]
+        own = film.time, film.place, film.data, curve, parts[number], film.is_force, features[number]
         fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
     spent = time.perf_counter() - begin
     request.progress.stage("done")
@@ -684,7 +706,7 @@ def _fit(
         parameters = {name: _widened(one) for name, one in parameters.items()}
     return Fit(
         scene=given,
-        fitted_scene=with_values(given, asked, [free.value(float(q)) for free, q in zip(asked, best.q, strict=False)]),
+        fitted_scene=with_values(given, *_shared(problem, best.q)),
         measurements=films,
         parameters=parameters,
         correlation=known.correlation,
@@ -707,6 +729,13 @@ def _fit(
         resolution=resolution,
         late=inferred.late or best.status == OUT_OF_TIME,
     )
+
+
+def _shared(problem: FilamentProblem, q: Floats) -> tuple[list[FreeParameter], list[float]]:
+    """What all films have in common, and its values: a scene has no place for what single films have."""
+    pairs = [(free, free.value(float(x))) for free, x in zip(problem.free[: problem.asked], q, strict=False)]
+    kept = [(free, value) for free, value in pairs if free.film is None]
+    return [free for free, _ in kept], [value for _, value in kept]
 
 
 def _settled(
@@ -820,6 +849,9 @@ def _outcome(
     wild = sum(int(far_out(part).sum()) for part in parts)
     if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
         return FitOutcome.outliers
+    against = problem.contradiction(best.residuals, best.jacobian)
+    if against is not None and against.p_value < _SMALL:
+        return FitOutcome.contradiction
     if checks.verdict == "not white" or _beyond_theory(problem, best) or _correlated_for_long(problem):
         return FitOutcome.model_error
     if "at a bound" in words:

@@ -38,8 +38,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
-"""Names of the two columns that are read, with their SI units."""
+RATE, STRESS, STD = "shear_rate_1_s", "shear_stress_Pa", "shear_stress_std_Pa"
+"""Names of the columns that are read, with their SI units; that of standard errors may be missing."""
 
 # Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
 _STRESS_KIND = (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
@@ -47,6 +47,7 @@ _KNOWN = {
     "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
     "shear_stress": _STRESS_KIND,
     "stress": _STRESS_KIND,
+    "shear_stress_std": (STD, "stress", "Pa", f"{STD}, shear_stress_std_kPa, or no such column"),
 }
 _NAME = header_pattern(_KNOWN)
 _SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
@@ -70,10 +71,13 @@ class FlowCurve:
     shear_stress: Floats  # shape (points,); [Pa], positive; likewise
     path: Path | None = None  # The file they come from
     notes: tuple[str, ...] = ()  # What was corrected while it was read, a sentence each
+    std: Floats | None = None  # shape (points,); Standard errors of the stresses [Pa], for a fit beside films
 
     def __post_init__(self) -> None:
         faults = []
-        for name, column in (("shear_rate", RATE), ("shear_stress", STRESS)):
+        for name, column in (("shear_rate", RATE), ("shear_stress", STRESS), ("std", STD)):
+            if getattr(self, name) is None:
+                continue
             try:
                 values = np.array(getattr(self, name), dtype=np.float64)
             except (TypeError, ValueError):
@@ -83,9 +87,10 @@ class FlowCurve:
             found = (_wrong(value) for value in values.flat)
             faults += [Fault(f"{name}[{k}]", *wrong) for k, wrong in enumerate(found) if wrong]
         rate, stress = self.shear_rate, self.shear_stress
-        if rate.ndim != 1 or rate.shape != stress.shape:
+        errors = stress if self.std is None else self.std
+        if rate.ndim != 1 or not rate.shape == stress.shape == errors.shape:
             found_shapes = f"rates of shape {rate.shape}, stresses of shape {stress.shape}"
-            raise _refusal(self.path, [Fault("", found_shapes, "two lists of the same length")])
+            raise _refusal(self.path, [Fault("", found_shapes, "lists of the same length")])
         # Rates that agree to six digits are one rate, set twice.
         distinct = len({f"{value:.6g}" for value in rate})
         if not faults and distinct < FEWEST:
@@ -156,13 +161,14 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
     if fault:
         raise _refusal(file, [fault])
-    return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else ())
+    std = table[STD][~missing] if STD in table else None
+    return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else (), std)
 
 
 def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
     """Where the two columns stand, and in which units."""
     where = f"line {table.line}"
-    columns: dict[str, list[Column]] = {RATE: [], STRESS: []}
+    columns: dict[str, list[Column]] = {RATE: [], STRESS: [], STD: []}
     faults: list[Fault] = []
     faulty = set()
     for place, name in enumerate(table.header):
@@ -180,14 +186,14 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
             faulty.add(quantity)
     for quantity, _, _, accepted in dict.fromkeys(_KNOWN.values()):
         several = columns[quantity]
-        if not several and quantity not in faulty:
+        if not several and quantity not in {*faulty, STD}:
             faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
         elif len(several) > 1:
             names = ", ".join(column.name for column in several)
             faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
     if faults:
         raise _refusal(file, faults)
-    return {quantity: several[0] for quantity, several in columns.items()}
+    return {quantity: several[0] for quantity, several in columns.items() if several}
 
 
 def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:
@@ -637,6 +643,13 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
         fitted=fitted,
         residuals=fitted / stress - 1,
     )
+
+
+def scatter(curve: FlowCurve, law: str) -> float:
+    """Standard deviation of the relative residuals about the best of a law, its constants allowed for."""
+    shear = _BY_NAME[law]
+    points = len(curve.shear_rate)
+    return _fit(curve, shear).relative_rms * math.sqrt(points / max(points - shear.constants, 1))
 
 
 def _judged(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
@@ -22,7 +23,7 @@ from softcat_sym.fitting.integration import (
     timing_of,
 )
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.solution import watched
 from softcat_sym.solvers.start import Start
@@ -32,35 +33,34 @@ _STEP = 1e-6  # in unknowns of order one, of the interpolation, which is smooth
 _STENCIL = 4
 
 
-class ForwardShapes:
-    """Heights at points of the centre line, for any values of what is free."""
+class ForwardReadings:
+    """Readings that follow from some unknowns at their times, for any values of what is free, with derivatives."""
 
     def __init__(
-        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, max_steps: int
+        self,
+        filament: FrozenFilament,
+        free: tuple[FreeParameter, ...],
+        times: Floats,
+        seen: tuple[int, ...],
+        max_steps: int,
     ) -> None:
-        if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
-            raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
         self._filament, self._free, self._max_steps = filament, free, max_steps
-        self._times, self._x = times, x
+        self._times, self._seen = times, seen
         self._shifts = any(one.path == TIME_OFFSET for one in free)
-        graph = filament.graph
-        unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
-        self._seen = tuple(n for n, (kind, _) in enumerate(unknowns) if kind in ("x", "y"))
-        self._places = {
-            kind: np.array([(k, unknowns[n][1]) for k, n in enumerate(self._seen) if unknowns[n][0] == kind], dtype=int)
-            for kind in ("x", "y")
-        }
 
-    def heights(self, q: Floats) -> tuple[Floats, Floats]:
-        """Heights and their derivatives."""
+    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        """Some of the readings: of their unknowns, row by row, and of what is free, at these times."""
+        raise NotImplementedError
+
+    def readings(self, q: Floats) -> tuple[Floats, Floats]:
+        """Readings, those of a camera's zero aside, and their derivatives."""
         q = np.asarray(q, dtype=float)
         ours = np.array([x for one, x in zip(self._free, q, strict=True) if not one.of_measurement])
-        offset, zero = (self._value(q, path) for path in (TIME_OFFSET, INITIAL_SAG))
-        times = (self._times - offset) / self._filament.scale
+        times = (self._times - self._value(q, TIME_OFFSET)) / self._filament.scale
         timing, point = timing_of(times, beside=self._shifts), self._filament.point(ours, slopes=True)
-        m, derivatives = len(self._x), np.full((len(self._x), len(self._free)), np.nan)
+        m, derivatives = len(times), np.zeros((len(times), len(self._free)))
         if point is None:
-            return np.full(m, np.nan), derivatives
+            return np.full(m, np.nan), np.full_like(derivatives, np.nan)
         begin = np.concatenate([point.start.x, point.start.z])[list(self._seen)]
         d_begin = np.concatenate([point.d_x, point.d_z], axis=1)[:, list(self._seen)]
         values, slopes = np.tile(begin, (m, 1)), np.tile(d_begin[:, None, :], (1, m, 1))
@@ -71,40 +71,85 @@ class ForwardShapes:
             slopes[:, timing.after] = path.slopes[:, timing.row] if path.slopes is not None else np.nan
             if self._shifts:
                 clock[timing.after] = -self._rates(path.values, timing, ours)
-        seconds = times * self._filament.scale
-        height = self._interpolated(values, ours, seconds, self._x)
+        seconds, every = times * self._filament.scale, np.ones(m, dtype=bool)
         scene = iter(range(len(ours)))
         for column, one in enumerate(self._free):
             if one.path == TIME_OFFSET:
                 derivatives[:, column] = clock * one.scale
-            elif one.path == INITIAL_SAG:
-                derivatives[:, column] = np.where(np.isfinite(height), one.scale, np.nan)
-            else:
+            elif not one.of_measurement:
                 n = next(scene)
                 step = _STEP * np.eye(len(ours))[n]
                 low, high = (
-                    self._interpolated(values + sign * _STEP * slopes[n], ours + sign * step, seconds, self._x)
+                    self._read(values + sign * _STEP * slopes[n], ours + sign * step, seconds, every)
                     for sign in (-1, 1)
                 )
                 derivatives[:, column] = (high - low) / (2 * _STEP)
-        return height + zero, derivatives
+        return self._read(values, ours, seconds, every), derivatives
 
     def _value(self, q: Floats, path: str) -> float:
         return next((one.value(float(x)) for one, x in zip(self._free, q, strict=True) if one.path == path), 0.0)
 
     def _rates(self, values: Floats, timing: Timing, ours: Floats) -> Floats:
-        """Velocity of the centre line at the places [m/s]."""
-        scale, x = self._filament.scale, self._x[timing.after]
+        """Rates of the readings since the release [1/s]."""
+        scale = self._filament.scale
         pair = [
-            self._interpolated(values[which], ours, timing.model[which] * scale, x)
+            self._read(values[which], ours, timing.model[which] * scale, timing.after)
             for which in (timing.sooner, timing.later)
         ]
         apart = (timing.model[timing.later] - timing.model[timing.sooner]) * scale
         return (pair[1] - pair[0]) / apart
 
-    def _interpolated(self, values: Floats, ours: Floats, seconds: Floats, x: Floats) -> Floats:
-        """Heights [m] at places, one for each row of unknowns."""
-        scene = self._filament.scene_of(ours)
+
+class ForwardForces(ForwardReadings):
+    """Force of the right support on the filament along its way, 0 outwards and 1 upwards [N]."""
+
+    def __init__(
+        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, way: int, max_steps: int
+    ) -> None:
+        graph = filament.graph
+        if not graph.program.support or graph.grid.last.name == "FREE":
+            found = "a force of the right support is known of filaments that it holds and that stay in their plane"
+            raise SoftcatError(f"forces: {found}; leave the column of forces out")
+        super().__init__(filament, free, times, tuple(range(len(graph.x_kinds) + len(graph.z_kinds))), max_steps)
+        self._way = way
+
+    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        filament, count = self._filament, len(self._filament.graph.x_kinds)
+        times = np.maximum(seconds, 0.0) / filament.scale
+        stress = filament.support(len(values))(
+            times[None, :], values[:, :count].T, values[:, count:].T, filament.parameters(ours)
+        )
+        force: Floats = np.asarray(stress, dtype=float)[self._way] * undeformed_area(filament.scene_of(ours))
+        return force
+
+
+class ForwardShapes(ForwardReadings):
+    """Heights at points of the centre line."""
+
+    def __init__(
+        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, max_steps: int
+    ) -> None:
+        if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
+            raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
+        self._x, graph = x, filament.graph
+        unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
+        seen = tuple(n for n, (kind, _) in enumerate(unknowns) if kind in ("x", "y"))
+        super().__init__(filament, free, times, seen, max_steps)
+        self._places = {
+            kind: np.array([(k, unknowns[n][1]) for k, n in enumerate(seen) if unknowns[n][0] == kind], dtype=int)
+            for kind in ("x", "y")
+        }
+
+    def heights(self, q: Floats) -> tuple[Floats, Floats]:
+        """Heights and their derivatives, the camera's zero among them."""
+        height, derivatives = self.readings(q)
+        for column, one in enumerate(self._free):
+            if one.path == INITIAL_SAG:
+                derivatives[:, column] = np.where(np.isfinite(height), one.scale, np.nan)
+        return height + self._value(np.asarray(q, dtype=float), INITIAL_SAG), derivatives
+
+    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        x, scene = self._x[rows], self._filament.scene_of(ours)
         xs, ys = self._nodes(values, scene, seconds)
         return rest_length(scene) * _cubic(xs, ys, x / rest_length(scene))
 
@@ -288,6 +333,17 @@ class ForwardModel(Unknowns):
 
         found = self._stored.of(("shapes", q, times, x), heights)
         return found["height"], found["derivatives"]
+
+    def forces(self, q: Floats, times: Floats, way: int) -> tuple[Floats, Floats]:
+        """Force of the right support on the filament [N], outwards (way 0) or upwards (way 1)."""
+        times, q = np.asarray(times, dtype=float), np.asarray(q, dtype=float)
+
+        def forces() -> Arrays:
+            found = ForwardForces(self._filament, self.free, times, way, self._max_steps).readings(q)
+            return {"force": found[0], "derivatives": found[1]}
+
+        found = self._stored.of(("forces", q, times, way), forces)
+        return found["force"], found["derivatives"]
 
     def _answer(self, q: Floats, *, slopes: bool) -> _Answer:
         q = np.asarray(q, dtype=float)

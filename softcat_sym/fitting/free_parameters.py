@@ -166,6 +166,8 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
     yield from _of_law(material)
     if material.solid_viscosity is not None:
         yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
+    elif material.loss_modulus is None:
+        yield _positive("material.loss_tangent", "", material.loss_tangent)
     if material.law in INDEXED:
         yield _positive("material.index", "", material.index, _INDEX)
     if material.law not in POLYMERS:
@@ -259,7 +261,7 @@ def _of_temperature(scene: Scene) -> Iterator[Candidate]:
             # Beyond these a law of the viscosity has no value.
             limits = (low, heat.extremes(scene.run.duration)[0] * (1 - 1e-9)) if name == "T_0" else (low, math.inf)
             one = Candidate(
-                name, path, unit, value, 1.0, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
+                name, path, unit, value, value / 10, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
             )
         elif value >= 0 and name != "A":
             one = _positive(path, unit, value)
@@ -355,6 +357,7 @@ class FreeParameter:
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
     prior: float = math.inf  # Standard deviation of q about the typical one; infinite where nothing is known
+    film: int | None = None  # Number of the only film that has it, from 1; None of what all share
 
     @property
     def of_measurement(self) -> bool:

@@ -496,6 +496,17 @@ class FrozenFilament:
         """The scene with these unknowns, those of the measurement left out."""
         return with_values(self._scene, self.free, [one.value(float(x)) for one, x in zip(self.free, q, strict=True)])
 
+    def parameters(self, q: Floats) -> Floats:
+        """Numbers of the graph with these unknowns of the scene."""
+        return self.graph.vector(parameter_values(self.scene_of(q)) | {TIME_SCALE: self.scale})
+
+    @cached_property
+    def support(self) -> Callable[[int], ca.Function]:
+        """For so many times: (t, x, z, p) to the stress of the right support, shape (2, times)."""
+        function = self.graph.symbolic.support
+        # The numbers of the graph are the same at all times: CasADi spreads one column over them.
+        return cache(function.map)
+
     def point(self, q: Floats, *, slopes: bool) -> Point | None:
         """The filament with these unknowns of the scene, and how it moves with them; None if it cannot begin so."""
         base = self._at(q, None, settle=True)
@@ -520,7 +531,7 @@ class FrozenFilament:
         scene = self.scene_of(q)
         if not scene.filament.thickness < scene.filament.span:
             return None
-        values = self.graph.vector(parameter_values(scene) | {TIME_SCALE: self.scale})
+        values = self.parameters(q)
         if not np.all(np.isfinite(values)):
             return None
         start = self._starts.at(scene, values, near, settle=settle)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.fitting.trackers import Camera, camera_in, in_rows
 from softcat_sym.scene.csv_reader import (
     Column,
     CsvTable,
@@ -33,9 +34,15 @@ from softcat_sym.scene.csv_reader import (
 from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
 
 TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
-"""What a column may hold; STD is the standard error of the midpoint or of y."""
+VERTICAL, HORIZONTAL = "vertical_force", "horizontal_force"
+"""What a column may hold; STD is the standard error of the midpoint or of y, that of a force has its name before it."""
 
-_TIME_UNITS, _LENGTH_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um")
+WAYS = (HORIZONTAL, VERTICAL)
+"""Forces of the right support on the filament, outwards and upwards."""
+
+_OF_FORCE = {way: f"{way}_{STD}" for way in WAYS}
+FORCE, FRAME = "force", "frame"
+_TIME_UNITS, _LENGTH_UNITS, _FORCE_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um"), ("N", "mN", "uN")
 
 # A name before its unit: what it is, and whether it counts downwards.
 _KNOWN = {
@@ -50,11 +57,14 @@ _KNOWN = {
     "x": (X, False),
     "y": (Y, False),
     "y_std": (STD, False),
+    **{name: (name, False) for pair in _OF_FORCE.items() for name in pair},
+    FORCE: (FORCE, False),
+    FRAME: (FRAME, False),
 }
 _NAME = header_pattern(_KNOWN)
 
 
-def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
+def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list[Fault]]:
     """Find the columns that are read; others are left alone."""
     where = f"line {table.line}"
     candidates: dict[str, list[Column]] = {}
@@ -67,7 +77,7 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
         known, unit, bracketed = named(match)
         quantity, down = _KNOWN[known]
         try:
-            si = unit_of(unit, *(("time", "s") if quantity == TIME else ("length", "m")))
+            si = _si(quantity, unit, camera)
         except NotAQuantity as found:
             fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
             if bracketed and not is_pixels(unit):
@@ -77,6 +87,12 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
             continue
         candidates.setdefault(quantity, []).append(Column(name, place, si, down))
     found_columns = {quantity: several[0] for quantity, several in candidates.items()}
+    # Frames stand for times where there are none.
+    of_frames = found_columns.pop(FRAME, None), unreadable.pop(FRAME, None)
+    candidates.pop(FRAME, None)
+    if TIME not in {*found_columns, *unreadable}:
+        found_columns |= {} if of_frames[0] is None else {TIME: of_frames[0]}
+        unreadable |= {} if of_frames[1] is None else {TIME: of_frames[1]}
     # Of a tracker that writes pixels besides: what is there in units will do.
     there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
     unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
@@ -95,6 +111,24 @@ def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
     return found_columns, unknown + faults + _missing(table, {*found_columns, *unreadable})
 
 
+def _si(quantity: str, unit: str, camera: Camera) -> float:
+    """SI value of the unit of a column; of frames and pixels by what is known of the camera."""
+    if quantity == FORCE:
+        raise NotAQuantity("a force without its way")
+    if quantity == FRAME:
+        if camera.fps is None:
+            raise NotAQuantity("frames, which only their rate turns into times: # camera.fps = 240 in the file")
+        return 1 / camera.fps
+    in_pixels = is_pixels(unit) or (not unit and quantity in (X, Y))
+    if in_pixels and camera.pixel is not None:
+        return camera.pixel
+    try:
+        return unit_of(unit, *_dimension(quantity))
+    except NotAQuantity as found:
+        hint = ": # camera.pixel = 0.05 mm in the file" if in_pixels else ""
+        raise NotAQuantity(f"{found}{hint}") from None
+
+
 def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
     """What the columns that are there do not make up: a midpoint over time, or whole shapes."""
     faults, where = [], f"line {table.line}"
@@ -107,13 +141,22 @@ def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
         faults.append(Fault(where, "y without x", "x_m too for whole shapes; midpoint_m for the midpoint alone"))
     elif X in there and Y not in there:
         faults.append(Fault(where, "x without y", "both for whole shapes; midpoint_m for the midpoint alone"))
-    elif MIDPOINT not in there and Y not in there:
+    elif Y in there and there & {*WAYS}:
+        faults.append(Fault(where, "forces beside points of a whole shape", "two files for both"))
+    elif not there & {MIDPOINT, Y, FORCE, *WAYS}:
         faults.append(absent("column of midpoints", "midpoint_m", _names(MIDPOINT), table, _NAME))
     return faults
 
 
+def _dimension(quantity: str) -> tuple[str, str]:
+    return ("time", "s") if quantity == TIME else ("force", "N") if FORCE in quantity else ("length", "m")
+
+
 def _names(quantity: str) -> str:
-    if quantity == TIME:
+    if FORCE in quantity:
+        forces = WAYS if quantity == FORCE else (quantity,)
+        return ", ".join(f"{name}_{unit}" for name in forces for unit in _FORCE_UNITS)
+    if quantity in (TIME, FRAME):
         return "time_s, " + ", ".join(f"time_{unit}" for unit in _TIME_UNITS[1:])
     if quantity == MIDPOINT:
         names = ", ".join(f"midpoint_{unit}" for unit in _LENGTH_UNITS)
@@ -203,13 +246,14 @@ def _from_release(table: Table, rows: NDArray[np.intp], row: Callable[[int], str
     if not count:
         return table, rows, "", None
     found = f"{counted(count, 'row')} before time 0 ({listed(rows[early], row)})"
-    height = table[MIDPOINT if MIDPOINT in table else Y]
+    height = table[next(name for name in (MIDPOINT, Y, FORCE) if name in table)]
     accepted = "times counted from the release of the filament, which is time 0"
     if count == rows.size:
         return table, rows, "", Fault("", "all times are before 0", accepted)
-    if np.ptp(height[early]) > _AT_REST * np.ptp(height):
+    if FORCE not in table and np.ptp(height[early]) > _AT_REST * np.ptp(height):
         return table, rows, "", Fault("", f"{found} in which the filament moves already", accepted)
-    return *_kept(table, rows, ~early), f"Left out {found}, the release: nothing moves in them.", None
+    why = "" if FORCE in table else ": nothing moves in them"
+    return *_kept(table, rows, ~early), f"Left out {found}, the release{why}.", None
 
 
 def _in_order(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
@@ -224,12 +268,13 @@ def _once(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> St
     time = table[TIME]
     later = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1:]
     table = {**table, TIME: time[later][np.cumsum(later) - 1]}
-    return _averaged(table, rows, row) if MIDPOINT in table else _no_point_twice(table, rows, row)
+    return _no_point_twice(table, rows, row) if Y in table else _averaged(table, rows, row)
 
 
 def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    """One midpoint for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
-    time, height, std = table[TIME], table[MIDPOINT], table.get(STD)
+    """One reading for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
+    name, unit = (FORCE, "N") if FORCE in table else (MIDPOINT, "m")
+    time, height, std = table[TIME], table[name], table.get(STD)
     distinct, first, counts = np.unique(time, return_index=True, return_counts=True)
     if distinct.size == time.size:
         return table, rows, "", None
@@ -240,17 +285,18 @@ def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -
     if np.any(repeated & (apart > allowed)):
         worst = int(np.argmax(np.where(repeated, apart - allowed, -np.inf)))
         same = rows[time == distinct[worst]]
-        found = f"midpoints of {lowest[worst]:g} m and {highest[worst]:g} m at the same time, {distinct[worst]:g} s"
+        pair = f"{lowest[worst]:g} {unit} and {highest[worst]:g} {unit}"
+        found = f"{name}s of {pair} at the same time, {distinct[worst]:g} s"
         where = listed(same, row)
-        return table, rows, "", Fault(where, found, "one height at a time; one file for each filament")
+        return table, rows, "", Fault(where, found, "one of them at a time; one file for each filament")
     weight = np.ones_like(height) if std is None else (std.max() / std) ** 2
     total = np.add.reduceat(weight, first)
-    averaged = {TIME: distinct, MIDPOINT: np.add.reduceat(weight * height, first) / total}
+    averaged = {TIME: distinct, name: np.add.reduceat(weight * height, first) / total}
     if std is not None:
         averaged[STD] = std.max() / np.sqrt(total)
     count = int(repeated.sum())
     places = listed(rows[np.isin(time, distinct[repeated])], row)
-    said = f"Averaged the midpoints at {counted(count, 'time')} that occurred more than once ({places})."
+    said = f"Averaged the {name}s at {counted(count, 'time')} that occurred more than once ({places})."
     return averaged, rows[first], said, None
 
 
@@ -296,6 +342,27 @@ class Shapes:
 
 
 @dataclass(frozen=True, eq=False)
+class Forces:
+    """Force of the right support on the filament, as a load cell reads it; alike at both of a symmetric filament."""
+
+    time: Floats  # shape (n,); [s] since the release, increasing
+    force: Floats  # shape (n,); [N], outwards or upwards
+    way: str  # One of `WAYS`
+    std: Floats | None = None  # shape (n,); Standard errors [N]; None if they are not known
+
+    def __post_init__(self) -> None:
+        faults = _adopt(self, ("time", "force", "std"))
+        if self.way not in WAYS:
+            faults.append(Fault("way", shown(self.way), ", ".join(WAYS)))
+        if not faults and self.time.size < FEWEST:
+            faults = [Fault(self.way, counted(self.time.size, "distinct time"), f"at least {FEWEST}")]
+        if not faults and not np.any(self.force):
+            faults = [Fault(self.way, "0 N at every time", "the force of a support that carries the filament")]
+        if faults:
+            raise refusal("forces", None, faults)
+
+
+@dataclass(frozen=True, eq=False)
 class Series:
     """One filmed filament."""
 
@@ -310,9 +377,11 @@ class Series:
     overrides: Mapping[str, str] = field(default_factory=dict)
     path: Path | None = None  # The file they come from
     notes: tuple[str, ...] = ()  # What was corrected, a sentence each
+    forces: tuple[Forces, ...] = ()  # Forces of a support besides, or instead; at times of their own
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "overrides", dict(self.overrides))
+        object.__setattr__(self, "forces", tuple(self.forces))
         object.__setattr__(self, "notes", tuple(self.notes))
         faults = _adopt(self, ("time", "midpoint", "std"))
         if not faults:
@@ -321,7 +390,7 @@ class Series:
             raise refusal("measurements", self.path, faults)
 
     def _too_little(self) -> list[Fault]:
-        if self.shapes is not None and not self.time.size:
+        if (self.shapes is not None or self.forces) and not self.time.size:
             return []
         repeats = np.flatnonzero(np.diff(self.time) <= SAME_TIME * self.time[-1:])
         if repeats.size:
@@ -413,7 +482,7 @@ class Measurements:
         return cls((one,))
 
 
-def _adopt(owner: Series | Shapes, names: tuple[str, ...]) -> list[Fault]:
+def _adopt(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Fault]:
     """Replace the fields of a frozen owner by read-only arrays of their own, and say what is wrong with them."""
     table: dict[str, Floats] = {}
     for name in names:
@@ -476,7 +545,7 @@ def _is_constant(values: Floats) -> bool:
 
 
 _KIND = "measurements"
-_ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m"
+_ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
 
 
 def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
@@ -487,7 +556,9 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
     paths : path or sequence of paths
         CSV files in UTF-8, one for each filament, whose header names ``time_s`` and ``midpoint_m`` with perhaps
         ``midpoint_std_m``, or ``time_s``, ``x_m`` and ``y_m`` with perhaps ``y_std_m``, in any unit (``time_ms``,
-        ``midpoint [mm]``); ``sag_mm`` or ``deflection_mm`` counts downwards. Other columns are not read. Cells are
+        ``midpoint [mm]``); ``sag_mm`` or ``deflection_mm`` counts downwards. ``vertical_force_N`` (upwards) and
+        ``horizontal_force_N`` (outwards) of the right support, with perhaps ``vertical_force_std_N``, stand beside the
+        midpoint or alone; either may have rows in which the other is empty. Other columns are not read. Cells are
         separated by commas, or by semicolons or tabs, then with decimal points or commas. Lines that start with ``#``
         are comments; ``# filament.span = 5 mm`` gives this filament a value of its own.
 
@@ -524,32 +595,83 @@ def _same(one: Path, other: Path) -> bool:
     return os.path.realpath(one) == os.path.realpath(other)
 
 
+def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tuple[Table, tuple[str, ...]]:
+    """Times from the release, and places from halfway between the supports, where they are counted otherwise."""
+    placed, notes = dict(table), []
+    if camera.release and columns[TIME].name.lower() == FRAME and camera.fps is not None:
+        placed[TIME] = table[TIME] - camera.release / camera.fps
+    if camera.pixel is not None and X in columns and columns[X].unit == camera.pixel:
+        across, down = (camera.pixel * place for place in camera.origin)
+        placed |= {X: table[X] - across, Y: down - table[Y]}
+        notes.append(f"Counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards.")
+    return placed, tuple(notes)
+
+
+def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
+    """Columns of heights, named by nothing, and of each force for themselves; of several those rows that each fills."""
+    names = {"": MIDPOINT if MIDPOINT in table else Y, **{way: way for way in WAYS}}
+    names = {part: name for part, name in names.items() if name in table}
+    found = {}
+    for part, name in names.items():
+        given = {one: table[one] for one in (TIME, MIDPOINT, X, Y, STD) if one in table}
+        if part:
+            given = {TIME: table[TIME], FORCE: table[part]}
+            given |= {STD: table[_OF_FORCE[part]]} if _OF_FORCE[part] in table else {}
+        rows = np.flatnonzero(~np.isnan(table[name]) | (len(names) == 1))
+        found[part] = {one: values[rows] for one, values in given.items()}, rows
+    return found
+
+
 def _series(file: Path) -> Series:
     text = text_of(file, _KIND, _ACCEPTED)
     overrides, faults = overrides_in(text)
-    cells = table_in(text)
+    cells, (camera, wrong) = table_in(text), camera_in(text)
+    if wrong:
+        raise refusal(_KIND, file, faults + wrong)
     if cells is None:
         raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", _ACCEPTED)])
-    columns, wrong = columns_of(cells)
-    faults += wrong
+    cells, tracker = in_rows(cells)
+    columns, wrong = columns_of(cells, camera)
     if wrong:
-        raise refusal(_KIND, file, faults)
-    table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity == STD))
-    faults += wrong
-    notes: tuple[str, ...] = ()
-    if not faults:
-        table, notes, faults = repaired(table, lambda k: f"line {cells.rows[k][0]}")
+        raise refusal(_KIND, file, faults + wrong)
+    table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity.endswith(STD)))
+    if faults or wrong:
+        raise refusal(_KIND, file, faults + wrong)
+    table, said = _placed(table, columns, camera)
+    notes = [*([f"Read as a table of {tracker}."] if tracker else []), *said]
+    parts: dict[str, Table] = {}
+    for name, (part, rows) in _parts(table).items():
+        lines = [cells.rows[k][0] for k in rows]
+        parts[name], said, wrong = repaired(part, lambda k, lines=lines: f"line {lines[k]}")  # type: ignore[misc]
+        notes += [one for one in said if one not in notes]
+        faults += wrong
     if faults:
         raise refusal(_KIND, file, faults)
-    std = table.get(STD)
-    if MIDPOINT in table:
-        down = columns[MIDPOINT].down
-        if down:
-            notes = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *notes)
-        midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
-        return Series(table[TIME], midpoint, std, None, overrides, file, notes)
     try:
-        shapes = Shapes(table[TIME], table[X], table[Y], std)
+        return _of_parts(parts, columns, overrides, file, notes)
     except SoftcatError as error:
-        raise SoftcatError(f"{_KIND} {file}: {error}") from None
-    return Series(np.empty(0), np.empty(0), None, shapes, overrides, file, notes)
+        message = str(error)
+        raise SoftcatError(message if str(file) in message else f"{_KIND} {file}: {message}") from None
+
+
+def _of_parts(
+    parts: Mapping[str, Table],
+    columns: Mapping[str, Column],
+    overrides: Mapping[str, str],
+    file: Path,
+    notes: Sequence[str],
+) -> Series:
+    """One film of what its columns hold."""
+    forces = tuple(
+        Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
+    )
+    table = parts.get("", {})
+    empty, std, said = np.empty(0), table.get(STD), tuple(notes)
+    if MIDPOINT not in table:
+        shapes = Shapes(table[TIME], table[X], table[Y], std) if table else None
+        return Series(empty, empty, None, shapes, overrides, file, said, forces)
+    down = columns[MIDPOINT].down
+    if down:
+        said = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *said)
+    midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
+    return Series(table[TIME], midpoint, std, None, overrides, file, said, forces)

@@ -11,10 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.fitting.measurements import Measurements, Series, Shapes, read_measurements
+from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, Shapes, read_measurements
 from softcat_sym.scene.csv_reader import refusal
 from softcat_sym.scene.parts import farthest
-from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, stress_free_length
+from softcat_sym.scene.scene import (
+    Scene,
+    gravity_time,
+    groups_of,
+    is_held,
+    is_slack,
+    stress_free_length,
+    undeformed_area,
+)
 from softcat_sym.scene.toml import read_overrides
 
 Floats = NDArray[np.float64]
@@ -34,8 +42,11 @@ _FALLING = 0.1
 # Times the free fall since time 0: beyond the first something is early, beyond the second no clock's start mends it.
 _EARLY, _IMPOSSIBLE = 4.0, 100.0
 _BEYOND_THE_SUPPORTS = 1.1
+# Times half the weight: thickness and density may be rough, a thousand is a unit.
+_TOO_STRONG = 100.0
 
 _LENGTHS = ((1e-3, "mm", "m"), (1e-6, "um", "m"), (1e-2, "cm", "m"), (1e-1, "mm", "cm"))
+_FORCES = ((1e-3, "mN", "N"), (1e-6, "uN", "N"), (1e3, "N", "mN"))
 _SHORTER_TIMES = ((1e-3, "ms", "s"), (1e-6, "us", "s"), (1 / 60, "s", "min"), (1 / 3600, "s", "h"))
 _LONGER_TIMES = ((1e3, "s", "ms"), (60.0, "min", "s"), (3600.0, "h", "s"))
 
@@ -88,6 +99,12 @@ def _checked(series: Series, scene: Scene) -> Series:
             notes += note
             faults += fault
     faults += _beside_the_supports(series.shapes, scene) if series.shapes is not None else []
+    forces = []
+    for one in series.forces:
+        one, note, fault = _force(one, scene)
+        forces.append(one)
+        notes += note
+        faults += fault
     if faults:
         raise refusal("measurements", series.path, faults)
     midpoint, shapes = series.midpoint, series.shapes
@@ -95,7 +112,26 @@ def _checked(series: Series, scene: Scene) -> Series:
         midpoint = 0.0 - midpoint
     if shapes is not None and turn.get("y"):
         shapes = replace(shapes, y=0.0 - shapes.y)
-    return replace(series, midpoint=midpoint, shapes=shapes, notes=(*series.notes, *notes))
+    return replace(series, midpoint=midpoint, shapes=shapes, notes=(*series.notes, *notes), forces=tuple(forces))
+
+
+def _force(one: Forces, scene: Scene) -> tuple[Forces, list[str], list[Fault]]:
+    """A force with the sign that a sagging filament gives it, what to say of it, and what is wrong with it."""
+    notes, faults = _wrong_clock(_Track(one.way, one.time, one.force), scene)
+    if not _sags(scene):
+        return one, notes, faults
+    settled = float(one.force[-max(1, one.force.size // 3) :].mean())
+    if settled < 0:
+        one = replace(one, force=0.0 - one.force)
+        notes.append(f"Turned the sign of {one.way}: supports carry this filament and pull at it.")
+    filament = scene.filament
+    mass = filament.density * undeformed_area(scene) * stress_free_length(scene) + scene.load.point_mass
+    half = mass * scene.load.gravity / 2
+    if one.way == VERTICAL and not half / _TOO_STRONG <= abs(settled) <= _TOO_STRONG * half:
+        hint = _in_another_unit(settled, half / 10, 10 * half, _FORCES, "N")
+        found = f"{abs(settled):.3g} N in the end, while half of the filament weighs {half:.3g} N"
+        faults.append(Fault(one.way, found, f"what one support carries, without its own weight{hint}"))
+    return one, notes, faults
 
 
 def _tracks(series: Series) -> Iterator[_Track]:

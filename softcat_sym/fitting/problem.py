@@ -6,14 +6,19 @@ import math
 import time as clock
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
 from scipy.interpolate import make_smoothing_spline
 from scipy.linalg import eigh
 
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.discrepancy import discrepancy
+from softcat_sym.fitting.flow_curve import FlowCurve
+from softcat_sym.fitting.flow_readings import FlowReadings
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import (
     INITIAL_SAG,
@@ -24,8 +29,9 @@ from softcat_sym.fitting.free_parameters import (
     Unknowns,
     free_parameters,
 )
+from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import Floats, Loss, Optimum, TimeLimitError
-from softcat_sym.fitting.measurements import Measurements, Series
+from softcat_sym.fitting.measurements import WAYS, Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.scene.scene import Scene
 
@@ -45,7 +51,14 @@ _LEAST_NOISE = 1e-6
 _WIDE = 8.0  # Bounds of what has a prior, in its standard deviations
 _SIGNIFICANT = 2.6  # Standard normal, 1 %
 _MOST_CORRELATED = 0.98
+_RANK = 1e-6  # Of the largest singular value
 _FEWEST = 20  # Readings in a row from which on a correlation of neighbours can be estimated
+_RTOL_OF_FORCES = 1e-4
+"""Of the time steps beside forces, which err a hundred times as much as heights: a thousandth of them then."""
+
+EACH = "each"
+"""Behind the @ of a parameter that every film has for itself."""
+
 # Relative change of the noise that is worth another round.
 _SAME_NOISE = 0.1
 
@@ -54,12 +67,14 @@ _SAME_NOISE = 0.1
 class Noise:
     """What is known of a camera's noise beside the errors that its film states."""
 
-    deviation: float  # Of a reading without a stated error [m]
+    deviation: float  # Of a height without a stated error [m]
     correlation: float = 0.0  # Of neighbours
+    of_force: float = 1.0  # Of a force without a stated error [N]
 
     def is_like(self, other: Noise) -> bool:
         """Whether nothing is gained by fitting again with the other."""
-        same = abs(math.log(self.deviation / other.deviation)) < _SAME_NOISE
+        pairs = (self.deviation, other.deviation), (self.of_force, other.of_force)
+        same = all(abs(math.log(one / another)) < _SAME_NOISE for one, another in pairs)
         return same and abs(self.correlation - other.correlation) < _SAME_NOISE
 
 
@@ -70,10 +85,11 @@ class Filmed:
     series: Series  # What was measured
     model: ForwardModel  # What it is compared with
     columns: tuple[int, ...]  # For each unknown of the model its number in the problem
-    time: Floats  # shape (n,); Of every reading [s]: those of the midpoint, then the points of whole shapes
-    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
-    data: Floats  # shape (n,); Heights [m]
-    std: Floats  # shape (n,); Standard errors [m]
+    time: Floats  # shape (n,); Of every reading [s]: of the midpoint, then of points of whole shapes, then of forces
+    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of all others
+    data: Floats  # shape (n,); Heights [m] and forces [N]
+    std: Floats  # shape (n,); Standard errors
+    is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces
     scale: int | None = None  # Numbers of the camera's scale and tilt in the problem
     tilt: int | None = None
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error, and
@@ -82,17 +98,28 @@ class Filmed:
     correlation: float = 0.0  # Of the noise of neighbouring readings of the midpoint
 
     @property
+    def force_way(self) -> NDArray[np.int64]:
+        """Number of its way of each force, -1 of each height, shape (n,)."""
+        ways = [np.full(one.time.size, WAYS.index(one.way)) for one in self.series.forces]
+        return np.concatenate([np.full(int(np.sum(~self.is_force)), -1), *ways])
+
+    @property
     def name(self) -> str:
         """Its file; empty if it has none."""
         return self.series.path.name if self.series.path else ""
 
     def heights(self, q: Floats) -> Floats:
-        """What the model says at every reading [m], shape (n,), of the unknowns of the whole problem."""
+        """What the model says at every reading [m], [N], shape (n,), of the unknowns of the whole problem."""
         own, shapes = q[list(self.columns)], self.series.shapes
         parts = [self.model.midpoints(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
+        parts += [self._force(own, number)[0] for number in range(len(self.series.forces))]
         return self._seen(np.concatenate(parts), q)
+
+    def _force(self, own: Floats, number: int) -> tuple[Floats, Floats]:
+        one = self.series.forces[number]
+        return self.model.forces(own, one.time, WAYS.index(one.way))
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """The same with derivatives by the unknowns of the whole problem, shape (n, k)."""
@@ -100,11 +127,12 @@ class Filmed:
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x))
+        parts += [self._force(own, number) for number in range(len(self.series.forces))]
         slopes, plain = np.zeros((self.data.size, q.size)), np.concatenate([part[0] for part in parts])
         slopes[:, list(self.columns)] = np.concatenate([part[1] for part in parts])
         if self.scale is not None:
-            slopes *= math.exp(q[self.scale])
-            slopes[:, self.scale] = math.exp(q[self.scale]) * plain
+            slopes *= self._scaled(q)[:, None]
+            slopes[:, self.scale] = np.where(self.is_force, 0.0, self._scaled(q) * plain)
         if self.tilt is not None:
             slopes[:, self.tilt] = self._across
         if self.basis is not None:
@@ -113,10 +141,14 @@ class Filmed:
 
     def _seen(self, plain: Floats, q: Floats) -> Floats:
         """Heights as the camera sees those of the model, the theory's own error added."""
-        seen = plain if self.scale is None else math.exp(q[self.scale]) * plain
+        seen = plain * self._scaled(q)
         if self.tilt is not None:
             seen = seen + q[self.tilt] * self._across
         return seen + self.error(q)
+
+    def _scaled(self, q: Floats) -> Floats:
+        """By which the camera magnifies each reading; forces are not seen by it."""
+        return np.where(self.is_force, 1.0, 1.0 if self.scale is None else math.exp(q[self.scale]))
 
     def error(self, q: Floats) -> Floats:
         """What the theory's own error adds [m], shape (n,)."""
@@ -146,9 +178,10 @@ class Filmed:
 class FilamentProblem(Unknowns):
     """Residuals in standard errors: a problem of least squares with Gaussian priors.
 
-    Every filament shares the unknowns of the material, which are named first. Behind them come each camera's own
-    numbers, known about as well as :data:`CAMERA` says, with the number of the film behind their names where there are
-    several; and the amplitudes of the theory's own error, in the directions of its covariance
+    Every filament shares the unknowns of the material, which are named first, but for those of single films: their
+    names end in ``@2``, the number of the film, or in ``@each``. Behind them come each camera's own numbers, known
+    about as well as :data:`CAMERA` says, with the number of the film behind their names where there are several; and
+    the amplitudes of the theory's own error, in the directions of its covariance
     (:mod:`softcat_sym.fitting.discrepancy`). What has a prior adds a row to the residuals, behind those of the data.
 
     Parameters
@@ -164,6 +197,8 @@ class FilamentProblem(Unknowns):
     near : sequence of (Scene, ndarray), optional
         For each film a model near the best and its heights [m], by which the theory's error is scaled; by default that
         of the scene, and what was measured, smoothed.
+    flow_curve : FlowCurve, optional
+        Of the same material, in shear.
     """
 
     def __init__(
@@ -179,42 +214,46 @@ class FilamentProblem(Unknowns):
         theory: bool = False,
         noise: Noise | None = None,
         near: Sequence[tuple[Scene, Floats]] | None = None,
+        flow_curve: FlowCurve | None = None,
     ) -> None:
-        common, series = free_parameters(scene, names, bounds), measurements.series
-        # A film that has a free parameter's value of its own leaves nothing to fit there.
-        faults = [
-            Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", "free it, or set it, not both")
-            for free in common
-            for film in series
-            if free.path in film.overrides
-        ]
-        if faults:
-            raise SceneError(faults)
+        series = measurements.series
         scenes = [own_scene(film, scene) for film in series]
+        common, single = _asked(scene, scenes, series, names, bounds or {})
         own = [
-            _of_camera(one, film, {free.path for free in common}) if camera else ()
-            for one, film in zip(scenes, series, strict=True)
+            _of_camera(one, film, {free.path for free in (*common, *alone)}) if camera else ()
+            for one, film, alone in zip(scenes, series, single, strict=True)
         ]
-        self.free, self.asked, columns = _unknowns(common, own)
-        readings = [_readings(film) for film in series]
-        self.noise_known = all(std is not None for *_, std in readings)
-        self.noise = noise or _first_guess(series)
+        self.free, self.asked, columns = _unknowns(common, single, own)
+        self.flow = None if flow_curve is None else _flow_readings(flow_curve, scene, self.free)
+        readings = [Readings.of(film) for film in series]
+        self.noise_known = all(np.all(np.isfinite(one.std)) for one in readings)
+        stated = [
+            all(np.all(np.isfinite(one.std[one.is_force == force])) for one in readings) for force in (False, True)
+        ]
+        self.noise = noise or _first_guess(series, readings)
         self.deadline = math.inf
-        self._how = (scene, measurements, names, bounds, backend, rtol, camera, theory)
+        self._how = (scene, measurements, names, bounds, backend, rtol, camera, theory, flow_curve)
         films = []
-        for film, one, places, (time, place, data, std) in zip(series, scenes, columns, readings, strict=True):
+        for film, one, places, given in zip(series, scenes, columns, readings, strict=True):
             unknowns = [(number, self.free[number]) for number in places]
             inside = [(number, free) for number, free in unknowns if free.path not in (SCALE, TILT)]
             of_camera = {free.path: number for number, free in unknowns if free.path in (SCALE, TILT)}
             films.append(
                 Filmed(
                     series=film,
-                    model=ForwardModel(one, [free for _, free in inside], film.time, backend, rtol),
+                    model=ForwardModel(
+                        one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)
+                    ),
                     columns=tuple(number for number, _ in inside),
-                    time=time,
-                    place=place,
-                    data=data,
-                    std=std if self.noise_known and std is not None else np.full(data.size, self.noise.deviation),
+                    time=given.time,
+                    place=given.place,
+                    data=given.data,
+                    std=np.where(
+                        given.is_force,
+                        given.std if stated[True] else self.noise.of_force,
+                        given.std if stated[False] else self.noise.deviation,
+                    ),
+                    is_force=given.is_force,
                     scale=of_camera.get(SCALE),
                     tilt=of_camera.get(TILT),
                     correlation=self.noise.correlation,
@@ -230,8 +269,11 @@ class FilamentProblem(Unknowns):
     def _with_theory(self, film: Filmed, near: tuple[Scene, Floats] | None, number: int) -> Filmed:
         """The film with the theory's error among its unknowns: its largest principal components."""
         scene, heights = near or (film.model.scene(self.typical[list(film.columns)]), _smoothed(film))
-        error = discrepancy(scene, film.model.effects)
-        times, row = np.unique(film.time, return_inverse=True)
+        error, seen = discrepancy(scene, film.model.effects), ~film.is_force
+        if not seen.any():
+            return film
+        heights, std = heights[seen], film.std[seen]
+        times, row = np.unique(film.time[seen], return_inverse=True)
         # Of whole shapes the deepest point speaks for all: they err as it does, by the same share.
         order = np.lexsort((np.abs(heights), row))
         deepest = heights[order[np.append(np.flatnonzero(np.diff(row[order])), row.size - 1)]]
@@ -242,8 +284,7 @@ class FilamentProblem(Unknowns):
         scaled = np.where(deepest == 0, 1.0, deepest)
         shares = vectors * np.sqrt(np.maximum(size, 0.0)) / scaled[:, None]
         # Principal components of what the camera sees, against its noise.
-        seen = heights[:, None] * shares[row] / film.std[:, None]
-        left, singular, _ = np.linalg.svd(seen, full_matrices=False)
+        left, singular, _ = np.linalg.svd(heights[:, None] * shares[row] / std[:, None], full_matrices=False)
         count = min(int(np.sum(singular**2 > _SEEN)), _MOST_DIRECTIONS)
         begin = len(self.free)
         several = f"_{number + 1}" if len(self._how[1].series) > 1 else ""
@@ -251,7 +292,8 @@ class FilamentProblem(Unknowns):
             FreeParameter(f"{THEORY}{several}_{k + 1}", THEORY, "1", 0.0, False, 1.0, (-_WIDE, _WIDE), 1.0)
             for k in range(count)
         )
-        basis = film.std[:, None] * left[:, :count] * singular[:count]
+        basis = np.zeros((film.data.size, count))
+        basis[seen] = std[:, None] * left[:, :count] * singular[:count]
         return replace(film, theory=tuple(range(begin, begin + count)), basis=basis, theory_size=error.amplitude)
 
     @property
@@ -261,13 +303,24 @@ class FilamentProblem(Unknowns):
 
     @property
     def unit(self) -> float:
-        """Standard error of a reading [m]; where they differ, their mean."""
-        return float(np.mean(np.concatenate([film.std for film in self.films])))
+        """Standard error of a height [m], where they differ, their mean; of a force where nothing else is read."""
+        std = np.concatenate([film.std for film in self.films])
+        return float(np.mean(std[~self._is_force] if not self._is_force.all() else std))
+
+    @property
+    def force_unit(self) -> float | None:
+        """Standard error of a force [N], where they differ, their mean; None if none is read."""
+        std = np.concatenate([film.std for film in self.films])[self._is_force]
+        return float(np.mean(std)) if std.size else None
+
+    @property
+    def _is_force(self) -> NDArray[np.bool_]:
+        return np.concatenate([film.is_force for film in self.films])
 
     @property
     def readings(self) -> int:
         """Residuals that are not those of priors."""
-        return sum(film.data.size for film in self.films)
+        return sum(film.data.size for film in self.films) + (0 if self.flow is None else self.flow.std.size)
 
     def curves(self, q: Floats) -> list[Floats]:
         """What the model says at the readings of each film [m]."""
@@ -277,7 +330,10 @@ class FilamentProblem(Unknowns):
         """(model - datum)/standard error of all films, then of all priors, shape (m,); NaN where there is no answer."""
         self._check_time()
         pairs = zip(self.films, self.curves(q), strict=True)
-        return np.concatenate([*(film.whitened(found - film.data) for film, found in pairs), self._priors(q)])
+        of_curve = [] if self.flow is None else [self.flow.residuals(q)]
+        return np.concatenate(
+            [*(film.whitened(found - film.data) for film, found in pairs), *of_curve, self._priors(q)]
+        )
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives, shape (m, k)."""
@@ -287,6 +343,9 @@ class FilamentProblem(Unknowns):
             found, slopes = film.linearised(q)
             residuals.append(film.whitened(found - film.data))
             rows.append(film.whitened(slopes))
+        if self.flow is not None:
+            residuals.append(self.flow.residuals(q))
+            rows.append(self.flow.slopes(q))
         of_priors = np.zeros((self._known.size, q.size))
         of_priors[np.arange(self._known.size), self._known] = 1 / self._spread
         return np.concatenate([*residuals, self._priors(q)]), np.concatenate([*rows, of_priors])
@@ -299,7 +358,7 @@ class FilamentProblem(Unknowns):
             raise TimeLimitError
 
     def by_film(self, values: Floats) -> list[Floats]:
-        """Split what all readings have, shape (m,) or longer, into one array for each film."""
+        """Split what all readings have, shape (m,) or longer, into one array for each film; a flow curve's is left."""
         ends = np.cumsum([film.data.size for film in self.films])
         return [np.asarray(part) for part in np.split(values, ends)[:-1]]
 
@@ -330,11 +389,10 @@ class FilamentProblem(Unknowns):
         return film.model.scene(q[list(film.columns)])
 
     def _again(self, how: tuple, q: Floats, noise: Noise) -> tuple[FilamentProblem, Floats]:  # type: ignore[type-arg]
-        scene, measurements, names, bounds, backend, rtol, camera, theory = how
+        scene, measurements, names, bounds, backend, rtol, camera, theory, curve = how
         near = [(self._scene_of(film, q), film.heights(q) - film.error(q)) for film in self.films]
-        made = FilamentProblem(
-            scene, measurements, names, bounds, backend, rtol, camera=camera, theory=theory, noise=noise, near=near
-        )
+        given: dict[str, Any] = {"camera": camera, "theory": theory, "noise": noise, "near": near, "flow_curve": curve}
+        made = FilamentProblem(scene, measurements, names, bounds, backend, rtol, **given)
         made.deadline = self.deadline
         moved = np.array([free.scaled(free.typical) for free in made.free])
         known = dict(zip(((one.name, one.path) for one in self.free), q, strict=True))
@@ -345,17 +403,51 @@ class FilamentProblem(Unknowns):
 
     def noise_at(self, residuals: Floats, jacobian: Floats, loss: Loss) -> Noise:
         """Noise that these residuals at an optimum speak of, the freedom of the unknowns allowed for."""
-        count = self.readings
+        is_force = self._is_force
+        count, readings = is_force.size, [film.data for film in self.films]
         data, slopes = residuals[:count], jacobian[:count]
-        # Trace of the hat matrix: unknowns with priors take only a part of a reading each.
-        taken = float(np.sum(np.linalg.lstsq(jacobian.T @ jacobian, slopes.T, rcond=1e-12)[0] * slopes.T))
-        freedom = max(count - taken, 1.0)
-        rms = math.sqrt(float(data @ data) / freedom)
-        if loss.kind != "linear":
-            rms = 1.4826 * float(np.median(np.abs(data))) * math.sqrt(count / freedom)
-        largest = max(float(np.max(np.abs(film.data))) for film in self.films)
-        deviation = max(self.noise.deviation * rms, _LEAST_NOISE * largest)
-        return Noise(self.noise.deviation if self.noise_known else deviation, self._correlation_at(data, taken, loss))
+        # Diagonal of the hat matrix: unknowns with priors take only a part of a reading each.
+        taken = np.sum(np.linalg.lstsq(jacobian.T @ jacobian, slopes.T, rcond=1e-12)[0] * slopes.T, axis=0)
+        found = []
+        for which, former in ((~is_force, self.noise.deviation), (is_force, self.noise.of_force)):
+            part, size = data[which], int(which.sum())
+            if not size:
+                found.append(former)
+                continue
+            freedom = max(size - float(taken[which].sum()), 1.0)
+            rms = math.sqrt(float(part @ part) / freedom)
+            if loss.kind != "linear":
+                rms = 1.4826 * float(np.median(np.abs(part))) * math.sqrt(size / freedom)
+            largest = float(np.max(np.abs(np.concatenate(readings)[which])))
+            found.append(max(former * rms, _LEAST_NOISE * largest))
+        correlation = self._correlation_at(data, float(taken.sum()), loss)
+        deviation, of_force = (self.noise.deviation, self.noise.of_force) if self.noise_known else found
+        return Noise(deviation, correlation, of_force)
+
+    def contradiction(self, residuals: Floats, jacobian: Floats) -> Statistic | None:
+        """Test whether films and flow curve have the same constants; None without a flow curve.
+
+        By how much chi^2 of either alone would still fall, to first order, is chi^2 of as many degrees of freedom as
+        both determine together less what all of it determines (Maltoni & Schwetz 2003).
+        """
+        if self.flow is None:
+            return None
+        end = self.readings
+        of_curve = np.zeros(residuals.size, dtype=bool)
+        of_curve[end - self.flow.std.size : end] = True
+        fall, ranks = 0.0, 0
+        for part in (of_curve, ~of_curve):
+            left, size, _ = np.linalg.svd(jacobian[part], full_matrices=False)
+            basis = left[:, size > _RANK * max(float(size[0]), 1.0)]
+            explained = float(np.sum((basis.T @ residuals[part]) ** 2))
+            remaining = float(residuals[part] @ residuals[part]) - explained
+            freedom = max(int(part.sum()) - basis.shape[1], 1)
+            # What a contradiction adds to an estimated noise is no noise.
+            known = self.flow.known if part[end - 1] else self.noise_known
+            fall += explained / (1.0 if known else max(remaining / freedom, _LEAST_NOISE))
+            ranks += basis.shape[1]
+        freedom = max(ranks - int(np.linalg.matrix_rank(jacobian, tol=_RANK * float(np.linalg.norm(jacobian, 2)))), 1)
+        return Statistic("films against flow curve", fall, float(stats.chi2.sf(fall, freedom)))
 
     def _correlation_at(self, data: Floats, taken: float, loss: Loss) -> float:
         """Correlation of neighbours, none where it may be chance; of what is left when the present one is taken out."""
@@ -373,27 +465,68 @@ class FilamentProblem(Unknowns):
         return float(np.clip(together, 0.0, _MOST_CORRELATED))
 
 
-def _readings(series: Series) -> tuple[Floats, Floats, Floats, Floats | None]:
-    """Times [s], places [m], heights [m] and, where all are stated, standard errors [m]: midpoints, then shapes."""
-    shapes, midpoint = series.shapes, np.full(series.time.size, np.nan)
-    if shapes is None:
-        return series.time, midpoint, series.midpoint, series.std
-    if not series.time.size:
-        return shapes.time, shapes.x, shapes.y, shapes.std
-    known = None if series.std is None or shapes.std is None else np.concatenate([series.std, shapes.std])
-    pairs = (series.time, shapes.time), (midpoint, shapes.x), (series.midpoint, shapes.y)
-    time, place, data = (np.concatenate(pair) for pair in pairs)
-    return time, place, data, known
+@dataclass(frozen=True, eq=False)
+class Readings:
+    """All that was read of one film: of the midpoint, then of shapes, then of forces."""
+
+    time: Floats  # shape (n,); [s]
+    place: Floats  # shape (n,); [m]; NaN but for points of shapes
+    data: Floats  # shape (n,); [m], [N]
+    std: Floats  # shape (n,); NaN where it is not stated
+    is_force: NDArray[np.bool_]  # shape (n,)
+
+    @classmethod
+    def of(cls, series: Series) -> Readings:
+        """Of one film."""
+
+        def rows(time: Floats, data: Floats, std: Floats | None, place: Floats | None = None) -> tuple[Floats, ...]:
+            unknown = np.full(time.size, np.nan)
+            return time, unknown if place is None else place, data, unknown if std is None else std
+
+        shapes, parts = series.shapes, [rows(series.time, series.midpoint, series.std)]
+        if shapes is not None:
+            parts.append(rows(shapes.time, shapes.y, shapes.std, shapes.x))
+        heights = sum(part[0].size for part in parts)
+        parts += [rows(one.time, one.force, one.std) for one in series.forces]
+        time, place, data, std = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return cls(time, place, data, std, np.arange(time.size) >= heights)
+
+    @property
+    def largest(self) -> float:
+        """Of the heights [m]; 0 if there are none."""
+        return float(np.max(np.abs(self.data[~self.is_force]), initial=0.0))
 
 
-def _first_guess(series: Sequence[Series]) -> Noise:
-    """Noise by second differences of midpoints, in which what moves smoothly hardly shows; a hundredth without them."""
-    largest = max(float(np.max(np.abs(_readings(film)[2]))) for film in series)
-    bends = [np.diff(film.midpoint, 2) for film in series if film.time.size >= _FEWEST]
+def _first_guess(series: Sequence[Series], readings: Sequence[Readings]) -> Noise:
+    """Noise by second differences, in which what moves smoothly hardly shows; a hundredth without them."""
+    forces = [one.force for film in series for one in film.forces]
+    strongest = max((float(np.max(np.abs(one))) for one in forces), default=1.0)
+    largest = max(one.largest for one in readings) or 1.0
+    return Noise(_of_bends([film.midpoint for film in series], largest), of_force=_of_bends(forces, strongest))
+
+
+def _of_bends(rows: Sequence[Floats], largest: float) -> float:
+    bends = [np.diff(row, 2) for row in rows if row.size >= _FEWEST]
     if not bends:
-        return Noise(0.01 * largest)
+        return 0.01 * largest
     found = 1.4826 * float(np.median(np.abs(np.concatenate(bends)))) / math.sqrt(6)
-    return Noise(max(found, _LEAST_NOISE * largest))
+    return max(found, _LEAST_NOISE * largest)
+
+
+def time_steps(film: Series, scene: Scene, rtol: float | None) -> float | None:
+    """Relative tolerance of the model of a film; None where it is that of a run."""
+    if rtol is not None or not film.forces:
+        return rtol
+    return min(scene.numerics.rtol or math.inf, _RTOL_OF_FORCES)
+
+
+def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]) -> FlowReadings:
+    alone = [one for one in free if one.film is not None and one.path.startswith("material.")]
+    if alone:
+        found = "of single films, and a flow curve is of one material"
+        raise SceneError([Fault(f"free {one.name}", found, one.name.partition("@")[0]) for one in alone])
+    shared = [(k, one) for k, one in enumerate(free) if one.film is None and one.path.startswith("material.")]
+    return FlowReadings.of(curve, scene, [one for _, one in shared], [k for k, _ in shared])
 
 
 def _smoothed(film: Filmed) -> Floats:
@@ -406,10 +539,14 @@ def _smoothed(film: Filmed) -> Floats:
 
 def _of_camera(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParameter, ...]:
     """The camera's own numbers that are not asked for, with what is known of them."""
-    time, _, data, _ = _readings(film)
+    read = Readings.of(film)
     names = [name for name in CAMERA if name not in asked and (name != TILT or film.shapes is not None)]
-    frame = float(np.median(np.diff(np.unique(time)))) if np.unique(time).size > 1 else 0.0
-    units = {INITIAL_SAG: float(np.max(np.abs(data))), TIME_OFFSET: frame}
+    if not read.largest:
+        # A load cell has a clock, and sees no heights.
+        names = [name for name in names if name == TIME_OFFSET]
+    times = np.unique(read.time)
+    frame = float(np.median(np.diff(times))) if times.size > 1 else 0.0
+    units = {INITIAL_SAG: read.largest, TIME_OFFSET: frame}
     found = []
     for one in free_parameters(scene, names) if names else ():
         spread = CAMERA[one.path] * units.get(one.path, 1.0)
@@ -421,20 +558,77 @@ def _of_camera(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParamet
     return tuple(found)
 
 
+def _asked(
+    scene: Scene,
+    scenes: Sequence[Scene],
+    series: Sequence[Series],
+    names: Sequence[str],
+    bounds: Mapping[str, tuple[object, object]],
+) -> tuple[tuple[FreeParameter, ...], list[tuple[FreeParameter, ...]]]:
+    """What all films share, and what each has for itself: by ``thickness@2`` one of them, by ``@each`` all."""
+    count, everyone = len(scenes), [name for name in names if "@" not in name]
+    numbers = {EACH: tuple(range(count)), **{str(k + 1): (k,) for k in range(count)}}
+    accepted = f"{EACH}, or the number of a film, " + ("1" if count == 1 else f"1 to {count}")
+    pairs = [name.partition("@")[::2] for name in (*names, *bounds) if "@" in name]
+    faults = [Fault(f"free {name}@{of}", "no such film", f"@{accepted}") for name, of in pairs if of not in numbers]
+    if faults:
+        raise SceneError(faults)
+
+    def own(name: str, film: int) -> str:
+        """The bare name if it is of this film; empty if not."""
+        bare, _, of = name.partition("@")
+        return bare if of and film in numbers[of] else ""
+
+    single = []
+    for k, one in enumerate(scenes):
+        mine = [own(name, k) for name in names if own(name, k)]
+        within = {own(name, k): pair for name, pair in bounds.items() if own(name, k)}
+        single.append(free_parameters(one, mine, within) if mine or within else ())
+    shared = {name: pair for name, pair in bounds.items() if "@" not in name}
+    common = free_parameters(scene, everyone, shared) if everyone or shared or not any(single) else ()
+    # A film that has a free parameter's value of its own leaves nothing to fit there.
+    faults = [
+        Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", f"{free.name}@{k}, or set it")
+        for free in common
+        for k, (film, alone) in enumerate(zip(series, single, strict=True), start=1)
+        if free.path in film.overrides and free.path not in {one.path for one in alone}
+    ]
+    kept = [[one for one in common if one.path not in {mine.path for mine in alone}] for alone in single]
+    faults += [
+        Fault(f"free {free.name}", "every film has one of its own", "either, not both")
+        for free in common
+        if not any(free in left for left in kept)
+    ]
+    if faults:
+        raise SceneError(faults)
+    for one, left, alone in zip(scenes, kept, single, strict=True):
+        if alone:
+            # Together: no constant of a film may be named twice, in tension and in shear.
+            free_parameters(one, [free.path for free in (*left, *alone)])
+    return common, single
+
+
 def _unknowns(
-    common: tuple[FreeParameter, ...], own: Sequence[tuple[FreeParameter, ...]]
+    common: tuple[FreeParameter, ...],
+    single: Sequence[tuple[FreeParameter, ...]],
+    own: Sequence[tuple[FreeParameter, ...]],
 ) -> tuple[tuple[FreeParameter, ...], int, list[tuple[int, ...]]]:
     """All unknowns, how many of them are asked for, and for each film the numbers of its own."""
     films, unknowns = len(own), list[FreeParameter]()
     columns: list[list[int]] = [[] for _ in range(films)]
 
-    def numbered(free: FreeParameter, film: int) -> FreeParameter:
-        return free if films == 1 else replace(free, name=f"{free.name}_{film + 1}")
+    def numbered(free: FreeParameter, film: int, mark: str = "_") -> FreeParameter:
+        return free if films == 1 else replace(free, name=f"{free.name}{mark}{film + 1}", film=film + 1)
 
     for free in common:
-        for k in range(films):
-            if k == 0 or free.of_measurement:
+        having = [k for k in range(films) if free.path not in {one.path for one in single[k]}]
+        for k in having:
+            if k == having[0] or free.of_measurement:
                 unknowns.append(numbered(free, k) if free.of_measurement else free)
+            columns[k].append(len(unknowns) - 1)
+    for k, given in enumerate(single):
+        for free in given:
+            unknowns.append(numbered(free, k, "@"))
             columns[k].append(len(unknowns) - 1)
     asked = len(unknowns)
     for k, given in enumerate(own):

@@ -25,8 +25,8 @@ from softcat_sym.errors import SceneError
 from softcat_sym.fitting.free_parameters import TIME_OFFSET
 from softcat_sym.fitting.identifiability import Information
 from softcat_sym.fitting.least_squares import Floats, Optimum
-from softcat_sym.fitting.problem import FilamentProblem, Filmed
-from softcat_sym.scene.scene import Scene
+from softcat_sym.fitting.problem import FilamentProblem, Filmed, time_steps
+from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 
 SHARE = 1 / 3
@@ -110,38 +110,54 @@ def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, f
     scene = film.model.scene(q[list(film.columns)])
     lasts = max(float(film.time.max()) - begin, 1e-6 * scene.run.duration)
     changes = {"run.effects": list(film.model.effects), "run.duration": f"{lasts!r} s", "run.frames": _FRAMES}
-    return scene.replace(changes), begin
+    steps = time_steps(film.series, scene, None)
+    return scene.replace(changes | ({} if steps is None else {"numerics.rtol": steps})), begin
 
 
 def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:
-    """By how much each part of the resolution falsifies the readings [m]; NaN where a companion has no answer."""
+    """By how much each part of the resolution falsifies the readings; NaN where a companion has no answer."""
     coarse = replace(at, cells=max(4, at.cells // 2))
     loose = replace(coarse, rtol=min(LOOSER * at.rtol, 0.5))
     fuller = with_more_fibres(coarse, MORE)
-    curves = {one: _midpoint(one, scene) for one in {at, coarse, loose, fuller}}
+    curves = {one: _tracks(one, scene) for one in {at, coarse, loose, fuller}}
     grid = 1 / ((at.cells / coarse.cells) ** ORDER - 1)
     steps = 1 / (LOOSER - 1)
     if np.isnan(curves[loose]).any():
         # What has no answer with larger steps has one with smaller ones.
         loose, steps = replace(coarse, rtol=TIGHTER * at.rtol), 1 / (1 - TIGHTER)
-        curves[loose] = _midpoint(loose, scene)
+        curves[loose] = _tracks(loose, scene)
     ratio = (fuller.fibres or 1) / (coarse.fibres or 1)
     section = 0.0 if fuller == coarse else 1 / (1 - ratio**-SECTION_ORDER)
     parts = [(at, coarse, grid), (loose, coarse, steps), (fuller, coarse, section)]
     frames = np.linspace(0.0, scene.run.duration, _FRAMES)
-    # Points of whole shapes are taken to move as the midpoint does.
-    result, size = [], max(float(np.max(np.abs(curves[at]))), np.finfo(float).tiny)
+    result, size = [], max(float(np.max(np.abs(curves[at][0]))), np.finfo(float).tiny)
     for one, other, factor in parts:
-        change = np.interp(film.time - begin, frames, factor * (curves[one] - curves[other]))
-        result.append(np.where(np.isnan(film.place), change, change / size * np.abs(film.data)))
+        changes = [np.interp(film.time - begin, frames, row) for row in factor * (curves[one] - curves[other])]
+        # Points of whole shapes are taken to move as the midpoint does.
+        change = np.where(np.isnan(film.place), changes[0], changes[0] / size * np.abs(film.data))
+        for way, row in enumerate(changes[1:]):
+            change = np.where(film.force_way == way, row, change)
+        result.append(change)
     return result
 
 
-def _midpoint(resolution: Resolution, scene: Scene) -> Floats:
-    """Heights of the midpoint [m], shape (frames,); NaN without an answer."""
+def _tracks(resolution: Resolution, scene: Scene) -> Floats:
+    """Height of the midpoint [m], and forces of the support outwards and upwards [N] but for the weight.
+
+    Shape (3, frames), NaN without an answer: by the balance of the right half, the force at its other end level. That
+    does for differences between resolutions.
+    """
     try:
         run = recalled(without_estimate(resolution.of(scene)))
     except SceneError:
-        return np.full(_FRAMES, np.nan)
-    heights = np.asarray(run.data["midpoint"].values, dtype=float)
-    return heights if run.outcome.is_success and heights.size == _FRAMES else np.full(_FRAMES, np.nan)
+        return np.full((3, _FRAMES), np.nan)
+    data = run.data
+    if not run.outcome.is_success or data.time.size != _FRAMES:
+        return np.full((3, _FRAMES), np.nan)
+    middle, x = data.node.size // 2, data["X_node"].values
+    pull = data["axial_force" if "axial_force" in data else "tension"].values[:, middle]
+    mass = scene.filament.density * undeformed_area(scene) * np.gradient(x)[middle:]
+    mass[0] /= 2
+    lifted = data["y"].values[:, middle:] @ mass
+    time = data.time.values
+    return np.array([data["midpoint"].values, pull, np.gradient(np.gradient(lifted, time), time)])

@@ -78,7 +78,7 @@ def curves_figure(fit: Fit) -> Figure:
     """Draw each film beside its model, with the 95 % band that the parameters' covariance gives it."""
     views: list[tuple[FittedFilm, Floats, Floats | None]] = []
     for film, band, posed in zip(fit.films, model_bands(fit), fit.problem.films, strict=True):
-        for chosen in (film.of_midpoint, ~film.of_midpoint):
+        for chosen in (film.of_midpoint, film.of_shape, film.is_force):
             if chosen.any():
                 views.append((film.part(chosen), band[chosen], posed.std[chosen] if fit.noise_known else None))
     with style.styled():
@@ -86,7 +86,7 @@ def curves_figure(fit: Fit) -> Figure:
         figure, body = headed(fit, below, 4.0 * len(views))
         panels = body.subplots(2 * len(views), 1, height_ratios=[2.7, 1.0] * len(views)).reshape(-1, 2)
         for (film, band, std), (above, under) in zip(views, panels, strict=True):
-            draw = _draw_midpoint if film.of_midpoint.all() else _draw_shapes
+            draw = _draw_shapes if film.of_shape.all() else _draw_midpoint
             draw(above, under, film, band, std)
             for axes in (above, under):
                 axes.grid(True)
@@ -116,7 +116,9 @@ def model_bands(fit: Fit) -> list[Floats]:
 
 def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: Floats | None) -> None:
     """Measured midpoints, the model with its band, and residuals, over time."""
-    clock, ruler = time_unit(float(film.time[-1])), length_unit(float(np.abs(film.measured).max()))
+    largest = float(np.abs(film.measured).max())
+    ruler = display_unit("N", largest) if film.is_force.all() else length_unit(largest)
+    clock = time_unit(float(film.time[-1]))
     time, data, model, half = clock.of(film.time), ruler.of(film.measured), ruler.of(film.model), ruler.of(band)
     above.axhline(0.0, color=style.GREY, linewidth=0.6)
     if std is not None:
@@ -129,7 +131,7 @@ def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std
     above.plot(time, model, color=style.VERMILLION, linewidth=1.2, label="model")
     low, high = min(float(data.min()), float(model.min())), max(float(data.max()), float(model.max()), 0.0)
     above.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
-    above.set_ylabel(f"midpoint height [{ruler.symbol}]")
+    above.set_ylabel(f"{'force' if film.is_force.all() else 'midpoint height'} [{ruler.symbol}]")
     under.plot(time, film.residuals, ".", color=style.BLUE, markersize=3.5, clip_on=False)
     under.set_xlabel(f"time [{clock.symbol}]")
     for axes in (above, under):

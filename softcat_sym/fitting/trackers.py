@@ -1,0 +1,134 @@
+"""Tables of image trackers, in frames and pixels: what they say is put as the reader of films takes it.
+
+A film in pixels says in comments how large they are and where the supports stand::
+
+    # camera.fps = 240
+    # camera.pixel = 0.05 mm
+    # camera.origin = 640 212      the pixel halfway between the supports, at their level
+    # camera.release = 12          frame of the release, 0 by default
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from softcat_sym.errors import Fault
+from softcat_sym.scene.csv_reader import CsvTable, number_in
+from softcat_sym.scene.units import NotAQuantity, shown, to_si
+
+_KEYS = {
+    "fps": "camera.fps = 240",
+    "pixel": "camera.pixel = 0.05 mm",
+    "origin": "camera.origin = 640 212",
+    "release": "camera.release = 12",
+}
+_LINE = re.compile(r"#\s*camera\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
+_DLTDV = re.compile(r"pt\d+(?:_cam\d+)?_[XY]", re.IGNORECASE)
+_LIKELY = 0.6
+"""Likelihood from which on DeepLabCut takes a point for seen."""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """What turns frames into seconds and pixels into metres."""
+
+    fps: float | None = None  # [1/s]
+    pixel: float | None = None  # Its length [m]
+    origin: tuple[float, float] = (0.0, 0.0)  # Pixel halfway between the supports, at their level
+    release: float = 0.0  # Frame of the release
+
+
+def camera_in(text: str) -> tuple[Camera, list[Fault]]:
+    """Read what comments say of the camera; lines of other programs about theirs are left alone."""
+    found, faults = dict[str, list[float]](), list[Fault]()
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = _LINE.match(line.strip())
+        if match is None or match["key"] not in _KEYS:
+            continue
+        key, value = match["key"], match["value"].strip().rstrip(",;\t ")
+        where = f"line {number}, camera.{key}"
+        found[key] = [_or_nan(part) for part in value.replace(",", " ").split()]
+        try:
+            if key == "pixel":
+                found[key] = [to_si(value, "length", "m")]
+            elif key == "fps" and len(found[key]) != 1:
+                found[key] = [to_si(value, "frequency", "Hz")]
+        except NotAQuantity as error:
+            faults.append(Fault(where, str(error), _KEYS[key]))
+            continue
+        count = 2 if key == "origin" else 1
+        wrong = len(found[key]) != count or not np.all(np.isfinite(found[key]))
+        if wrong or (key in ("fps", "pixel") and found[key][0] <= 0):
+            faults.append(Fault(where, shown(value), _KEYS[key]))
+    if faults:
+        return Camera(), faults
+    single = {key: values[0] for key, values in found.items() if key != "origin"}
+    if "origin" not in found:
+        return Camera(**single), []  # type: ignore[arg-type]
+    return Camera(**single, origin=(found["origin"][0], found["origin"][1])), []
+
+
+def in_rows(table: CsvTable) -> tuple[CsvTable, str]:
+    """A point a row where a tracker writes otherwise, with names that a film has; and what to say of it."""
+    names = [name.strip().lower() for name in table.header]
+    if names[0] == "scorer":
+        return _deep_lab_cut(table)
+    if "position_x" in names and "position_y" in names:
+        return _track_mate(table, names)
+    if all(_DLTDV.fullmatch(name) for name in names if name) and any(names):
+        return _by_pairs(table, ["frame", "x_px", "y_px"], list(range(0, len(names) - 1, 2)), 2), "DLTdv"
+    known = {"slice": "frame", "frame": "frame", "frames": "frame"}
+    header = [known.get(name, given) for name, given in zip(names, table.header, strict=True)]
+    return replace(table, header=header), ""
+
+
+def _by_pairs(table: CsvTable, header: list[str], places: list[int], width: int, first: int | None = None) -> CsvTable:
+    """One row for each point of each frame; frames are counted from 0 where no column names them."""
+    rows = []
+    for number, (line, cells) in enumerate(table.rows):
+        frame = str(number) if first is None else cells[first]
+        for place in places:
+            point = cells[place : place + width]
+            # A point that was not seen is no row.
+            if len(point) == width and all(np.isfinite(_or_nan(cell)) for cell in point):
+                rows.append((line, [frame, *point]))
+    return replace(table, header=header, rows=rows)
+
+
+def _or_nan(cell: str) -> float:
+    value = number_in(cell)
+    return np.nan if value is None else value
+
+
+def _deep_lab_cut(table: CsvTable) -> tuple[CsvTable, str]:
+    """Lines of scorer, (individuals,) body parts and coordinates, then a frame a row."""
+    count = next((k for k, (_, cells) in enumerate(table.rows) if cells[0].lower() == "coords"), None)
+    if count is None:
+        return table, ""
+    coordinates = [cell.lower() for cell in table.rows[count][1]]
+    frames = replace(table, rows=table.rows[count + 1 :])
+    places = [k for k, name in enumerate(coordinates) if name == "x"]
+    points = _by_pairs(frames, ["frame", "x_px", "y_px", "likelihood"], places, 3, first=0)
+    seen = [(line, cells) for line, cells in points.rows if float(cells[3]) >= _LIKELY]
+    dropped = len(points.rows) - len(seen)
+    note = f"DeepLabCut: left out {dropped} points with a likelihood below {_LIKELY}" if dropped else "DeepLabCut"
+    return replace(points, rows=seen), note
+
+
+def _track_mate(table: CsvTable, names: list[str]) -> tuple[CsvTable, str]:
+    """Three more lines of names and units below the header."""
+    begun = next((k for k, (_, c) in enumerate(table.rows) if number_in(c[names.index("position_x")]) is not None), 0)
+    units: Mapping[str, str] = {}
+    if begun:
+        below = table.rows[begun - 1][1]
+        units = {name: cell.strip("()").lower() for name, cell in zip(names, below, strict=False)}
+    length = {"micron": "um", "pixel": "px", "": "px"}.get(units.get("position_x", ""), units.get("position_x", "px"))
+    clock = {"sec": "s", "frame": ""}.get(units.get("position_t", ""), units.get("position_t", ""))
+    renamed = {"position_x": f"x_{length}", "position_y": f"y_{length}", "frame": "frame"}
+    renamed |= {"position_t": f"time_{clock}"} if clock else {}
+    header = [renamed.get(name, given) for name, given in zip(names, table.header, strict=True)]
+    return replace(table, header=header, rows=table.rows[begun:]), "TrackMate"

@@ -1,0 +1,213 @@
+"""More than midpoints in one fit: forces, a flow curve, films with parameters of their own, and trackers' tables."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.fitting.fit import FitOutcome
+from softcat_sym.fitting.flow_curve import FlowCurve
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.fitting.identifiability import information
+from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, read_measurements
+from softcat_sym.fitting.plausibility import checked
+from softcat_sym.fitting.problem import FilamentProblem
+from tests.common.filmed import NOISE, TRUTH, film, scene
+from tests.common.pulled import pulled, string
+from tests.common.written_films import written
+
+
+def test_a_support_carries_what_momentum_and_weight_leave_and_its_derivatives_are_those() -> None:
+    time, *_, force = pulled()
+    model = ForwardModel(string(), free_parameters(string(), ["density", "viscosity", "time_offset"]), time, rtol=1e-7)
+    q = model.typical
+    for way in (0, 1):
+        found, slopes = model.forces(q, time, way)
+        if way:
+            np.testing.assert_allclose(found[2:], force[2:], atol=2e-3 * force.max())
+        for k, step in enumerate(1e-2 * np.eye(q.size)):
+            both = [model.forces(q + sign * step, time, way)[0] for sign in (-1, 1)]
+            numeric = (both[1] - both[0]) / 2e-2
+            np.testing.assert_allclose(slopes[:, k], numeric, atol=0.03 * np.abs(numeric).max())
+
+
+def test_a_force_tells_the_density_that_a_midpoint_does_not() -> None:
+    """Only E/density and viscosity/density move a string."""
+    time, midpoint, force, _ = pulled()
+    start = string().replace({"filament.density": "1500 kg/m^3", "material.viscosity": "10 kPa*s"})
+    found = {}
+    for forces in ((), (Forces(time, force, VERTICAL),)):
+        films = Measurements((Series(time, midpoint, forces=forces),))
+        found[len(forces)] = sc.fit(films, start, ["density", "viscosity"], starts=0, profiles=False)
+    both = found[1]
+    assert np.all(found[0].information.standard_errors > 0.3) and abs(found[0].correlation[0, 1]) > 0.98
+    assert both.outcome is FitOutcome.solved
+    for name, truth in (("density", 1900.0), ("viscosity", TRUTH["viscosity"])):
+        one = both.parameters[name]
+        assert one.std is not None and abs(one.best - truth) < 3 * one.std < 0.15 * truth
+    assert both.problem.noise.of_force == pytest.approx(0.02 * force.max(), rel=0.35)
+    assert both.problem.noise.deviation == pytest.approx(NOISE, rel=0.35)
+    assert set(both.figures()) >= {"fit"} and both.to_frame()["is_force"].sum() == time.size
+    # Without any camera.
+    alone = Measurements((Series(np.empty(0), np.empty(0), forces=(Forces(time, force, VERTICAL),)),))
+    density = sc.fit(alone, start, ["density", "viscosity"], starts=0, profiles=False).parameters["density"]
+    assert density.std is not None and abs(density.best - 1900) < 3 * density.std
+
+
+def test_a_flow_curve_narrows_what_a_film_leaves_wide_or_contradicts_it() -> None:
+    random, rate = np.random.default_rng(4), np.geomspace(0.01, 3, 20)
+    stress = TRUTH["yield_stress"] / math.sqrt(3) + TRUTH["viscosity"] / 3 * rate
+    stress *= 1 + 0.03 * random.standard_normal(rate.size)
+    start = scene().replace({"material.viscosity": "20 kPa*s"})
+    found = [
+        sc.fit(sc.Measurements.of(*film()), start, [*TRUTH], starts=0, profiles=False, flow_curve=curve)
+        for curve in (None, FlowCurve(rate, stress), FlowCurve(rate, 1.5 * stress))
+    ]
+    film_alone, both, apart = found
+    for name, truth in TRUTH.items():
+        wide, narrow = film_alone.parameters[name].std, both.parameters[name].std
+        assert wide is not None and narrow is not None and narrow < wide / 3
+        assert abs(both.parameters[name].best - truth) < 3 * narrow
+    agree = both.problem.contradiction(both.starts.best.residuals, both.starts.best.jacobian)
+    assert agree is not None and agree.p_value > 0.01 and both.outcome is FitOutcome.solved
+    assert apart.outcome is FitOutcome.contradiction
+    solid = start.replace({"material.law": "kelvin-voigt", "material.yield_stress": None})
+    with pytest.raises(SceneError, match="the law 'kelvin-voigt' has none"):
+        sc.fit(sc.Measurements.of(*film()), solid, ["viscosity"], flow_curve=FlowCurve(rate, stress))
+    with pytest.raises(SceneError, match="viscosity@1: of single films"):
+        two = Measurements(tuple(Series(*film(seed=seed)) for seed in (1, 2)))
+        sc.fit(two, start, ["viscosity@each"], flow_curve=FlowCurve(rate, stress))
+
+
+def test_films_have_parameters_of_their_own() -> None:
+    spans, random, series = (0.17, 0.2, 0.24), np.random.default_rng(4), []
+    for span in spans:
+        filmed = scene().replace({"filament.span": f"{span} m", "run.frames": 601, "load.ramp": "0.0436 s"})
+        data = sc.simulate(filmed).data
+        time = np.linspace(0, float(data.time[-1]), 61)[1:]
+        height = np.interp(time, data.time.values, data.midpoint.values) + NOISE * random.standard_normal(60)
+        series.append(Series(time, height))
+    films = Measurements(tuple(series))
+    how = {"starts": 0, "profiles": False, "discrepancy": False}
+    found = sc.fit(films, scene(), ["viscosity", "span@each"], **how)  # type: ignore[arg-type]
+    assert list(found.parameters) == ["viscosity", "span@1", "span@2", "span@3"]
+    for number, span in enumerate(spans, start=1):
+        one = found.parameters[f"span@{number}"]
+        assert one.std is not None and abs(one.best - span) < 3 * one.std < 0.06 * span
+    assert found.fitted_scene.filament.span == 0.2
+    mixed = sc.fit(films, scene(), ["span", "span@3"], bounds={"span@3": ("0.1 m", "0.3 m")}, **how)  # type: ignore[arg-type]
+    assert list(mixed.parameters) == ["span", "span@3"] and mixed.parameters["span@3"].bounds == (0.1, 0.3)
+    for names, words in (
+        (["span@4"], "free span@4: no such film; accepted: @each, or the number of a film, 1 to 3"),
+        (["span", "span@each"], "every film has one of its own"),
+        (["viscosity", "shear_viscosity@2"], "the same constant as viscosity"),
+    ):
+        with pytest.raises(SceneError, match=words):
+            sc.fit(films, scene(), names)
+
+
+def test_late_frames_of_what_is_arrested_tell_no_surface_tension_from_a_yield_stress() -> None:
+    paper = "inertia bending extensibility finite-stretch thinning large-rotation viscous-flow yielding gravity-ramp"
+    changes = {"surroundings.surface_tension": "4 N/m", "run.frames": 401, "run.duration": "4 s"}
+    arrested = sc.load_scene("arrested-overdamped", ["numerics.cells=10"]).replace(
+        changes | {"run.effects": [*paper.split(), "surface-tension"]}
+    )
+    data = sc.simulate(arrested).data
+    for frames, told in ((slice(280, 401, 8), False), (slice(5, 401, 5), True)):
+        time, midpoint = data.time.values[frames], data.midpoint.values[frames]
+        films = sc.Measurements.of(time, midpoint, std=1e-5)
+        problem = FilamentProblem(arrested, films, ["yield_stress", "surface_tension"], camera=True)
+        residuals, jacobian = problem.linearised(problem.typical)
+        box = problem.lower[:2], problem.upper[:2]
+        known = information(problem.names[:2], problem.typical[:2], residuals, jacobian, box, noise_known=True)
+        assert bool(known.identified.all()) is told, known.standard_errors
+        assert told or any("yield_stress^1 * surface_tension^" in one.text for one in known.combinations)
+
+
+CAMERA = "# camera.fps = 240\n# camera.pixel = 0.1 mm\n# camera.origin = 1000 200\n# camera.release = 12\n"
+FRAMES, PLACES = (12, 36, 60, 84), np.linspace(-0.08, 0.08, 9)
+POINTS = [(frame, x, -1e-3 * ((frame - 12) / 24) ** 2 * (1 - (x / 0.1) ** 2)) for frame in FRAMES for x in PLACES]
+PIXELS = [(frame, f"{1000 + 1e4 * x:.3f}", f"{200 - 1e4 * y:.3f}") for frame, x, y in POINTS]
+
+
+def tables() -> dict[str, str]:
+    """What several trackers write of the same shapes."""
+    imagej = "".join(f"{k}\t5\t{x}\t{y}\t{frame}\n" for k, (frame, x, y) in enumerate(PIXELS, start=1))
+    spots = "LABEL,ID,POSITION_X,POSITION_Y,POSITION_T,FRAME\n" + 2 * "Label,Spot ID,X,Y,T,Frame\n"
+    wide = {frame: [pair for at, *pair in PIXELS if at == frame] for frame in FRAMES}
+    head = (
+        "scorer"
+        + 27 * ",net"
+        + "\nbodyparts"
+        + "".join(3 * f",p{k}" for k in range(9))
+        + "\ncoords"
+        + 9 * ",x,y,likelihood"
+    )
+    deep = "".join(f"\n{frame}" + "".join(f",{x},{y},0.99" for x, y in row) for frame, row in wide.items())
+    nothing = ",".join(18 * ["NaN"])
+    rows = [",".join(f"{x},{y}" for x, y in wide[k]) if k in wide else nothing for k in range(85)]
+    return {
+        "long": CAMERA + "frame,x_px,y_px\n" + "".join(f"{frame},{x},{y}\n" for frame, x, y in PIXELS),
+        "ImageJ": CAMERA + " \tArea\tX\tY\tSlice\n" + imagej,
+        "TrackMate": CAMERA
+        + spots
+        + ",,(pixel),(pixel),(frame),\n"
+        + "".join(f"a,1,{x},{y},{f},{f}\n" for f, x, y in PIXELS),
+        "TrackMate, calibrated": spots
+        + ",,(micron),(micron),(sec),\n"
+        + "".join(f"a,1,{1e6 * x:.3f},{1e6 * y:.3f},{(f - 12) / 240!r},{f}\n" for f, x, y in POINTS),
+        "DeepLabCut": CAMERA + head + deep + "\n",
+        "DLTdv": CAMERA + ",".join(f"pt{k}_cam1_X,pt{k}_cam1_Y" for k in range(1, 10)) + "\n" + "\n".join(rows) + "\n",
+    }
+
+
+def test_shapes_as_trackers_write_them(tmp_path: Path) -> None:
+    expected = np.array([((frame - 12) / 240, x, y) for frame, x, y in POINTS])
+    for name, text in tables().items():
+        shapes = read_measurements(written(tmp_path, text)).series[0].shapes
+        assert shapes is not None, name
+        np.testing.assert_allclose(
+            np.column_stack([shapes.time, shapes.x, shapes.y]), expected, atol=1e-7, err_msg=name
+        )
+    doubtful = tables()["DeepLabCut"].replace("0.99", "0.2", 3)
+    (series,) = read_measurements(written(tmp_path, doubtful)).series
+    assert series.shapes is not None and series.shapes.x.size == 33 and "likelihood below 0.6" in series.notes[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (tables()["long"].replace("# camera.fps", "# fps"), "frames, which only their rate.*camera.fps = 240"),
+        (tables()["long"].replace("# camera.pixel", "# pixel"), "pixels, which only.*camera.pixel = 0.05 mm"),
+        (tables()["long"].replace("0.1 mm", "0.1 s"), r"camera.pixel: 's' is a time"),
+        (tables()["long"].replace("1000 200", "1000"), "camera.origin: '1000'; accepted: camera.origin = 640 212"),
+        ("time_s,force_N\n0.1,1\n", "a force without its way; accepted: horizontal_force_N"),
+        ("time_s,vertical_force_kg\n0.1,1\n", "'kg' is a mass, not a force"),
+        (
+            "time_s,vertical_force_N\n" + "".join(f"{k}e-1,{67 + k}\n" for k in range(9)),
+            "as of mN in a column named for N",
+        ),
+        ("time_s,vertical_force_N\n" + "".join(f"{k}e-1,0\n" for k in range(9)), "0 N at every time"),
+        ("time_s,vertical_force_N\n0.1,0.06\n0.2,0.07\n", "2 distinct times; accepted: at least 5"),
+        ("time_s,x_m,y_m,vertical_force_N\n0.1,0,0,1\n", "forces beside points of a whole shape; accepted: two files"),
+    ],
+)
+def test_what_no_film_can_be_is_one_clear_refusal(text: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(SoftcatError, match=words):
+        checked(read_measurements(written(tmp_path, text)), sc.load_scene("no-yield"))
+
+
+def test_a_load_cell_has_times_and_a_sign_of_its_own(tmp_path: Path) -> None:
+    rows = "".join(f"{k / 10},{'' if k % 3 else -(k**2)},{-60 - k if k % 2 else ''}\n" for k in range(30))
+    film = read_measurements(written(tmp_path, "time_s,midpoint_mm,vertical_force_mN\n" + rows))
+    (series,) = checked(film, sc.load_scene("no-yield")).series
+    (force,) = series.forces
+    assert series.time.size == 10 and force.time.size == 15
+    np.testing.assert_allclose(force.force[[0, -1]], [0.061, 0.089])
+    assert "Turned the sign of vertical_force" in series.notes[-1]
