@@ -665,7 +665,10 @@ def _fit(
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
     parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
-    checks = check_residuals(parts, len(problem.names), noise_known=problem.noise_known)
+    left = parts
+    if loss.kind == "linear":
+        left = [part / reading for part in problem.innovations(best.residuals, best.jacobian)] if reading > 0 else parts
+    checks = check_residuals(left, problem.asked, noise_known=problem.noise_known)
     fitted = []
     for number, curve in enumerate(problem.curves(best.q)):
         film = problem.films[number]
@@ -741,7 +744,8 @@ def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Informa
     asked = problem.asked
     box, flags = (problem.lower[:asked], problem.upper[:asked]), problem.logarithmic[:asked]
     given = problem.names[:asked], best.q[:asked], best.residuals, best.jacobian, box
-    return information(*given, noise_known=problem.noise_known, logarithmic=flags, loss=loss)
+    how = {"noise_known": problem.noise_known, "readings": problem.readings}
+    return information(*given, **how, logarithmic=flags, loss=loss)
 
 
 def _foretell(problem: FilamentProblem, request: _Request) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import make_smoothing_spline
 from scipy.linalg import eigh
 
@@ -24,6 +25,7 @@ from softcat_sym.fitting.free_parameters import (
     Unknowns,
     free_parameters,
 )
+from softcat_sym.fitting.identifiability import taken
 from softcat_sym.fitting.least_squares import Floats, Loss, TimeLimitError
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
@@ -300,8 +302,11 @@ class FilamentProblem(Unknowns):
 
     def by_film(self, values: Floats) -> list[Floats]:
         """Split what all readings have, shape (m,) or longer, into one array for each film."""
-        ends = np.cumsum([film.data.size for film in self.films])
-        return [np.asarray(part) for part in np.split(values, ends)[:-1]]
+        return [np.asarray(part) for part in np.split(values, self._ends)[:-1]]
+
+    @property
+    def _ends(self) -> NDArray[np.int_]:
+        return np.cumsum([film.data.size for film in self.films])
 
     def values(self, q: Floats) -> dict[str, float]:
         """The unknowns in SI, those of the theory's error aside, which come last and in other numbers for other q."""
@@ -346,27 +351,45 @@ class FilamentProblem(Unknowns):
     def noise_at(self, residuals: Floats, jacobian: Floats, loss: Loss) -> Noise:
         """Noise that these residuals at an optimum speak of, the freedom of the unknowns allowed for."""
         count = self.readings
-        data, slopes = residuals[:count], jacobian[:count]
-        # Trace of the hat matrix: unknowns with priors take only a part of a reading each.
-        taken = float(np.sum(np.linalg.lstsq(jacobian.T @ jacobian, slopes.T, rcond=1e-12)[0] * slopes.T))
-        freedom = max(count - taken, 1.0)
+        data = residuals[:count]
+        freedom = max(count - taken(jacobian, count), 1.0)
         rms = math.sqrt(float(data @ data) / freedom)
         if loss.kind != "linear":
             rms = 1.4826 * float(np.median(np.abs(data))) * math.sqrt(count / freedom)
         largest = max(float(np.max(np.abs(film.data))) for film in self.films)
         deviation = max(self.noise.deviation * rms, _LEAST_NOISE * largest)
-        return Noise(self.noise.deviation if self.noise_known else deviation, self._correlation_at(data, taken, loss))
+        correlation = self._correlation_at(self.innovations(residuals, jacobian), loss)
+        return Noise(self.noise.deviation if self.noise_known else deviation, correlation)
 
-    def _correlation_at(self, data: Floats, taken: float, loss: Loss) -> float:
+    def innovations(self, residuals: Floats, jacobian: Floats) -> list[Floats]:
+        """Each film's residuals less what those before tell of its camera and theory, over their standard errors.
+
+        White if the likelihood is right, which residuals are not: the amplitudes that are fitted take noise up.
+        """
+        known, found = residuals[self.readings :], []
+        for data, slopes in zip(self.by_film(residuals), np.split(jacobian, self._ends)[:-1], strict=True):
+            columns = slopes[:, self._known] * self._spread
+            seen, spread = np.zeros(known.size), np.eye(known.size)
+            left = data - columns @ known
+            for k, column in enumerate(columns):
+                gain = spread @ column
+                variance = 1 + column @ gain
+                apart = left[k] - column @ seen
+                seen, spread = seen + gain * apart / variance, spread - np.outer(gain, gain) / variance
+                left[k] = apart / math.sqrt(variance)
+            found.append(left)
+        return found
+
+    def _correlation_at(self, innovations: Sequence[Floats], loss: Loss) -> float:
         """Correlation of neighbours, none where it may be chance; of what is left when the present one is taken out."""
-        rows = [part[: film.series.time.size] for film, part in zip(self.films, self.by_film(data), strict=True)]
+        rows = [part[: film.series.time.size] for film, part in zip(self.films, innovations, strict=True)]
         rows = [row for row in rows if row.size >= _FEWEST and np.any(row)]
         if loss.kind != "linear" or not rows:
             return self.noise.correlation
         size = sum(row.size for row in rows)
         squares = sum(float(row @ row) for row in rows)
         # What a fit takes out makes neighbours differ by as much as it takes.
-        left = sum(float(row[1:] @ row[:-1]) for row in rows) / squares + taken / size
+        left = sum(float(row[1:] @ row[:-1]) for row in rows) / squares + self.asked / size
         if abs(left) * math.sqrt(size) < _SIGNIFICANT:
             return self.noise.correlation
         together = (self.noise.correlation + left) / (1 + self.noise.correlation * left)
