@@ -634,7 +634,9 @@ def _trusted(found: Fit) -> Fit:
     return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
-ROUNDS = 6
+_TUNINGS = 2  # The frequency goes with a power of the modulus between 1/3 and 1/2
+_UNTIL_GRID = 2  # Rounds for the noise before the resolution is looked at
+ROUNDS = 8
 """Optima at most that are sought from one another, as noise, the theory's error and the resolution become known."""
 
 
@@ -657,9 +659,12 @@ def _fit(
         on_progress=counting(request.progress, "starts"),
         **how,
     )
-    problem, best, resolution = _settled(problem, starts.best, scene, request, how)
-    front = replace(starts.results[0], optimum=best)
-    starts = replace(starts, results=(front, *starts.results[1:]))
+    # What is stuck in the integrator's own noise, but lower, is worth smaller steps.
+    able = [one for one in starts.results if one.optimum.converged or one.optimum.status == STUCK]
+    front = min(able or starts.results[:1], key=lambda one: one.optimum.value)
+    problem, best, resolution = _settled(problem, front.optimum, scene, request, how)
+    others = [one for one in starts.results if one is not front]
+    starts = replace(starts, results=(replace(front, optimum=best), *others))
     of_profiles = counting(request.progress, "profiles")
     inferred = infer(problem, starts, loss, profiles=request.profiles, method=request.method, on_progress=of_profiles)
     best, known = inferred.starts.best, inferred.information
@@ -668,7 +673,8 @@ def _fit(
     left = parts
     if loss.kind == "linear":
         left = [part / reading for part in problem.innovations(best.residuals, best.jacobian)] if reading > 0 else parts
-    checks = check_residuals(left, problem.asked, noise_known=problem.noise_known)
+    least = not problem.noise_known and problem.noise.deviation <= problem.least_noise
+    checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
     fitted = []
     for number, curve in enumerate(problem.curves(best.q)):
         film = problem.films[number]
@@ -716,23 +722,29 @@ def _settled(
     problem: FilamentProblem, best: Optimum, scene: Scene, request: _Request, how: Mapping[str, Any]
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
     """Fit again from the optimum until its noise and the theory's error are its own, and its resolution suffices."""
-    resolution = None
-    for _ in range(ROUNDS):
+    resolution, fine = None, request.rtol is not None
+    again: tuple[FilamentProblem, Floats] | None
+    for number in range(ROUNDS):
         if not best.converged:
             if best.status != STUCK or request.rtol is not None:
                 break
             problem, start = problem.at(tighter(problem), best.q)
             best = minimise(problem, start, **how)
             continue
-        now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
-        again: tuple[FilamentProblem, Floats] | None = None
-        if not problem.has(now, best.q):
-            again = problem.settled(best.q, now)
-        elif request.rtol is None:
+        now, again = problem.noise_at(best.residuals, best.jacobian, how["loss"]), None
+        # What cells err by looks like correlation, and is no noise.
+        alone = now if fine else replace(now, correlation=problem.noise.correlation)
+        if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
+            again = problem.settled(best.q, alone)
+        elif not fine:
             request.progress.stage("grid, fibres and time steps")
             resolution = moved(problem, best, _information(problem, best, how["loss"]))
             at = finer(resolution, scene)
-            again = None if at is None else problem.at(at, best.q)
+            fine = at is None
+            if at is not None:
+                again = problem.at(at, best.q)
+            elif not problem.has(now, best.q):
+                again = problem.settled(best.q, now)
         if again is None:
             break
         problem, start = again
@@ -821,7 +833,7 @@ def _outcome(
     best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
     if not best.converged:
         return FitOutcome.out_of_time if best.status == OUT_OF_TIME else FitOutcome.not_converged
-    wild = sum(int(far_out(part).sum()) for part in parts)
+    wild = sum(int((far_out(part) & (np.abs(part) > 1)).sum()) for part in parts)
     if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
         return FitOutcome.outliers
     if checks.verdict == "not white" or _beyond_theory(problem, best) or _correlated_for_long(problem):
@@ -884,4 +896,25 @@ def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features |
             if free.name in ("youngs_modulus", "viscosity"):
                 q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
         starts.append(q)
-    return starts
+    tuned = _in_tune(problem, scene, features, starts[0])
+    return starts if tuned is None else [*starts, tuned]
+
+
+def _in_tune(
+    problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
+) -> Floats | None:
+    """The start with a modulus that makes a film ring as it was seen to: fits a period off are optima, too."""
+    column = next((k for k, free in enumerate(problem.free[: problem.asked]) if free.name == "youngs_modulus"), None)
+    number = next((k for k, one in enumerate(features) if one is not None and one.frequency.value), None)
+    if column is None or number is None:
+        return None
+    film, seen, q = problem.films[number], features[number], start.copy()
+    for _ in range(_TUNINGS):
+        count = film.series.time.size
+        curve = replace(film.series, midpoint=film.heights(q)[:count], std=film.std[:count])
+        own = _features(curve, own_scene(film.series, scene)) if np.isfinite(curve.midpoint).all() else None
+        if own is None or own.frequency.value is None or seen is None or seen.frequency.value is None:
+            return None
+        step = 2 * math.log(seen.frequency.value / own.frequency.value)
+        q[column] = np.clip(q[column] + step, problem.lower[column], problem.upper[column])
+    return q

@@ -41,9 +41,9 @@ THEORY = "theory_error"
 
 # Of the variance of a reading's noise: directions in which the theory's error has less are not followed.
 _SEEN = 0.05
-_MOST_COMPONENTS, _MOST_DIRECTIONS = 60, 24
-# Of the largest height: less is rounding, and no noise.
-_LEAST_NOISE = 1e-6
+_MOST_COMPONENTS, _MOST_DIRECTIONS = 300, 24
+# Of the largest height: no camera tells less, and the integrator has as much of its own.
+_LEAST_NOISE = 1e-4
 _WIDE = 8.0  # Bounds of what has a prior, in its standard deviations
 _SIGNIFICANT = 2.6  # Standard normal, 1 %
 _MOST_CORRELATED = 0.98
@@ -81,6 +81,9 @@ class Filmed:
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error, and
     basis: Floats | None = None  # shape (n, their number); what each of them adds [m]
     theory_size: float = 0.0  # Standard deviation of the theory's error over the heights
+    # Directions of the theory's error that have no amplitudes, shape (n, their number), of whitened residuals, and by
+    # how much they are to be shortened.
+    rest: tuple[Floats, Floats] | None = None
     correlation: float = 0.0  # Of the noise of neighbouring readings of the midpoint
 
     @property
@@ -131,14 +134,23 @@ class Filmed:
 
     def whitened(self, rows: Floats) -> Floats:
         """Rows over the standard errors, without what is correlated with the reading before; shape as given."""
-        over = rows / (self.std if rows.ndim == 1 else self.std[:, None])
+        over = self._apart(rows / (self.std if rows.ndim == 1 else self.std[:, None]))
+        if self.rest is None:
+            return over
+        directions, shorter = self.rest
+        return np.asarray(
+            over - directions @ ((shorter if rows.ndim == 1 else shorter[:, None]) * (directions.T @ over))
+        )
+
+    def _apart(self, over: Floats) -> Floats:
+        """Rows in standard errors without what is correlated with the reading before."""
         count = self.series.time.size
         if not self.correlation or count < 2:
             return over
         apart = np.diff(self.series.time)
         carried = self.correlation ** (apart / np.median(apart))
         root = np.sqrt(1 - carried**2)
-        if rows.ndim > 1:
+        if over.ndim > 1:
             carried, root = carried[:, None], root[:, None]
         result = over.copy()
         result[1:count] = (over[1:count] - carried * over[: count - 1]) / root
@@ -254,7 +266,15 @@ class FilamentProblem(Unknowns):
             for k in range(count)
         )
         basis = film.std[:, None] * left[:, :count] * singular[:count]
-        return replace(film, theory=tuple(range(begin, begin + count)), basis=basis, theory_size=error.amplitude)
+        # What is not followed is part of the noise: I + B B^T to the power -1/2, by singular vectors of B.
+        rest, lengths, _ = np.linalg.svd(film._apart(left[:, count:] * singular[count:]), full_matrices=False)
+        return replace(
+            film,
+            theory=tuple(range(begin, begin + count)),
+            basis=basis,
+            theory_size=error.amplitude,
+            rest=(rest, 1 - 1 / np.sqrt(1 + lengths**2)),
+        )
 
     @property
     def logarithmic(self) -> tuple[bool, ...]:
@@ -356,10 +376,16 @@ class FilamentProblem(Unknowns):
         rms = math.sqrt(float(data @ data) / freedom)
         if loss.kind != "linear":
             rms = 1.4826 * float(np.median(np.abs(data))) * math.sqrt(count / freedom)
-        largest = max(float(np.max(np.abs(film.data))) for film in self.films)
-        deviation = max(self.noise.deviation * rms, _LEAST_NOISE * largest)
-        correlation = self._correlation_at(self.innovations(residuals, jacobian), loss)
-        return Noise(self.noise.deviation if self.noise_known else deviation, correlation)
+        if self.noise_known:
+            deviation = self.noise.deviation
+        elif (deviation := self.noise.deviation * rms) < self.least_noise:
+            return Noise(self.least_noise)
+        return Noise(deviation, self._correlation_at(self.innovations(residuals, jacobian), loss))
+
+    @property
+    def least_noise(self) -> float:
+        """What is taken for noise [m] where residuals are less; they are then nobody's error."""
+        return _LEAST_NOISE * max(float(np.max(np.abs(film.data))) for film in self.films)
 
     def innovations(self, residuals: Floats, jacobian: Floats) -> list[Floats]:
         """Each film's residuals less what those before tell of its camera and theory, over their standard errors.

@@ -10,6 +10,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
@@ -71,8 +72,7 @@ def _fitted(name: str, theory: str, noise: float, seed: int, profiles: bool) -> 
         outcome=found.outcome.word,
         constants={key: found.parameters[key].best / truth[key] for key in truth},
         ends={
-            key: tuple(None if end is None else end / truth[key] for end in found.parameters[key].ci95)
-            for key in truth
+            key: tuple(None if end is None else end / truth[key] for end in found.parameters[key].ci95) for key in truth
         },
         verdicts={key: found.parameters[key].verdict for key in truth},
         resolution="" if one is None else f"{one.at.cells}, {one.at.fibres or 0}, {one.shares.total:.2f}",
@@ -92,20 +92,15 @@ def _cell(one: Said, name: str) -> str:
 @pytest.mark.parametrize("theory", THEORIES)
 def test_intervals_hold_the_constants_of_the_elements(theory: str) -> None:
     rows, within, held, outcomes, seconds = [], [], [], [], 0.0
-    for name in (*KNOWN, *HELD):
-        for noise in NOISE:
-            for seed in SEEDS:
-                one = said(name, theory, noise, seed)
-                cells = [_cell(one, key) for key in CONSTANTS]
-                before = BEFORE.get((name, theory), "") if not seed else ""
-                rows.append(
-                    [name, f"{100 * noise:g} %", *cells, one.outcome, one.resolution, f"{one.seconds:.1f}", before]
-                )
-                print(rows[-1], flush=True)
-                told = [one.holds(key) for key in one.constants]
-                (held if name in HELD else within).extend(told)
-                outcomes.append(one.outcome)
-                seconds += one.seconds
+    for seed, name, noise in product(SEEDS, (*HELD, *KNOWN), NOISE):
+        one = said(name, theory, noise, seed)
+        cells = [_cell(one, key) for key in CONSTANTS]
+        before = BEFORE.get((name, theory), "") if not seed else ""
+        rows.append([name, f"{100 * noise:g} %", *cells, one.outcome, one.resolution, f"{one.seconds:.1f}", before])
+        print(rows[-1], flush=True)
+        (held if name in HELD else within).extend(one.holds(key) for key in one.constants)
+        outcomes.append(one.outcome)
+        seconds += one.seconds
     every, kept_from = np.mean([*within, *held]), np.mean(held)
     good = np.mean([word in ("solved", "not identified") for word in outcomes])
     title = f"{theory} physics, curvature: {100 * every:.1f} % of {len(within) + len(held)} intervals hold the truth, "
