@@ -38,7 +38,8 @@ _SCALE = 2.0
 
 
 DataArgument = Annotated[
-    list[Path], typer.Argument(metavar="DATA...", help="CSV files, one a filament: time_s and midpoint_m.")
+    list[Path],
+    typer.Argument(metavar="DATA...", help="CSV files, one a filament: time_s, midpoint_m and others."),
 ]
 SceneOption = Annotated[
     str,
@@ -50,7 +51,8 @@ SceneOption = Annotated[
     ),
 ]
 FreeOption = Annotated[
-    list[str] | None, typer.Option("--free", metavar="NAME", help="What is not known: youngs_modulus. Repeatable.")
+    list[str] | None,
+    typer.Option("--free", metavar="NAME", help="What is not known: viscosity; thickness@each film. Repeatable."),
 ]
 LawOption = Annotated[
     list[str] | None,
@@ -73,6 +75,9 @@ ScaleOption = Annotated[
 StartsOption = Annotated[int, typer.Option("--starts", min=0, help="Starts besides the scene and the closed form.")]
 NoProfilesOption = Annotated[
     bool, typer.Option("--no-profile-likelihood", help="Intervals from the curvature alone: sooner, and less true.")
+]
+FlowCurveOption = Annotated[
+    Path | None, typer.Option("--flow-curve", metavar="CSV", help="Of the same material, to be fitted along.")
 ]
 CalibratedOption = Annotated[
     bool,
@@ -113,6 +118,7 @@ def fit(
     scale: ScaleOption = None,
     starts: StartsOption = STARTS,
     no_profiles: NoProfilesOption = False,
+    flow_curve: FlowCurveOption = None,
     calibrated: CalibratedOption = False,
     no_discrepancy: NoDiscrepancyOption = False,
     time_limit: TimeLimitOption = None,
@@ -154,6 +160,7 @@ def fit(
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
         how |= {"calibrated": calibrated, "discrepancy": not no_discrepancy, "time_limit": time_limit}
+        how |= {"flow_curve": flow_curve} if flow_curve else {}
         found, compared = _fitted(films, known, also, law or [], how)
         drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")

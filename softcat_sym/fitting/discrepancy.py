@@ -9,6 +9,7 @@ import numpy as np
 
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, groups_of
 
 # Standard deviations over h0/L, d, and its square: with shear and, of a law that yields, fibres; and without them, in
@@ -50,15 +51,15 @@ class Discrepancy:
         return np.asarray(self.amplitude**2 * alike * (np.outer(heights, heights) + np.outer(pace, pace)))
 
 
-def discrepancy(scene: Scene, effects: Collection[str]) -> Discrepancy:
+def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:
     """Return how far a theory is from the continuum.
 
     Parameters
     ----------
     scene : Scene
         The best that is known of it: its thickness over span, and whether it stops (3.12), decide.
-    effects : collection of str
-        In force.
+    effects, terms : collection of str, Terms
+        In force, and what they leave of the equations.
 
     Returns
     -------
@@ -69,6 +70,6 @@ def discrepancy(scene: Scene, effects: Collection[str]) -> Discrepancy:
     delta, regime = groups_of(scene).delta, expected_regime(scene, effects)
     number, limit = regime.gravity_number, regime.arrest_exact
     stops = number is not None and limit is not None and regime.name != "no-yield" and number < limit
-    if "shear" in effects and ("fibres" in effects or "yielding" not in effects):
+    if terms.shear and (terms.resolved or not terms.yields):
         return Discrepancy(_STOPPING * delta if stops else _OWN + _FLOWING * delta**2)
     return Discrepancy((_PUBLISHED_STOPPING if stops else _PUBLISHED_FLOWING) * delta)

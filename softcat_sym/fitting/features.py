@@ -354,6 +354,9 @@ class LateLaw:
         return values
 
 
+_ALIKE = 1e6  # Condition of two unknowns that the data do not tell apart
+
+
 def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
     """Fit the law to the last three quarters of the film, from when the ringing has died away, if it does."""
     start = float(film.time[-1]) / _SHARE
@@ -372,7 +375,8 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
         cause = cause if exponent > 1 / 3 else "it stops, or is held elastically"
         return f"the sag grows as t^{exponent:.2f}, not as t^(1/3): {cause}"
     solved = _gauss_newton(time, sag, std)
-    if solved is None:
+    # A sag that rests is followed by every line that began long ago.
+    if solved is None or np.linalg.cond(solved[3] / np.linalg.norm(solved[3], axis=0)) > _ALIKE:
         return "no line t - t_0 follows the cube of the sag"
     slope, shift, rest, jacobian = solved
     scale = film.noise_scale(float(rest @ rest), len(time) - 2)

@@ -409,6 +409,7 @@ class Fit:
             "theory_error": self.theory,
             "resolution": None if self.resolution is None else self._resolution(self.resolution),
             "outliers": [{"film": film, "time_s": time} for film, time in self.outlying],
+            "flow_curve": self._flow_curve(),
             "late": self.late,
             "residuals": {
                 "verdict": checks.verdict,
@@ -436,6 +437,15 @@ class Fit:
             "seconds": self.seconds,
             "evaluations": self.evaluations,
         }
+
+    def _flow_curve(self) -> dict[str, Any] | None:
+        """Whether a flow curve has the films' constants, and what the fit says at its rates."""
+        best, flow = self.starts.best, self.problem.flow
+        test = self.problem.contradiction(best.residuals, best.jacobian)
+        if flow is None or test is None:
+            return None
+        stress = {"measured_Pa": flow.curve.shear_stress.tolist(), "model_Pa": flow.stress(best.q).tolist()}
+        return {"shear_rate_1_s": flow.curve.shear_rate.tolist(), **stress, "contradiction": vars(test)}
 
     def _resolution(self, moved: Moved) -> dict[str, Any]:
         """Cells, fibres, tolerance; and by how many standard errors each moves the constants at the most."""
@@ -656,7 +666,9 @@ def _trusted(found: Fit) -> Fit:
     return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
-ROUNDS = 6
+_TUNINGS = 2  # The frequency goes with a power of the modulus between 1/3 and 1/2
+_UNTIL_GRID = 2  # Rounds for the noise before the resolution is looked at
+ROUNDS = 8
 """Optima at most that are sought from one another, as noise, the theory's error and the resolution become known."""
 
 
@@ -679,15 +691,22 @@ def _fit(
         on_progress=counting(request.progress, "starts"),
         **how,
     )
-    problem, best, resolution = _settled(problem, starts.best, scene, request, how)
-    front = replace(starts.results[0], optimum=best)
-    starts = replace(starts, results=(front, *starts.results[1:]))
+    # What is stuck in the integrator's own noise, but lower, is worth smaller steps.
+    able = [one for one in starts.results if one.optimum.converged or one.optimum.status == STUCK]
+    front = min(able or starts.results[:1], key=lambda one: one.optimum.value)
+    problem, best, resolution = _settled(problem, front.optimum, scene, request, how)
+    others = [one for one in starts.results if one is not front]
+    starts = replace(starts, results=(replace(front, optimum=best), *others))
     of_profiles = counting(request.progress, "profiles")
     inferred = infer(problem, starts, loss, profiles=request.profiles, method=request.method, on_progress=of_profiles)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
     parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
-    checks = check_residuals(parts, len(problem.names), noise_known=problem.noise_known)
+    left = parts
+    if loss.kind == "linear":
+        left = [part / reading for part in problem.innovations(best.residuals, best.jacobian)] if reading > 0 else parts
+    least = not problem.noise_known and problem.noise.deviation <= problem.least_noise
+    checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
     fitted = []
     for number, curve in enumerate(problem.curves(best.q)):
         film = problem.films[number]
@@ -697,13 +716,11 @@ def _fit(
     request.progress.stage("done")
     asked = problem.free[: problem.asked]
     shifts = np.zeros(problem.asked) if resolution is None else resolution.total
+    coarse = resolution is not None and resolution.shares.total > SHARE
     parameters = {
-        free.name: fitted_parameter(free, verdict, float(shift))
+        free.name: fitted_parameter(free, verdict, float(shift), widened=coarse)
         for free, verdict, shift in zip(asked, inferred.verdicts, shifts, strict=True)
     }
-    coarse = resolution is not None and resolution.shares.total > SHARE
-    if coarse:
-        parameters = {name: _widened(one) for name, one in parameters.items()}
     return Fit(
         scene=given,
         fitted_scene=with_values(given, *_shared(problem, best.q)),
@@ -742,35 +759,44 @@ def _settled(
     problem: FilamentProblem, best: Optimum, scene: Scene, request: _Request, how: Mapping[str, Any]
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
     """Fit again from the optimum until its noise and the theory's error are its own, and its resolution suffices."""
-    resolution = None
-    for _ in range(ROUNDS):
+    resolution, fine, spent = None, request.rtol is not None, best.evaluations
+    again: tuple[FilamentProblem, Floats] | None
+    for number in range(ROUNDS):
         if not best.converged:
             if best.status != STUCK or request.rtol is not None:
                 break
             problem, start = problem.at(tighter(problem), best.q)
             best = minimise(problem, start, **how)
+            spent += best.evaluations
             continue
-        now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
-        again: tuple[FilamentProblem, Floats] | None = None
-        if not problem.has(now, best.q):
-            again = problem.settled(best.q, now)
-        elif request.rtol is None:
+        now, again = problem.noise_at(best.residuals, best.jacobian, how["loss"]), None
+        # What cells err by looks like correlation, and is no noise.
+        alone = now if fine else replace(now, correlation=problem.noise.correlation)
+        if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
+            again = problem.settled(best.q, alone)
+        elif not fine:
             request.progress.stage("grid, fibres and time steps")
             resolution = moved(problem, best, _information(problem, best, how["loss"]))
             at = finer(resolution, scene)
-            again = None if at is None else problem.at(at, best.q)
+            fine = at is None
+            if at is not None:
+                again = problem.at(at, best.q)
+            elif not problem.has(now, best.q):
+                again = problem.settled(best.q, now)
         if again is None:
             break
         problem, start = again
         best = minimise(problem, start, **how)
-    return problem, best, resolution
+        spent += best.evaluations
+    return problem, replace(best, evaluations=spent), resolution
 
 
 def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:
     asked = problem.asked
     box, flags = (problem.lower[:asked], problem.upper[:asked]), problem.logarithmic[:asked]
     given = problem.names[:asked], best.q[:asked], best.residuals, best.jacobian, box
-    return information(*given, noise_known=problem.noise_known, logarithmic=flags, loss=loss)
+    how: dict[str, Any] = {"noise_known": problem.noise_known, "readings": problem.readings}
+    return information(*given, **how, logarithmic=flags, loss=loss)
 
 
 def _foretell(problem: FilamentProblem, request: _Request) -> None:
@@ -810,15 +836,14 @@ def far_out(residuals: Floats) -> NDArray[np.bool_]:
     return found
 
 
-def _widened(one: FittedParameter) -> FittedParameter:
-    low, high = one.ci95
-    ends = (None if low is None else low - one.discretization, None if high is None else high + one.discretization)
-    return replace(one, ci95=ends)
-
-
-def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict, shift: float = 0.0) -> FittedParameter:
-    """Turn a verdict on q into one on the parameter."""
-    low, high = (None if q is None else free.value(q) for q in (verdict.lower, verdict.upper))
+def fitted_parameter(
+    free: FreeParameter, verdict: ParameterVerdict, shift: float = 0.0, *, widened: bool = False
+) -> FittedParameter:
+    """Turn a verdict on q into one on the parameter, its interval widened by the shift if that is asked for."""
+    more = shift if widened else 0.0
+    low, high = (
+        None if q is None else free.value(q + sign * more) for q, sign in ((verdict.lower, -1), (verdict.upper, 1))
+    )
     return FittedParameter(
         name=free.name,
         unit=free.unit,
@@ -846,7 +871,7 @@ def _outcome(
     best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
     if not best.converged:
         return FitOutcome.out_of_time if best.status == OUT_OF_TIME else FitOutcome.not_converged
-    wild = sum(int(far_out(part).sum()) for part in parts)
+    wild = sum(int((far_out(part) & (np.abs(part) > 1)).sum()) for part in parts)
     if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
         return FitOutcome.outliers
     against = problem.contradiction(best.residuals, best.jacobian)
@@ -912,4 +937,25 @@ def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features |
             if free.name in ("youngs_modulus", "viscosity"):
                 q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
         starts.append(q)
-    return starts
+    tuned = _in_tune(problem, scene, features, starts[0])
+    return starts if tuned is None else [*starts, tuned]
+
+
+def _in_tune(
+    problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
+) -> Floats | None:
+    """The start with a modulus that makes a film ring as it was seen to: fits a period off are optima, too."""
+    column = next((k for k, free in enumerate(problem.free[: problem.asked]) if free.name == "youngs_modulus"), None)
+    number = next((k for k, one in enumerate(features) if one is not None and one.frequency.value), None)
+    if column is None or number is None:
+        return None
+    film, seen, q = problem.films[number], features[number], start.copy()
+    for _ in range(_TUNINGS):
+        count = film.series.time.size
+        curve = replace(film.series, midpoint=film.heights(q)[:count], std=film.std[:count])
+        own = _features(curve, own_scene(film.series, scene)) if np.isfinite(curve.midpoint).all() else None
+        if own is None or own.frequency.value is None or seen is None or seen.frequency.value is None:
+            return None
+        step = 2 * math.log(seen.frequency.value / own.frequency.value)
+        q[column] = np.clip(q[column] + step, problem.lower[column], problem.upper[column])
+    return q

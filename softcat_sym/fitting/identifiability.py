@@ -93,25 +93,42 @@ class Noise:
     freedom: int | None  # m - k; None where the noise is known
 
 
-def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR) -> Noise:
-    """Estimate the noise at an optimum.
+def leverages(jacobian: Floats) -> Floats:
+    """Diagonal of the hat matrix: how much of each residual the unknowns take up, shape (m,)."""
+    # By singular values, as the squares of the Jacobian lose what is hardly determined.
+    left = np.linalg.svd(jacobian / np.maximum(np.linalg.norm(jacobian, axis=0), 1e-300), full_matrices=False)[0]
+    return np.asarray(np.sum(left**2, axis=1))
+
+
+def taken(jacobian: Floats, readings: int) -> float:
+    """How many readings the unknowns take up; of unknowns with priors less than each."""
+    return float(jacobian.shape[1] if readings == len(jacobian) else leverages(jacobian)[:readings].sum())
+
+
+def noise_of(
+    residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR, readings: int | None = None
+) -> Noise:
+    """Estimate the noise at an optimum, from the first residuals, those of readings: of priors the others are.
 
     Of a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with residuals that are alike
     (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m var(psi')/mean(psi')^2. It is
     taken from the data even where their errors are stated, for outliers are part of it.
     """
-    unknowns = jacobian.shape[1]
-    freedom = residuals.size - unknowns
+    readings = residuals.size if readings is None else readings
+    unknowns = taken(jacobian, readings)
+    residuals, freedom = residuals[:readings], math.floor(readings - unknowns + 1e-6)
     # With no more data than unknowns every loss meets them all: none is an outlier.
     if noise_known and (loss.kind == "linear" or freedom < 1):
         return Noise(1.0, 1.0, 1.0, 1.0, None)
     if freedom < 1:
         raise SoftcatError(
-            f"{residuals.size} data for {unknowns} unknowns leave nothing to tell the noise by; accepted: at least "
-            f"{unknowns + 1} data, or their standard errors"
+            f"{readings} data for {unknowns:.3g} unknowns leave nothing to tell the noise by; accepted: at least "
+            f"{math.ceil(unknowns) + 1} data, or their standard errors"
         )
     least = max(_MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2))), float(np.finfo(float).tiny))
     psi = residuals if loss.kind == "linear" else loss.weights(residuals) * residuals
+    # Priors are in units of their own: with them the noise has been found before, and is one, or the least there is.
+    least = max(least, 1.0 if readings < len(jacobian) else 0.0)
     score = max(math.sqrt(float(psi @ psi) / freedom), least)
     if loss.kind == "linear":
         return Noise(score, score, score**2, score, freedom)
@@ -308,9 +325,11 @@ def information(
     noise_known: bool,
     logarithmic: tuple[bool, ...] | None = None,
     loss: Loss = LINEAR,
+    readings: int | None = None,
 ) -> Information:
     """Judge an optimum by its Jacobian, for the first of its unknowns; the others are integrated out."""
-    spread, unknowns = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss), len(names)
+    spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss, readings=readings)
+    unknowns = len(names)
     jacobian = marginal(jacobian, unknowns)
     scaled = jacobian / spread.deviation
     # Rows of zeros, so that there are as many singular values as unknowns even for fewer data.

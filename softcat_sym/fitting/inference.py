@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from scipy.optimize import brentq
@@ -105,9 +105,10 @@ def profile(
     noise_known: bool,
     loss: Loss = LINEAR,
     max_evaluations: int | None = None,
+    readings: int | None = None,
 ) -> Profile:
     """Follow the profile of one unknown from the optimum outwards, to the threshold or the bounds."""
-    path = _Path(problem, np.array(q, dtype=np.float64), index, noise_known, loss, max_evaluations)
+    path = _Path(problem, np.array(q, dtype=np.float64), index, noise_known, loss, max_evaluations, readings)
     (below, lower), (above, upper) = (path.branch(bound) for bound in (problem.lower[index], problem.upper[index]))
     points = sorted([*below, path.start, *above], key=lambda held: held.q)
     best = min(points, key=lambda held: held.increase)
@@ -129,12 +130,19 @@ class _Path:
     """The problem with one unknown held, measured against its optimum."""
 
     def __init__(
-        self, problem: LeastSquares, q: Floats, index: int, noise_known: bool, loss: Loss, max_evaluations: int | None
+        self,
+        problem: LeastSquares,
+        q: Floats,
+        index: int,
+        noise_known: bool,
+        loss: Loss,
+        max_evaluations: int | None,
+        readings: int | None,
     ) -> None:
         self.problem, self.index, self.loss = problem, index, loss
         self.left = self.budget = math.inf if max_evaluations is None else max_evaluations // 2
         residuals, jacobian = problem.linearised(q)
-        noise = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss)
+        noise = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss, readings=readings)
         self.threshold = two_sided_quantile(noise.freedom) ** 2
         self.variance = noise.per_chi_square
         self.minimum = 2 * loss.value(residuals)
@@ -360,6 +368,10 @@ class Judged(LeastSquares, Protocol):
     def asked(self) -> int:
         """How many unknowns are asked for: the first; what is known of the others beforehand is in the residuals."""
 
+    @property
+    def readings(self) -> int:
+        """How many residuals are those of readings: the first; the others are those of priors."""
+
 
 @dataclass(frozen=True, eq=False)
 class Inference:
@@ -396,16 +408,16 @@ def infer(
             noise_known=problem.noise_known,
             logarithmic=problem.logarithmic[:asked],
             loss=loss,
+            readings=problem.readings,
         )
         most, traced = None, list[Profile]()
         if not (known.determined.all() and known.identified.all()):
             most = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
         try:
+            of_noise: dict[str, Any] = {"noise_known": problem.noise_known, "loss": loss, "readings": problem.readings}
             for k in range(asked if profiles and best.converged else 0):
                 on_progress(k, asked)
-                traced.append(
-                    profile(problem, best.q, k, noise_known=problem.noise_known, loss=loss, max_evaluations=most)
-                )
+                traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=most))
         except TimeLimitError:
             traced.clear()
             return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)

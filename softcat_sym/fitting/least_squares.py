@@ -469,7 +469,7 @@ def multi_start(
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
-    None is begun once the best is good enough; one that is drawn and still far above the best after some steps is
+    None is drawn once the best is good enough; one that is drawn and still far above the best after some steps is
     hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand, begin where they
     are expected.
     """
@@ -487,7 +487,7 @@ def multi_start(
         reached = (one for _, one in ended if one.converged or one.status == STUCK)
         best = min(reached, key=lambda one: one.value, default=None)
         late = late or any(one.status == OUT_OF_TIME for _, one in ended)
-        if late or (best is not None and enough(best)):
+        if late or (number >= len(given) and best is not None and enough(best)):
             starts = starts[:number]
             break
         try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -15,7 +16,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.defaults import STARTS
 from softcat_sym.fitting.fit import Fit, fit
-from softcat_sym.fitting.flow_curve import REPLACED
+from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
@@ -430,12 +431,14 @@ def fit_law(
     calibrated: bool = False,
     discrepancy: bool = True,
     time_limit: float | None = None,
+    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     how = {"loss": loss, "seed": seed, "calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
+    how |= {"flow_curve": flow_curve}
     request = _Request(read, tuple(also_free), bounds or {}, how)
     return request.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
 
@@ -456,6 +459,7 @@ def fit_laws(
     calibrated: bool = False,
     discrepancy: bool = True,
     time_limit: float | None = None,
+    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
@@ -477,7 +481,7 @@ def fit_laws(
         Whether the law that ranks first is fitted once more, with intervals from profile likelihoods.
     time_limit : float, optional
         Seconds for each law.
-    measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, progress
+    measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, flow_curve, progress
         As for :func:`softcat_sym.fitting.fit`.
 
     Raises
@@ -490,6 +494,7 @@ def fit_laws(
     seen = checked(read, scene)
     how = {"loss": loss, "backend": backend, "rtol": rtol, "seed": seed}
     how |= {"calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
+    how |= {"flow_curve": flow_curve}
     request = _Request(read, tuple(also_free), bounds or {}, how)
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}

@@ -29,7 +29,7 @@ from softcat_sym.fitting.free_parameters import (
     Unknowns,
     free_parameters,
 )
-from softcat_sym.fitting.identifiability import Statistic
+from softcat_sym.fitting.identifiability import Statistic, leverages
 from softcat_sym.fitting.least_squares import Floats, Loss, Optimum, TimeLimitError
 from softcat_sym.fitting.measurements import WAYS, Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
@@ -45,9 +45,9 @@ THEORY = "theory_error"
 
 # Of the variance of a reading's noise: directions in which the theory's error has less are not followed.
 _SEEN = 0.05
-_MOST_COMPONENTS, _MOST_DIRECTIONS = 60, 24
-# Of the largest height: less is rounding, and no noise.
-_LEAST_NOISE = 1e-6
+_MOST_COMPONENTS, _MOST_DIRECTIONS = 300, 24
+# Of the largest height: no camera tells less, and the integrator has as much of its own.
+_LEAST_NOISE = 1e-4
 _WIDE = 8.0  # Bounds of what has a prior, in its standard deviations
 _SIGNIFICANT = 2.6  # Standard normal, 1 %
 _MOST_CORRELATED = 0.98
@@ -95,6 +95,9 @@ class Filmed:
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error, and
     basis: Floats | None = None  # shape (n, their number); what each of them adds [m]
     theory_size: float = 0.0  # Standard deviation of the theory's error over the heights
+    # Directions of the theory's error that have no amplitudes, shape (n, their number), of whitened residuals, and by
+    # how much they are to be shortened.
+    rest: tuple[Floats, Floats] | None = None
     correlation: float = 0.0  # Of the noise of neighbouring readings of the midpoint
 
     @property
@@ -161,14 +164,23 @@ class Filmed:
 
     def whitened(self, rows: Floats) -> Floats:
         """Rows over the standard errors, without what is correlated with the reading before; shape as given."""
-        over = rows / (self.std if rows.ndim == 1 else self.std[:, None])
+        over = self._apart(rows / (self.std if rows.ndim == 1 else self.std[:, None]))
+        if self.rest is None:
+            return over
+        directions, shorter = self.rest
+        return np.asarray(
+            over - directions @ ((shorter if rows.ndim == 1 else shorter[:, None]) * (directions.T @ over))
+        )
+
+    def _apart(self, over: Floats) -> Floats:
+        """Rows in standard errors without what is correlated with the reading before."""
         count = self.series.time.size
         if not self.correlation or count < 2:
             return over
         apart = np.diff(self.series.time)
         carried = self.correlation ** (apart / np.median(apart))
         root = np.sqrt(1 - carried**2)
-        if rows.ndim > 1:
+        if over.ndim > 1:
             carried, root = carried[:, None], root[:, None]
         result = over.copy()
         result[1:count] = (over[1:count] - carried * over[: count - 1]) / root
@@ -269,7 +281,7 @@ class FilamentProblem(Unknowns):
     def _with_theory(self, film: Filmed, near: tuple[Scene, Floats] | None, number: int) -> Filmed:
         """The film with the theory's error among its unknowns: its largest principal components."""
         scene, heights = near or (film.model.scene(self.typical[list(film.columns)]), _smoothed(film))
-        error, seen = discrepancy(scene, film.model.effects), ~film.is_force
+        error, seen = discrepancy(scene, film.model.effects, film.model.terms), ~film.is_force
         if not seen.any():
             return film
         heights, std = heights[seen], film.std[seen]
@@ -292,9 +304,18 @@ class FilamentProblem(Unknowns):
             FreeParameter(f"{THEORY}{several}_{k + 1}", THEORY, "1", 0.0, False, 1.0, (-_WIDE, _WIDE), 1.0)
             for k in range(count)
         )
-        basis = np.zeros((film.data.size, count))
-        basis[seen] = std[:, None] * left[:, :count] * singular[:count]
-        return replace(film, theory=tuple(range(begin, begin + count)), basis=basis, theory_size=error.amplitude)
+        followed, basis = np.zeros((film.data.size, singular.size)), np.zeros((film.data.size, count))
+        followed[seen] = left * singular
+        basis[seen] = std[:, None] * followed[seen, :count]
+        # What is not followed is part of the noise: I + B B^T to the power -1/2, by singular vectors of B.
+        rest, lengths, _ = np.linalg.svd(film._apart(followed[:, count:]), full_matrices=False)
+        return replace(
+            film,
+            theory=tuple(range(begin, begin + count)),
+            basis=basis,
+            theory_size=error.amplitude,
+            rest=(rest, 1 - 1 / np.sqrt(1 + lengths**2)),
+        )
 
     @property
     def logarithmic(self) -> tuple[bool, ...]:
@@ -359,8 +380,11 @@ class FilamentProblem(Unknowns):
 
     def by_film(self, values: Floats) -> list[Floats]:
         """Split what all readings have, shape (m,) or longer, into one array for each film; a flow curve's is left."""
-        ends = np.cumsum([film.data.size for film in self.films])
-        return [np.asarray(part) for part in np.split(values, ends)[:-1]]
+        return [np.asarray(part) for part in np.split(values, self._ends)[:-1]]
+
+    @property
+    def _ends(self) -> NDArray[np.int_]:
+        return np.cumsum([film.data.size for film in self.films])
 
     def values(self, q: Floats) -> dict[str, float]:
         """The unknowns in SI, those of the theory's error aside, which come last and in other numbers for other q."""
@@ -379,7 +403,9 @@ class FilamentProblem(Unknowns):
     def has(self, noise: Noise, q: Floats) -> bool:
         """Whether it has this noise, and the theory's error that belongs to this point."""
         errors = [
-            (film, discrepancy(self._scene_of(film, q), film.model.effects)) for film in self.films if film.theory
+            (film, discrepancy(self._scene_of(film, q), film.model.effects, film.model.terms))
+            for film in self.films
+            if film.theory
         ]
         alike = all(abs(error.amplitude / film.theory_size - 1) < _SAME_NOISE for film, error in errors)
         return noise.is_like(self.noise) and alike
@@ -404,10 +430,8 @@ class FilamentProblem(Unknowns):
     def noise_at(self, residuals: Floats, jacobian: Floats, loss: Loss) -> Noise:
         """Noise that these residuals at an optimum speak of, the freedom of the unknowns allowed for."""
         is_force = self._is_force
-        count, readings = is_force.size, [film.data for film in self.films]
-        data, slopes = residuals[:count], jacobian[:count]
-        # Diagonal of the hat matrix: unknowns with priors take only a part of a reading each.
-        taken = np.sum(np.linalg.lstsq(jacobian.T @ jacobian, slopes.T, rcond=1e-12)[0] * slopes.T, axis=0)
+        count, readings = is_force.size, np.concatenate([film.data for film in self.films])
+        data, taken = residuals[:count], leverages(jacobian)[:count]
         found = []
         for which, former in ((~is_force, self.noise.deviation), (is_force, self.noise.of_force)):
             part, size = data[which], int(which.sum())
@@ -418,11 +442,11 @@ class FilamentProblem(Unknowns):
             rms = math.sqrt(float(part @ part) / freedom)
             if loss.kind != "linear":
                 rms = 1.4826 * float(np.median(np.abs(part))) * math.sqrt(size / freedom)
-            largest = float(np.max(np.abs(np.concatenate(readings)[which])))
-            found.append(max(former * rms, _LEAST_NOISE * largest))
-        correlation = self._correlation_at(data, float(taken.sum()), loss)
+            found.append(max(former * rms, _LEAST_NOISE * float(np.max(np.abs(readings[which])))))
         deviation, of_force = (self.noise.deviation, self.noise.of_force) if self.noise_known else found
-        return Noise(deviation, correlation, of_force)
+        if not self.noise_known and deviation == self.least_noise:
+            return Noise(deviation, 0.0, of_force)
+        return Noise(deviation, self._correlation_at(self.innovations(residuals, jacobian), loss), of_force)
 
     def contradiction(self, residuals: Floats, jacobian: Floats) -> Statistic | None:
         """Test whether films and flow curve have the same constants; None without a flow curve.
@@ -449,16 +473,41 @@ class FilamentProblem(Unknowns):
         freedom = max(ranks - int(np.linalg.matrix_rank(jacobian, tol=_RANK * float(np.linalg.norm(jacobian, 2)))), 1)
         return Statistic("films against flow curve", fall, float(stats.chi2.sf(fall, freedom)))
 
-    def _correlation_at(self, data: Floats, taken: float, loss: Loss) -> float:
+    @property
+    def least_noise(self) -> float:
+        """What is taken for noise [m] where residuals are less; they are then nobody's error."""
+        heights = np.concatenate([film.data[~film.is_force] for film in self.films])
+        return _LEAST_NOISE * float(np.max(np.abs(heights), initial=0.0))
+
+    def innovations(self, residuals: Floats, jacobian: Floats) -> list[Floats]:
+        """Each film's residuals less what those before tell of its camera and theory, over their standard errors.
+
+        White if the likelihood is right, which residuals are not: the amplitudes that are fitted take noise up.
+        """
+        known, found = residuals[self.readings :], []
+        for data, slopes in zip(self.by_film(residuals), np.split(jacobian, self._ends)[:-1], strict=True):
+            columns = slopes[:, self._known] * self._spread
+            seen, spread = np.zeros(known.size), np.eye(known.size)
+            left = data - columns @ known
+            for k, column in enumerate(columns):
+                gain = spread @ column
+                variance = 1 + column @ gain
+                apart = left[k] - column @ seen
+                seen, spread = seen + gain * apart / variance, spread - np.outer(gain, gain) / variance
+                left[k] = apart / math.sqrt(variance)
+            found.append(left)
+        return found
+
+    def _correlation_at(self, innovations: Sequence[Floats], loss: Loss) -> float:
         """Correlation of neighbours, none where it may be chance; of what is left when the present one is taken out."""
-        rows = [part[: film.series.time.size] for film, part in zip(self.films, self.by_film(data), strict=True)]
+        rows = [part[: film.series.time.size] for film, part in zip(self.films, innovations, strict=True)]
         rows = [row for row in rows if row.size >= _FEWEST and np.any(row)]
         if loss.kind != "linear" or not rows:
             return self.noise.correlation
         size = sum(row.size for row in rows)
         squares = sum(float(row @ row) for row in rows)
         # What a fit takes out makes neighbours differ by as much as it takes.
-        left = sum(float(row[1:] @ row[:-1]) for row in rows) / squares + taken / size
+        left = sum(float(row[1:] @ row[:-1]) for row in rows) / squares + self.asked / size
         if abs(left) * math.sqrt(size) < _SIGNIFICANT:
             return self.noise.correlation
         together = (self.noise.correlation + left) / (1 + self.noise.correlation * left)

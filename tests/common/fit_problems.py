@@ -26,6 +26,10 @@ class Problem:
     def asked(self) -> int:
         return len(self.names)
 
+    @property
+    def readings(self) -> int:
+        return self.data.size
+
     def residuals(self, q: np.ndarray) -> np.ndarray:
         return (self.model(q)[0] - self.data) / self.std
 

@@ -104,7 +104,7 @@ def compared(name: str, theory: str) -> Compared:
         residuals + elements,
         slopes,
         names,
-        discrepancy(scene, problem.films[0].model.effects),
+        discrepancy(scene, problem.films[0].model.effects, problem.films[0].model.terms),
     )
 
 
