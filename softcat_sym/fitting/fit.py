@@ -188,7 +188,7 @@ class FittedFilm:
     place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
     measured: Floats
     model: Floats
-    residuals: Floats  # shape (n,); (model - measured) over the noise, without what is correlated
+    residuals: Floats  # shape (n,); (model - measured) over the noise
     is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
     # What it shows without a model; None of a film that is too short, or under shaken gravity.
     features: Features | None
@@ -701,14 +701,15 @@ def _fit(
     inferred = infer(problem, starts, loss, profiles=request.profiles, method=request.method, on_progress=of_profiles)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
-    parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
+    curves, unit = problem.curves(best.q), reading if reading > 0 else 1.0
+    parts = [(curve - film.data) / (unit * film.std) for film, curve in zip(problem.films, curves, strict=True)]
     left = parts
     if loss.kind == "linear":
-        left = [part / reading for part in problem.innovations(best.residuals, best.jacobian)] if reading > 0 else parts
+        left = [part / unit for part in problem.innovations(best.residuals, best.jacobian)]
     least = not problem.noise_known and problem.noise.deviation <= problem.least_noise
     checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
     fitted = []
-    for number, curve in enumerate(problem.curves(best.q)):
+    for number, curve in enumerate(curves):
         film = problem.films[number]
         own = film.time, film.place, film.data, curve, parts[number], film.is_force, features[number]
         fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
