@@ -19,7 +19,7 @@ from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
 from tests.common import rk4_filament
-from tests.common.fitting import CONSTANTS, WRONG, beside, constants, film, noisy
+from tests.common.fitting import CONSTANTS, WRONG, beside, constants, film
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
