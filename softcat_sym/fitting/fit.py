@@ -796,8 +796,8 @@ def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Informa
     asked = problem.asked
     box, flags = (problem.lower[:asked], problem.upper[:asked]), problem.logarithmic[:asked]
     given = problem.names[:asked], best.q[:asked], best.residuals, best.jacobian, box
-    how: dict[str, Any] = {"noise_known": problem.noise_known, "readings": problem.readings}
-    return information(*given, **how, logarithmic=flags, loss=loss)
+    how: dict[str, Any] = {"noise_known": problem.noise_known, "readings": problem.readings, "loss": loss}
+    return information(*given, **how, logarithmic=flags)
 
 
 def _foretell(problem: FilamentProblem, request: _Request) -> None:
@@ -878,7 +878,9 @@ def _outcome(
     against = problem.contradiction(best.residuals, best.jacobian)
     if against is not None and against.p_value < _SMALL:
         return FitOutcome.contradiction
-    if checks.verdict == "not white" or _beyond_theory(problem, best) or _correlated_for_long(problem):
+    # An error that is allowed for, but is not there, makes neighbours differ: only their likeness says what is missed.
+    alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
+    if (checks.verdict == "not white" and alike) or _beyond_theory(problem, best) or _correlated_for_long(problem):
         return FitOutcome.model_error
     if "at a bound" in words:
         return FitOutcome.at_a_bound

@@ -128,7 +128,7 @@ def noise_of(
     least = max(_MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2))), float(np.finfo(float).tiny))
     psi = residuals if loss.kind == "linear" else loss.weights(residuals) * residuals
     # Priors are in units of their own: with them the noise has been found before, and is one, or the least there is.
-    least = max(least, 1.0 if readings < len(jacobian) else 0.0)
+    least = max(least, 1.0 if readings < len(jacobian) and loss.kind == "linear" else 0.0)
     score = max(math.sqrt(float(psi @ psi) / freedom), least)
     if loss.kind == "linear":
         return Noise(score, score, score**2, score, freedom)

@@ -12,14 +12,16 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
 from multiprocessing import get_context
+from typing import Any
 
 import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.fitting.discrepancy import discrepancy
-from softcat_sym.fitting.fit import FilamentProblem, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.free_parameters import free_parameters, with_values
 from softcat_sym.fitting.measurements import Measurements, Series
+from softcat_sym.fitting.problem import FilamentProblem
 from tests.common.kept_answers import fingerprint, kept
 
 CELLS = 10
@@ -59,14 +61,14 @@ class Study:
     """What films are made with beside white noise, and what fits of them are told."""
 
     name: str
-    told: Mapping[str, bool]
+    told: Mapping[str, Any]
     films: int  # For each case
     camera: bool = False  # Drawn from what is known of them, as
     theory: bool = False  # the theory's error
     correlation: float = 0.0  # Of the noise of neighbours
 
 
-EXACT = {"calibrated": True, "discrepancy": False}
+EXACT: Mapping[str, Any] = {"calibrated": True, "discrepancy": False}
 STUDIES = {
     one.name: one
     for one in (
@@ -124,7 +126,7 @@ def fitted(name: str, number: int, film: int) -> Fitted:
     true = true.replace({"run.duration": f"{true.run.duration * case.share!r} s"})
     known = free_parameters(true, case.free)
     truth = [one.typical for one in known]
-    rough = with_values(true, known, np.array(truth) * np.exp(random.uniform(-ASTRAY, ASTRAY, len(truth))))
+    rough = with_values(true, known, (np.array(truth) * np.exp(random.uniform(-ASTRAY, ASTRAY, len(truth)))).tolist())
     frames = int(random.integers(FRAMES[0], FRAMES[1], endpoint=True))
     time = np.linspace(0.0, true.run.duration, frames + 1)[1:]
     # The grid is chosen for the rough values.
@@ -141,7 +143,7 @@ def fitted(name: str, number: int, film: int) -> Fitted:
     return Fitted(
         frames=frames,
         error=[math.log(one.best / value) for one, value in estimates],
-        interval=[tuple(_logarithm(end, value) for end in one.ci95) for one, value in estimates],
+        interval=[(_logarithm(one.ci95[0], value), _logarithm(one.ci95[1], value)) for one, value in estimates],
         words=[one.verdict for one, _ in estimates],
         outcome=found.outcome.word,
         white=found.checks.verdict,

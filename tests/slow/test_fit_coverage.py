@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tests.common.coverage_study import CASES, CELLS, STUDIES, Fitted, covered, study
+from tests.common.coverage_study import CASES, CELLS, STUDIES, Case, Fitted, covered, study
 from tests.common.table import show
 
 LIMITS = {
@@ -86,7 +86,7 @@ def test_intervals_hold_the_truth(name: str) -> None:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.scene)
-def test_estimates_are_not_off_to_one_side(case: object) -> None:
+def test_estimates_are_not_off_to_one_side(case: Case) -> None:
     errors = np.array([one.error for one in _study("noise alone, told so")[case.scene]])
     assert np.all(np.abs(errors.mean(axis=0)) < BIAS * errors.std(axis=0, ddof=1))
 

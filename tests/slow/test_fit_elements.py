@@ -67,17 +67,19 @@ def _fitted(name: str, theory: str, noise: float, seed: int, profiles: bool) -> 
     data = Measurements.of(times, noisy(heights, noise, seed)[0])
     begin = time.perf_counter()
     found = fit(data, beside(scene, {key: WRONG[key] for key in truth}), tuple(truth), profiles=profiles)
-    spent, one = time.perf_counter() - begin, found.resolution
+    spent, moved, parameters = time.perf_counter() - begin, found.resolution, found.parameters
     return Said(
         outcome=found.outcome.word,
-        constants={key: found.parameters[key].best / truth[key] for key in truth},
-        ends={
-            key: tuple(None if end is None else end / truth[key] for end in found.parameters[key].ci95) for key in truth
-        },
-        verdicts={key: found.parameters[key].verdict for key in truth},
-        resolution="" if one is None else f"{one.at.cells}, {one.at.fibres or 0}, {one.shares.total:.2f}",
+        constants={key: one.best / truth[key] for key, one in parameters.items()},
+        ends={key: (_over(one.ci95[0], truth[key]), _over(one.ci95[1], truth[key])) for key, one in parameters.items()},
+        verdicts={key: one.verdict for key, one in parameters.items()},
+        resolution="" if moved is None else f"{moved.at.cells}, {moved.at.fibres or 0}, {moved.shares.total or 0:.2f}",
         seconds=spent,
     )
+
+
+def _over(end: float | None, truth: float) -> float | None:
+    return None if end is None else end / truth
 
 
 def _cell(one: Said, name: str) -> str:
@@ -91,7 +93,8 @@ def _cell(one: Said, name: str) -> str:
 
 @pytest.mark.parametrize("theory", THEORIES)
 def test_intervals_hold_the_constants_of_the_elements(theory: str) -> None:
-    rows, within, held, outcomes, seconds = [], [], [], [], 0.0
+    rows, outcomes, seconds = list[list[object]](), list[str](), 0.0
+    within, held = list[bool](), list[bool]()
     for seed, name, noise in product(SEEDS, (*HELD, *KNOWN), NOISE):
         one = said(name, theory, noise, seed)
         cells = [_cell(one, key) for key in CONSTANTS]
