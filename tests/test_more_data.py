@@ -211,3 +211,8 @@ def test_a_load_cell_has_times_and_a_sign_of_its_own(tmp_path: Path) -> None:
     assert series.time.size == 10 and force.time.size == 15
     np.testing.assert_allclose(force.force[[0, -1]], [0.061, 0.089])
     assert "Turned the sign of vertical_force" in series.notes[-1]
+
+
+def test_a_tilt_of_midpoints_alone_is_refused() -> None:
+    with pytest.raises(SceneError, match="free tilt: of a camera turns whole shapes"):
+        FilamentProblem(scene(), Measurements.of(*film()), ["viscosity", "tilt"])

@@ -642,6 +642,10 @@ def _asked(
         for k, (film, alone) in enumerate(zip(series, single, strict=True), start=1)
         if free.path in film.overrides and free.path not in {one.path for one in alone}
     ]
+    if not any(film.shapes is not None for film in series):
+        tilted = [free.name for free in (*common, *(one for alone in single for one in alone)) if free.path == TILT]
+        found = "of a camera turns whole shapes, and midpoints not at all"
+        faults += [Fault(f"free {name}", found, "a film of whole shapes, or another name") for name in tilted]
     kept = [[one for one in common if one.path not in {mine.path for mine in alone}] for alone in single]
     faults += [
         Fault(f"free {free.name}", "every film has one of its own", "either, not both")
