@@ -1,6 +1,6 @@
-"""Are 95 % intervals right 95 times of 100, and estimates not off to one side: films of three materials.
+"""Are 95 % intervals right 95 times of 100, and estimates not off to one side: films of four materials.
 
-Intervals are those of the curvature. Whatever is drawn from what the fit takes for granted, and told, is to be covered
+Intervals are those of the curvature, of the arrested filament those of profiles. Whatever is drawn from what the fit takes for granted, and told, is to be covered
 as often as it says; what it allows for in vain may be covered more often.
 """
 
