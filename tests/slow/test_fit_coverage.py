@@ -1,7 +1,7 @@
 """Are 95 % intervals right 95 times of 100, and estimates not off to one side: films of four materials.
 
-Intervals are those of the curvature, of the arrested filament those of profiles. Whatever is drawn from what the fit takes for granted, and told, is to be covered
-as often as it says; what it allows for in vain may be covered more often.
+Intervals are those of the curvature, of the arrested filament those of profiles. Whatever is drawn from what the fit
+takes for granted, and told, is to be covered as often as it says; what it allows for in vain may be covered more often.
 """
 
 from __future__ import annotations
