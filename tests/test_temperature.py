@@ -297,8 +297,7 @@ def test_its_constants_may_be_free(backend: str) -> None:
     model = ForwardModel(scene, free_parameters(scene, names), np.array([0.1, 0.2]), backend, 1e-8)
     q = np.array([one.scaled(one.typical) for one in model.free])
     _, slopes = model.with_derivatives(q)
-    steps = 1e-3 * np.maximum(np.abs(q), 1.0)
-    shifts = [h * e for h, e in zip(steps, np.eye(4), strict=True)]
+    shifts = 1e-3 * np.eye(4)
     pairs = [(model.midpoints(q + one) - model.midpoints(q - one)) / (2 * one.max()) for one in shifts]
     differences = np.stack(pairs, axis=1)
     assert np.all(np.abs(differences[-1]) > 0)

@@ -72,7 +72,8 @@ class Program:
     parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
     places: tuple[str, ...]
     profiles: Mapping[str, tuple[float, float]]  # What each plastic state is of a plastic strain a_0 + a_1 zeta
-    # Force of the right support on the filament, along x and y, over the undeformed area; none in three dimensions.
+    # Force of the right support on the filament, along x and y, over the undeformed area; none in three dimensions
+    # and of a level filament.
     support: tuple[Field, ...] = ()
 
     @property

@@ -89,7 +89,10 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         parameters=parameters_of(b, everything),
         places=place_names(b.body),
         profiles=of.profiles or _linear_profiles(b),
-        support=tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True)),
+        # Where only slopes are in motion nothing balances along x, and one tension may be that of all cells.
+        support=()
+        if of.level
+        else tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True)),
     )
 
 
@@ -174,9 +177,7 @@ _AT_RIGHT = Where(-1, 0, alone=True)
 def _support(b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Force of the right support: it carries the last cell and its own share."""
     pushed = [outer.at(way, -1, None) for way in (0, 1)]
-    # At small slopes the tension acts along x, which needs no balance there.
-    along = of.shown.get("axial_force", of.shown["tension"]) if of.level else of.force[0][-1]
-    return along - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
+    return of.force[0][-1] - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
 
 
 def _powers(

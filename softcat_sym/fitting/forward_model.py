@@ -108,7 +108,7 @@ class ForwardForces(ForwardReadings):
     ) -> None:
         graph = filament.graph
         if not graph.program.support or graph.grid.last.name == "FREE":
-            found = "a force of the right support is known of filaments that it holds and that stay in their plane"
+            found = "a force of the right support is known of filaments that it holds, that stretch and stay in a plane"
             raise SoftcatError(f"forces: {found}; leave the column of forces out")
         super().__init__(filament, free, times, tuple(range(len(graph.x_kinds) + len(graph.z_kinds))), max_steps)
         self._way = way
