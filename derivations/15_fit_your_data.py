@@ -50,7 +50,9 @@ def filmed(**changes: str) -> str:
 # ## The fit
 #
 # The scene says what is known, with a rough value of what is not: here half as viscous as it is.
-# `softcat fit film.csv --scene cold-honey --free viscosity -o DIR` does the same, and writes a page about it.
+# The film is the model's own, so that its camera and the theory are taken for exact; of a film of yours neither is,
+# and a fit without the last two arguments knows that. `softcat fit film.csv --scene cold-honey --free viscosity
+# --calibrated --no-discrepancy -o DIR` does the same, and writes a page about it.
 
 
 # %%
@@ -60,7 +62,7 @@ def fitted(film: str, free: list[str], *, profiles: bool = True, **changes: str)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "film.csv"
         path.write_text(film, encoding="utf-8")
-        return sc.fit(path, rough, free=free, profiles=profiles)
+        return sc.fit(path, rough, free=free, profiles=profiles, calibrated=True, discrepancy=False)
 
 
 film = filmed()

@@ -85,7 +85,7 @@ def _fit(name: str) -> Fit:
     time = np.linspace(case.begin, 1.0, FRAMES + 1)[1:] * scene.run.duration
     exact = np.interp(time, run.time.values, run.midpoint.values)
     film = Measurements.of(time, exact + NOISE * np.max(np.abs(exact)) * random.standard_normal(FRAMES))
-    return fit(film, scene, case.free, starts=0)
+    return fit(film, scene, case.free, starts=0, calibrated=True, discrepancy=False)
 
 
 @pytest.mark.parametrize("name", CASES)
