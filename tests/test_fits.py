@@ -19,7 +19,7 @@ from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym.errors import SceneError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.fit import Fit, FitOutcome, FittedParameter, fit
 from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from softcat_sym.fitting.identifiability import Statistic
@@ -370,3 +370,13 @@ def test_what_a_reader_has_to_know_first_is_a_warning(one_fitted: sc.Fit) -> Non
     assert "only one start" in replace(one_fitted, starts=lonely).warnings[0]
     doubtful = replace(one_fitted.profiles[0], unconverged=2, better=best.start)
     assert len(replace(one_fitted, profiles=(doubtful,)).warnings) == 2
+
+
+@pytest.mark.parametrize("seconds", [1e-9, 0.05])
+def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
+    try:
+        found = sc.fit(Measurements.of(*film()), scene(), ["viscosity", "yield_stress"], time_limit=seconds)
+    except SoftcatError as error:
+        assert "the time limit came before the first start" in str(error)
+    else:
+        assert found.late

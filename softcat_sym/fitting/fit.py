@@ -40,6 +40,7 @@ from softcat_sym.fitting.least_squares import (
     Method,
     MultiStartResult,
     Optimum,
+    TimeLimitError,
     minimise,
     multi_start,
 )
@@ -745,7 +746,7 @@ def _fit(
         camera=_of_camera(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),
         resolution=resolution,
-        late=inferred.late or best.status == OUT_OF_TIME,
+        late=inferred.late or time.monotonic() > request.deadline,
     )
 
 
@@ -763,31 +764,30 @@ def _settled(
     resolution, fine, spent = None, request.rtol is not None, best.evaluations
     again: tuple[FilamentProblem, Floats] | None
     for number in range(ROUNDS):
-        if not best.converged:
-            if best.status != STUCK or request.rtol is not None:
-                break
-            problem, start = problem.at(tighter(problem), best.q)
-            best = minimise(problem, start, **how)
-            spent += best.evaluations
-            continue
-        now, again = problem.noise_at(best.residuals, best.jacobian, how["loss"]), None
-        # What cells err by looks like correlation, and is no noise.
-        alone = now if fine else replace(now, correlation=problem.noise.correlation)
-        if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
-            again = problem.settled(best.q, alone)
-        elif not fine:
-            request.progress.stage("grid, fibres and time steps")
-            resolution = moved(problem, best, _information(problem, best, how["loss"]))
-            at = finer(resolution, scene)
-            fine = at is None
-            if at is not None:
-                again = problem.at(at, best.q)
-            elif not problem.has(now, best.q):
-                again = problem.settled(best.q, now)
+        again = None
+        if best.status == STUCK and request.rtol is None:
+            again = problem.at(tighter(problem), best.q)
+        elif best.converged:
+            now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
+            # What cells err by looks like correlation, and is no noise.
+            alone = now if fine else replace(now, correlation=problem.noise.correlation)
+            if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
+                again = problem.settled(best.q, alone)
+            elif not fine:
+                request.progress.stage("grid, fibres and time steps")
+                resolution = moved(problem, best, _information(problem, best, how["loss"]))
+                at = finer(resolution, scene)
+                fine = at is None
+                if at is not None:
+                    again = problem.at(at, best.q)
+                elif not problem.has(now, best.q):
+                    again = problem.settled(best.q, now)
         if again is None:
             break
-        problem, start = again
-        best = minimise(problem, start, **how)
+        try:
+            problem, best = again[0], minimise(*again, **how)
+        except TimeLimitError:
+            break
         spent += best.evaluations
     return problem, replace(best, evaluations=spent), resolution
 
@@ -871,7 +871,8 @@ def _outcome(
 ) -> FitOutcome:
     best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
     if not best.converged:
-        return FitOutcome.out_of_time if best.status == OUT_OF_TIME else FitOutcome.not_converged
+        late = best.status == OUT_OF_TIME or time.monotonic() > problem.deadline
+        return FitOutcome.out_of_time if late else FitOutcome.not_converged
     wild = sum(int((far_out(part) & (np.abs(part) > 1)).sum()) for part in parts)
     if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
         return FitOutcome.outliers

@@ -418,10 +418,9 @@ def infer(
             for k in range(asked if profiles and best.converged else 0):
                 on_progress(k, asked)
                 traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=most))
+            better = _improved(problem, starts, traced, loss, method) if restarts < MAX_RESTARTS else None
         except TimeLimitError:
-            traced.clear()
             return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)
-        better = _improved(problem, starts, traced, loss, method) if restarts < MAX_RESTARTS else None
         if better is None:
             judged = verdicts(problem, best, known, traced or None, loss)
             return Inference(starts, known, tuple(traced), judged, restarts)

@@ -19,8 +19,11 @@ Floats = NDArray[np.float64]
 Method = Literal["gauss-newton", "ipopt"]
 
 
-class TimeLimitError(Exception):
+class TimeLimitError(SoftcatError):
     """A problem is asked for another evaluation after its time limit."""
+
+    def __init__(self) -> None:
+        super().__init__("the time limit came before the first start was evaluated; accepted: a longer one")
 
 
 class LeastSquares(Protocol):
@@ -498,7 +501,7 @@ def multi_start(
         ended += [(start, found)] if found is not None else []
     if not ended:
         if late:
-            raise SoftcatError("the time limit came before the first start was evaluated; accepted: a longer one")
+            raise TimeLimitError
         remedy = "bounds or starting values for which it can be solved"
         raise SoftcatError(f"the model has no answer at any of {len(starts)} starts; accepted: {remedy}")
     ended.sort(key=lambda pair: (not pair[1].converged, pair[1].value))
