@@ -279,11 +279,14 @@ _FREE = ("thickness", "yield_stress")
 
 
 def test_derivatives_are_those_of_wide_differences() -> None:
-    """At the default tolerance: differences over 4 % see the slope, and none of the jumps."""
+    """At the default tolerance: differences over 4 % see the slope, and none of the jumps.
+
+    Where both of its causes cancel, a column is known to a hundredth of the others.
+    """
     scene = load_scene("arrested-overdamped", {"filament.span": "210 mm"})
     model = ForwardModel(scene, free_parameters(scene, _FREE), np.array([scene.run.duration]))
     assert "fibres" in model.effects
     q, step = model.typical, 0.02
     found = model.with_derivatives(q)[1]
     wide = [(model.midpoints(q + h) - model.midpoints(q - h)) / (2 * step) for h in step * np.eye(len(_FREE))]
-    np.testing.assert_allclose(found, np.stack(wide, axis=1), rtol=0.02)
+    np.testing.assert_allclose(found, np.stack(wide, axis=1), rtol=0.02, atol=0.01 * float(np.max(np.abs(wide))))

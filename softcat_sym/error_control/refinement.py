@@ -44,9 +44,6 @@ _STEPS = 0.2
 STATES = 6
 """Unknowns of a cell that are no fibre's, counted in fibres: there are two of each."""
 
-_COMPILING = 1000.0
-"""Time in which the library for another number of fibres is compiled, a second whatever their number."""
-
 ROUNDS = 4
 """Runs that are tried, the first included."""
 
@@ -70,7 +67,7 @@ def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[
     n, through, rtol = (axis.ravel() for axis in np.meshgrid(cells, fibres, tolerances, indexing="ij"))
     expected = errors_expected(at, found, n, through, rtol)
     # Time that a resolution takes, in that of a cell with one fibre.
-    cost = n * (through + STATES) * (at.rtol / rtol) ** _STEPS + _COMPILING * (through != (at.fibres or 0))
+    cost = n * (through + STATES) * (at.rtol / rtol) ** _STEPS
     allowed = (n == at.cells) | (n * through <= MAX_POINTS)
     best = float(np.min(expected[allowed]))
     if best > WORTH * found.total:

@@ -699,7 +699,7 @@ def _fit(
     others = [one for one in starts.results if one is not front]
     starts = replace(starts, results=(replace(front, optimum=best), *others))
     of_profiles = counting(request.progress, "profiles")
-    inferred = infer(problem, starts, loss, profiles=request.profiles, method=request.method, on_progress=of_profiles)
+    inferred = infer(problem, starts, profiles=request.profiles, on_progress=of_profiles, **how)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
     curves, unit = problem.curves(best.q), reading if reading > 0 else 1.0
@@ -928,7 +928,7 @@ def _features(series: Series, scene: Scene) -> Features | None:
 
 
 def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
-    """The scene's own values, and those of the closed form where a film has one."""
+    """What is in tune with a film that rings, the closed form's values where it has one, and the scene's own."""
     starts = [np.clip(problem.typical, problem.lower, problem.upper)]
     for one in features:
         if one is None or scene.material.law not in ("maxwell", "newtonian"):
@@ -942,7 +942,7 @@ def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features |
                 q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
         starts.append(q)
     tuned = _in_tune(problem, scene, features, starts[0])
-    return starts if tuned is None else [*starts, tuned]
+    return [*([] if tuned is None else [tuned]), *starts[:0:-1], starts[0]]
 
 
 def _in_tune(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Protocol
 
@@ -42,12 +42,13 @@ _MAX_STEPS = 30
 # Of the model for each point: a warm start needs four, and where nothing is identified it may go on for ever.
 _MAX_EVALUATIONS = 30
 _HALVINGS = 4
-# A fit better than the optimum by this share of the threshold is another optimum.
-_BETTER = 0.01
+# A fit better than the optimum by this share of the threshold, 0.6 standard errors away, is another optimum: by less it
+# may be so for what grid, fibres and time steps err by.
+_BETTER = 0.1
 # A crossing is found when the root of the increase is the threshold's to this share, and interpolated from there.
-_ACCURACY = 0.005
-# Share of the threshold by which the increase may be wrong.
-_GAIN = 3e-5
+_ACCURACY = 0.01
+# Share of the threshold by which the increase may be wrong: that of the root is half of it.
+_GAIN = 3e-3
 # Where evaluations are counted: root of the increase below which a point is taken as it is.
 _SUFFICIENT = 0.3
 
@@ -392,10 +393,12 @@ def infer(
     *,
     profiles: bool = True,
     method: Method = "gauss-newton",
+    gain: float | None = None,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:
     """Judge the best of several optima, and whichever better one its profiles come upon."""
     restarts = 0
+    how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     while True:
         best = starts.best
         asked = problem.asked
@@ -410,7 +413,7 @@ def infer(
             loss=loss,
             readings=problem.readings,
         )
-        most, traced = None, list[Profile]()
+        most, traced, better = None, list[Profile](), None
         if not (known.determined.all() and known.identified.all()):
             most = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
         try:
@@ -418,7 +421,9 @@ def infer(
             for k in range(asked if profiles and best.converged else 0):
                 on_progress(k, asked)
                 traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=most))
-            better = _improved(problem, starts, traced, loss, method) if restarts < MAX_RESTARTS else None
+                better = _improved(problem, starts, traced[-1], how) if restarts < MAX_RESTARTS else None
+                if better is not None:
+                    break
         except TimeLimitError:
             return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)
         if better is None:
@@ -428,14 +433,13 @@ def infer(
 
 
 def _improved(
-    problem: Judged, starts: MultiStartResult, traced: list[Profile], loss: Loss, method: Method
+    problem: Judged, starts: MultiStartResult, traced: Profile, how: Mapping[str, Any]
 ) -> MultiStartResult | None:
-    """Put the best optimum that profiles led to in front of the others; None if there is none."""
-    met = [(float(one.increase.min()), one.better) for one in traced if one.better is not None]
-    if not met:
+    """Put the optimum that a profile led to in front of the others; None if it is no better."""
+    if traced.better is None:
         return None
-    start: Floats = np.clip(min(met, key=lambda pair: pair[0])[1], problem.lower, problem.upper)
-    found = multi_start(problem, [start], loss=loss, method=method).best
+    start: Floats = np.clip(traced.better, problem.lower, problem.upper)
+    found = multi_start(problem, [start], **how).best
     if not found.converged or found.value >= starts.best.value:
         return None
     near = SAME_FIT * float(np.sqrt(np.mean(found.residuals**2)))

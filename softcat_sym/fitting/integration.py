@@ -312,6 +312,8 @@ _SIZE = 1e-5  # in unknowns of order one: what bends in them errs by 1e-10, and 
 _TIGHTENINGS = (1.0, 0.1, 0.01)
 _APART, _MIN_APART = 0.5, 1e-4
 """Steps of differences between runs of their own: this times the root of the relative tolerance, and at least that."""
+_RINGING, _APART_RINGING = 1e-6, 2e-3
+"""Absolute tolerance, over the rest length, below which a run follows a ringing; and their steps then."""
 
 Result = TypeVar("Result")
 
@@ -340,10 +342,11 @@ class CompiledForward:
         Neighbours have no step control of their own, and may be lost where the run itself is not: then the steps are
         chosen more tightly. Where the discrete solution jumps, a short difference sees the jumps and not the slope:
         there neighbours lie further apart, on one side each, with step control of their own, and err by about the root
-        of the tolerance, which hardly moves an optimum.
+        of the tolerance, which hardly moves an optimum. What rings bends more with its unknowns, and is integrated more
+        tightly: its neighbours lie nearer, on both sides.
         """
         if self.jumps:
-            return self._apart(begin, seen, max_steps, two_sided=False)
+            return self._apart(begin, seen, max_steps)
         for tightening in _TIGHTENINGS:
             run = self._run(begin, max_steps, tightening)
             path, code = self._with_slopes(run, begin, seen)
@@ -351,10 +354,11 @@ class CompiledForward:
                 break
         return path
 
-    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int, *, two_sided: bool) -> Path:
+    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate, and a neighbour for every unknown, or one to either side, as many at a time as there are cores."""
-        size = max(_APART * self.settings.rtol**0.5, _MIN_APART)
-        steps = (-size, size) if two_sided else (size,)
+        rings = self.settings.atol < _RINGING
+        size = _APART_RINGING if rings else max(_APART * self.settings.rtol**0.5, _MIN_APART)
+        steps = (-size, size) if rings else (size,)
         count = len(begin.d_parameters)
         runs = [begin, *(begin.moved(row, step) for row in range(count) for step in steps)]
         inputs, statuses = [self._run(run, max_steps) for run in runs], [Status() for _ in runs]
@@ -367,7 +371,7 @@ class CompiledForward:
             self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)
         )
         ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
-        low, across = (ends[:, 0], 2 * size) if two_sided else (base.values, size)
+        low, across = (ends[:, 0], 2 * size) if rings else (base.values, size)
         return replace(base, slopes=(ends[:, -1] - low) / across)
 
     def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:

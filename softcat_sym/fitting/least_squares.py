@@ -268,7 +268,9 @@ def minimise(
             )
         except TimeLimitError:
             return model.optimum(point, iterations, OUT_OF_TIME)
-        noisy, length = fall < _NOISY_GAIN * variance, float(np.abs(step).max())
+        # Who says what gain is worth a step has no use for what lies within the reach of an optimum.
+        worth = _NOISY_GAIN if gain is None else REACHED**2
+        noisy, length = fall < worth * variance, float(np.abs(step).max())
         # Where values differ by noise alone, derivatives still tell whether the step came closer.
         closer = noisy and math.isfinite(ahead.value) and _step(model, ahead, variance, radius)[1] < 0.25 * fall
         failed = not (closer or ahead.value < point.value)
@@ -472,7 +474,7 @@ def multi_start(
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
-    None is drawn once the best is good enough; one that is drawn and still far above the best after some steps is
+    No other is tried once the best is good enough; one that is drawn and still far above the best after some steps is
     hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand, begin where they
     are expected.
     """
@@ -490,7 +492,7 @@ def multi_start(
         reached = (one for _, one in ended if one.converged or one.status == STUCK)
         best = min(reached, key=lambda one: one.value, default=None)
         late = late or any(one.status == OUT_OF_TIME for _, one in ended)
-        if late or (number >= len(given) and best is not None and enough(best)):
+        if late or (best is not None and enough(best)):
             starts = starts[:number]
             break
         try:

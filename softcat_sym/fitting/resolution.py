@@ -28,6 +28,7 @@ from softcat_sym.fitting.least_squares import Floats, Optimum
 from softcat_sym.fitting.problem import FilamentProblem, Filmed, time_steps
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
+from softcat_sym.solvers.settings import compiled_settings
 
 SHARE = 1 / 3
 """Of a standard error that grid, fibres and time steps together may move a constant."""
@@ -35,6 +36,7 @@ SHARE = 1 / 3
 _FRAMES = 201
 _TIGHTER = 0.1
 _FEWEST_CELLS = 16
+_FIRST_ACCURACY = 0.01
 
 
 @dataclass(frozen=True)
@@ -74,10 +76,16 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
 
 
 def first_look(scene: Scene) -> Scene:
-    """The scene on half the cells of a run, if it says nothing of them: noise hides more than they miss."""
+    """The scene on half the cells of a run and with time steps for a hundredth of the sag: noise hides what they miss.
+
+    What the scene says of either stays.
+    """
+    effects = choose_effects(scene)
+    if scene.numerics.rtol is None and scene.run.accuracy < _FIRST_ACCURACY:
+        loose = scene.replace({"run.accuracy": _FIRST_ACCURACY})
+        scene = scene.replace({"numerics.rtol": compiled_settings(loose, effects).rtol})
     if scene.numerics.cells is not None:
         return scene
-    effects = choose_effects(scene)
     cells = max(_FEWEST_CELLS, choose_cells(scene, effects) // 2)
     changes = {
         "numerics.cells": cells,
