@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import approx_fprime, least_squares
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.least_squares import NOISE, REACHED, Loss, minimise, multi_start
+from softcat_sym.fitting.least_squares import REACHED, Loss, minimise, multi_start
 from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
 
 PROBLEMS = [
@@ -136,14 +136,14 @@ class Jagged:
         return jump * (y - self._data) / 0.01, slopes / 0.01
 
 
-def test_few_points_are_spent_on_noise_and_it_is_named() -> None:
-    exact = minimise(Jagged(0.0), np.zeros(2))
-    for noise in (1e-4, 1e-6):
-        found = minimise(Jagged(noise), np.zeros(2))
-        assert found.converged and found.evaluations <= exact.evaluations + 4
-        assert found.offset < 1e-2 * REACHED
-        np.testing.assert_allclose(found.q, exact.q, atol=1e-6)
-    assert any(minimise(Jagged(size), np.zeros(2)).status == NOISE for size in (1e-3, 2e-3, 3e-3, 5e-3))
+def test_few_points_are_spent_on_noise() -> None:
+    """Where it is said what gain is worth a step: a step that fails near the optimum is the last one."""
+    exact = minimise(Jagged(0.0), np.zeros(2), gain=3e-3)
+    for noise in (1e-6, 1e-4, 1e-3, 5e-3):
+        found = minimise(Jagged(noise), np.zeros(2), gain=3e-3)
+        assert found.converged and found.evaluations <= exact.evaluations + 2
+        errors = np.sqrt(np.diag(np.linalg.inv(exact.jacobian.T @ exact.jacobian)))
+        assert np.all(np.abs(found.q - exact.q) < REACHED * errors)
 
 
 def test_steps_are_shortened_where_the_model_has_no_answer() -> None:

@@ -49,6 +49,7 @@ from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.fitting.problem import CAMERA, FilamentProblem
 from softcat_sym.fitting.resolution import SHARE, Moved, finer, first_look, moved, tighter
 from softcat_sym.scene.csv_reader import counted
+from softcat_sym.scene.parts import Numerics
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import recalled, without_estimate
@@ -59,8 +60,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
-    """Run every film's filament for as long as it was filmed, and judge it.
+def judged_runs(problem: FilamentProblem, q: Floats, numerics: Numerics) -> tuple[Outcome, str]:
+    """Run every film's filament for as long as it was filmed, as a run of the given scene would, and judge it.
 
     Residuals show neither a neck that the grid decides nor lost energy.
     """
@@ -70,7 +71,7 @@ def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
         duration = float(film.time.max()) - begin
         if not duration > 0:
             continue
-        scene = film.model.scene(q[list(film.columns)])
+        scene = film.model.scene(q[list(film.columns)]).model_copy(update={"numerics": numerics})
         scene = scene.replace({"run.effects": list(film.model.effects), "run.duration": f"{duration!r} s"})
         try:
             run = recalled(without_estimate(scene))
@@ -492,8 +493,9 @@ _GAIN = 3e-3
 # Evaluations with derivatives that an optimum and a profile take, the rounds after the first among them.
 _PER_OPTIMUM, _PER_PROFILE = 14, 12
 # Readings below which nothing is said of their distribution; mean square residual that is taken for noise; share of
-# outliers that pull a fit; share of a film over which noise may be correlated.
-_FEW, _AS_NOISE, _WILD, _LONG = 20, 1.5, 0.005, 0.05
+# outliers that pull a fit; how far off they are at least, in the least that is taken for noise; share of a film over
+# which noise may be correlated.
+_FEW, _AS_NOISE, _WILD, _FAR_OFF, _LONG = 20, 1.5, 0.005, 10.0, 0.05
 _OF_CAMERA = ("value", "std", "known_to")
 _OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
 # p-value from which on a test is worth a warning.
@@ -657,7 +659,7 @@ def _trusted(found: Fit) -> Fit:
     """The fit, with another outcome where the run of what fits best is no answer."""
     if not found.outcome.converged:
         return found
-    ended, message = judged_runs(found.problem, found.starts.best.q)
+    ended, message = judged_runs(found.problem, found.starts.best.q, found.scene.numerics)
     if ended.is_success:
         return found
     outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
@@ -873,7 +875,9 @@ def _outcome(
     if not best.converged:
         late = best.status == OUT_OF_TIME or time.monotonic() > problem.deadline
         return FitOutcome.out_of_time if late else FitOutcome.not_converged
-    wild = sum(int((far_out(part) & (np.abs(part) > 1)).sum()) for part in parts)
+    # A reading that lies off by less than cameras tell pulls nothing, however small the noise of the others.
+    pulls = max(1.0, _FAR_OFF * problem.least_noise / problem.unit)
+    wild = sum(int((far_out(part) & (np.abs(part) > pulls)).sum()) for part in parts)
     if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
         return FitOutcome.outliers
     against = problem.contradiction(best.residuals, best.jacobian)

@@ -1,4 +1,4 @@
-"""Bounded nonlinear least squares in scaled unknowns, from many starts: Gauss-Newton steps in a box, or IPOPT."""
+"""Bounded nonlinear least squares in scaled unknowns, from many starts, by SciPy or IPOPT."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Literal, Protocol
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import lsq_linear
+from scipy.optimize import least_squares, lsq_linear
 from scipy.stats import qmc
 
 from softcat_sym.errors import Fault, SoftcatError
@@ -131,21 +131,17 @@ AT_BOUND = 1e-4
 REACHED = 0.2
 """Offset of an optimum that is reached as far as data can tell (Bates and Watts 1981)."""
 
-SOLVED, NOISE = "Solve_Succeeded", "Stopped_At_Noise_Of_Model"
+SOLVED = "Solve_Succeeded"
 STUCK = "Search_Direction_Becomes_Too_Small"
 _CUT_SHORT = "Maximum_Evaluations_Exceeded"
 OUT_OF_TIME = "Time_Limit_Exceeded"
 
-# Of the residuals' variance: what twice the loss would still fall by in a step that is not worth making; and in one
-# that, where it fails, fails by the noise of the model's own arithmetic.
-_GAIN, _NOISY_GAIN = 1e-12, 1e-6
+# Of the residuals' variance: what twice the loss would still fall by in a step that is not worth making.
+_GAIN = 1e-12
 # Of the residuals' variance for a step of one in q: directions that matter less hardly move.
 _DAMPING = 1e-6
-# Half-width of the box within which derivatives are trusted, in q.
-_FIRST_RADIUS, _LEAST_RADIUS = 1.0, 1e-5
-# So many steps of little gain that fall short of it, and the noise of the model hides the optimum; so many of next to
-# no gain in a row, and they lead through a valley of what is not determined.
-_LITTLE, _PATIENCE = 1e-2, 4
+# Of SciPy: relative fall of the loss, and relative length of a step.
+_RELATIVE, _LEAST_STEP = 1e-14, 1e-8
 # Of the first value: less is rounding.
 _ROUNDING = 1e-18
 
@@ -183,19 +179,17 @@ class _Point:
 class _Model:
     """A problem with its loss, which counts evaluations."""
 
-    def __init__(self, problem: LeastSquares, loss: Loss, start: Floats) -> None:
-        self.problem, self.loss, self.evaluations = problem, loss, 0
+    def __init__(self, problem: LeastSquares, loss: Loss, start: Floats, gain: float | None) -> None:
+        self.problem, self.loss, self.gain, self.evaluations = problem, loss, gain, 0
         self.last = self.first = self.at(check_in_box(problem, start))
         if not math.isfinite(self.first.value):
             raise SoftcatError("the model has no answer where the fit starts; accepted: another starting point")
 
-    def at(self, q: Floats, *, unless_above: float = math.inf) -> _Point:
-        """Evaluate with derivatives, unless the value alone says that they are of no use."""
+    def at(self, q: Floats) -> _Point:
+        """Evaluate with derivatives."""
         if self.evaluations and np.array_equal(q, self.last.q):
             return self.last
         self.evaluations += 1
-        if unless_above < math.inf and not self.loss.value(self.problem.residuals(q)) < unless_above:
-            return _Point(q, math.nan, np.empty(0), np.empty(0))
         residuals, jacobian = self.problem.linearised(q.copy())
         finite = np.isfinite(residuals).all() and np.isfinite(jacobian).all()
         self.last = _Point(q, self.loss.value(residuals) if finite else math.nan, residuals, jacobian)
@@ -216,8 +210,10 @@ class _Model:
     def optimum(self, point: _Point, iterations: int, status: str) -> Optimum:
         """Say where it ended."""
         variance = self.variance(point)
-        offset = math.sqrt(max(_step(self, point, variance, _FIRST_RADIUS)[1], 0.0) / variance)
-        met = offset < REACHED or point.value <= 1e4 * _ROUNDING * self.first.value
+        fall = max(_step(self, point, variance)[1], 0.0)
+        offset = math.sqrt(fall / variance)
+        # Nor is there a nearer one where the next step is not worth making, however well the data are met.
+        met = offset < REACHED or fall <= (self.gain or 0.0) or point.value <= 1e4 * _ROUNDING * self.first.value
         return Optimum(
             q=point.q,
             value=point.value,
@@ -225,8 +221,8 @@ class _Model:
             jacobian=point.jacobian,
             iterations=iterations,
             evaluations=self.evaluations,
-            status=STUCK if status in (SOLVED, NOISE) and not met else status,
-            converged=status in (SOLVED, NOISE) and met,
+            status=STUCK if status == SOLVED and not met else status,
+            converged=status == SOLVED and met,
             at_bound=on_bound(self.problem, point.q),
             offset=offset,
             begun=float(np.linalg.norm(self.first.residuals)),
@@ -244,51 +240,66 @@ def minimise(
 ) -> Optimum:
     """Minimise 1/2 sum rho(r^2) in the box of the problem, from one start.
 
-    A Gauss-Newton step is SciPy's bounded linear least squares, within a box of trust and slightly damped. It is the
-    last one where twice the loss would fall by less than `gain`, by default 1e-12 of the residuals' variance, so that
-    the valley of undetermined unknowns is not walked to its end. SciPy's own trust region takes twice as many
-    evaluations here, and IPOPT (``method="ipopt"``) three times.
+    By SciPy's ``least_squares`` (dogbox: Gauss-Newton steps in a rectangular region of trust), or by IPOPT
+    (``method="ipopt"``), which takes three times as many evaluations. It ends where twice the loss would fall by less
+    than `gain` in the next step, by default 1e-12 of the residuals' variance, so that the valley of undetermined
+    unknowns is not walked to its end.
     """
-    model = _Model(problem, loss, start)
+    model = _Model(problem, loss, start, gain)
     if method == "ipopt":
         return _by_ipopt(model, max_evaluations)
-    point, radius, failed = model.first, _FIRST_RADIUS, False
-    iterations = disappointments = small = 0
-    while True:
-        variance = model.variance(point)
-        step, fall = _step(model, point, variance, radius)
-        small = small + 1 if fall <= _NOISY_GAIN * variance else 0
-        if fall <= (_GAIN * variance if gain is None else gain) or small > _PATIENCE:
-            return model.optimum(point, iterations, SOLVED)
-        if model.evaluations >= max_evaluations:
-            return model.optimum(point, iterations, _CUT_SHORT)
-        try:
-            ahead = model.at(
-                np.clip(point.q + step, problem.lower, problem.upper), unless_above=point.value if failed else math.inf
-            )
-        except TimeLimitError:
-            return model.optimum(point, iterations, OUT_OF_TIME)
-        # Who says what gain is worth a step has no use for what lies within the reach of an optimum.
-        worth = _NOISY_GAIN if gain is None else REACHED**2
-        noisy, length = fall < worth * variance, float(np.abs(step).max())
-        # Where values differ by noise alone, derivatives still tell whether the step came closer.
-        closer = noisy and math.isfinite(ahead.value) and _step(model, ahead, variance, radius)[1] < 0.25 * fall
-        failed = not (closer or ahead.value < point.value)
-        agreement = 0.0 if failed else 1.0 if closer else 2 * (point.value - ahead.value) / fall
-        disappointments += agreement < 0.25 and fall < _LITTLE * variance
-        if (failed and (noisy or length < _LEAST_RADIUS)) or disappointments == _PATIENCE:
-            return model.optimum(point if failed else ahead, iterations, NOISE)
-        if agreement < 0.25:
-            radius = (0.25 if failed else 0.5) * length
-        elif agreement > 0.75:
-            radius = max(radius, 3 * length)
-        if failed:
-            continue
-        point, iterations = ahead, iterations + 1
+    search, status = _Search(model), SOLVED
+    how: dict[str, Any] = {"loss": loss.kind.replace("-", "_"), "f_scale": loss.scale, "method": "dogbox"}
+    how |= {"ftol": _RELATIVE, "xtol": _LEAST_STEP, "gtol": None, "max_nfev": max_evaluations}
+    try:
+        found = least_squares(search.residuals, model.first.q, search.jacobian, (problem.lower, problem.upper), **how)
+        status = SOLVED if found.success else _CUT_SHORT
+    except _FoundError:
+        pass
+    except TimeLimitError:
+        status = OUT_OF_TIME
+    return model.optimum(search.best, search.iterations, status)
 
 
-def _step(model: _Model, point: _Point, variance: float, radius: float) -> tuple[Floats, float]:
-    """A step inside the box, and by how much twice the loss would fall to second order."""
+class _FoundError(Exception):
+    """The next step is not worth making."""
+
+
+class _Search:
+    """A model as SciPy asks for it, which remembers the best point and says when it will do."""
+
+    def __init__(self, model: _Model) -> None:
+        self._model, self._gain = model, model.gain
+        self.best, self.iterations = model.first, 0
+
+    def residuals(self, q: Floats) -> Floats:
+        """Residuals; NaN where the model has no answer or no derivatives, from where SciPy steps back."""
+        point = self._model.at(np.clip(q, self._model.problem.lower, self._model.problem.upper))
+        if point.value < self.best.value:
+            self.best = point
+        elif point is not self.best and self._gain is not None and self._fall() < REACHED**2 * self._variance:
+            # Where a step fails by the noise of the model's own arithmetic, there is no nearer.
+            raise _FoundError
+        found: Floats = np.where(np.isfinite(point.value), point.residuals, np.nan)
+        return found
+
+    def jacobian(self, q: Floats) -> Floats:
+        """Derivatives at a point that was accepted, the best."""
+        self.iterations += 1
+        if self._fall() <= (_GAIN * self._variance if self._gain is None else self._gain):
+            raise _FoundError
+        return self.best.jacobian
+
+    @property
+    def _variance(self) -> float:
+        return self._model.variance(self.best)
+
+    def _fall(self) -> float:
+        return _step(self._model, self.best, self._variance)[1]
+
+
+def _step(model: _Model, point: _Point, variance: float, radius: float = 1.0) -> tuple[Floats, float]:
+    """A step inside the box, of one at the most, and by how much twice the loss would fall to second order."""
     columns, values = model.system(point)
     damped = np.vstack([columns, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
     low = np.maximum(model.problem.lower - point.q, -radius)
