@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import textwrap
 from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,24 +18,31 @@ from rich.text import Text
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page, write_results
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
-from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.published.case import published_scene
+from softcat_sym.studies.published.case import Kind, published_scene
 
 if TYPE_CHECKING:
-    from softcat_sym.studies.published.case import Row
+    from softcat_sym.studies.published.case import Case, Row
     from softcat_sym.studies.validate import Result, Validation
 
 HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
 _NUMBERS = (2, 3, 4)
 """Columns of the table that are numbers."""
 
+_COLUMN, _WIDEST = 14, 110
+"""Width of a column of numbers, and that of the whole at most [characters]."""
+
 _LINES = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
+_CLOSE = 300.0
+"""Ends of a logarithmic axis below whose ratio more than the powers of ten are written."""
+
 _NAMED = 8
 """More curves than this are told apart by no legend."""
 
 
 def difference_text(row: Row) -> str:
-    """A difference in the unit of the number, or in per cent."""
+    """A difference in the unit of the number, or in per cent; none within a range that is published."""
+    if row.agrees and row.band is not None and row.band[0] < row.band[1]:
+        return "within"
     if row.is_absolute:
         return f"{row.difference:+.3g} {row.unit}".rstrip()
     return f"{100 * row.difference:+.2g} %"
@@ -51,35 +59,60 @@ def _published(row: Row) -> str:
     return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {row.unit}".rstrip()
 
 
+def _texts(row: Row, case: Case) -> tuple[str, str, str]:
+    """What is published, ours, and the difference; what is assumed does not differ by being right."""
+    apart = "assumed" if case.kind is Kind.ASSUMED else difference_text(row)
+    return _published(row), _number(row.ours, row.unit, 4), apart
+
+
+def _remark(result: Result) -> str:
+    """What may explain a difference, or why there is none."""
+    if result.not_run:
+        return f"not run: {result.not_run}"
+    return f"no answer: {result.failure}" if result.failure else result.case.explains
+
+
 def table_rows(validation: Validation) -> Iterator[tuple[str, ...]]:
     """Cells of the table: a row for each case and its source, and one for each of its numbers."""
     for result in validation.results:
         case = result.case
-        why = case.explains
-        if result.not_run or result.failure:
-            why = f"not run: {result.not_run}" if result.not_run else f"no answer: {result.failure}"
-        yield case.name, case.source, "", "", str(case.kind), why
+        yield case.name, case.source, "", "", str(case.kind), _remark(result)
         for row in result.finding.rows if result.finding else ():
-            yield "", row.quantity, _published(row), _number(row.ours, row.unit, 4), difference_text(row), ""
+            yield "", row.quantity, *_texts(row, case), ""
 
 
 def summary_of(validation: Validation) -> str:
     """One sentence on how many cases there are."""
     results = validation.results
     idle, failed = sum(bool(one.not_run) for one in results), len(validation.failures)
-    assumed = sum(one.finding is not None and one.case.kind.name == "ASSUMED" for one in results)
+    assumed = sum(one.finding is not None and one.case.kind is Kind.ASSUMED for one in results)
     parts = [f"{len(results) - idle - failed - assumed} cases compared", f"{assumed} assumed", f"{idle} not run"]
     return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
 
 
 def print_validation(validation: Validation, console: Console | None = None) -> None:
-    """Print the table and how many cases there are."""
+    """Print the table, as wide as the screen: a case, its source, its numbers, and what may explain a difference."""
     screen = console or Console()
-    rows = list(table_rows(validation))
-    styles = ["bold" if row[0] else "" for row in rows]
-    looks: dict[str, Any] = {"right": _NUMBERS, "padding": (0, 1, 0, 0)}
-    screen.print(text_table(HEADINGS, rows, styles=styles, **looks))
-    screen.print(Text(f"{summary_of(validation)}; no constant is fitted"))
+    width = min(screen.width, _WIDEST)
+    room = width - len(_NUMBERS) * _COLUMN
+    head = "".join(f"{HEADINGS[k]:>{_COLUMN}}" for k in _NUMBERS)
+    screen.print(Text(f"{'case, number':{room}}{head}", style="dim"))
+    for result in validation.results:
+        case, why = result.case, _remark(result)
+        screen.print(Text.assemble((case.name, "bold"), f": {case.title} ({case.kind})"))
+        _print_indented(screen, case.source, width, "dim")
+        for row in result.finding.rows if result.finding else ():
+            first, *others = textwrap.wrap(row.quantity, room - 3)
+            numbers = "".join(f"{text:>{_COLUMN}}" for text in _texts(row, case))
+            screen.print(Text(f"  {first:{room - 2}}{numbers}"), soft_wrap=True)
+            _print_indented(screen, " ".join(others), width, "")
+        _print_indented(screen, why, width, "yellow" if result.not_run else "red" if result.failure else "dim")
+    screen.print(Text(f"{summary_of(validation)}; no constant is fitted", style="bold"))
+
+
+def _print_indented(screen: Console, text: str, width: int, look: str) -> None:
+    for line in textwrap.wrap(text, width - 2):
+        screen.print(Text(f"  {line}", style=look))
 
 
 def case_figure(result: Result) -> Figure:
@@ -104,8 +137,12 @@ def case_figure(result: Result) -> Figure:
             elif many:
                 look = {"linewidth": 0.6, "marker": ".", "markersize": 3.0}
             axes.plot(curve.x, curve.y, color=colour, label=curve.label, **look)
+        for place, draw in ((picture.published_x, axes.axvline), (picture.published_y, axes.axhline)):
+            if place is not None:
+                draw(place, color=style.GREY, linestyle="--", linewidth=1.0, label=f"published, {place:.4g}")
         axes.set_xlabel(picture.x)
         axes.set_ylabel(picture.y)
+        axes.margins(x=0.03, y=0.06)
         _scale(axes, is_log_x=picture.is_log_x, is_log_y=picture.is_log_y)
         axes.grid(True)
         style.lighten(axes)
@@ -118,8 +155,8 @@ def _scale(axes: Axes, *, is_log_x: bool, is_log_y: bool) -> None:
     for is_log, name in ((is_log_x, "x"), (is_log_y, "y")):
         if is_log:
             getattr(axes, f"set_{name}scale")("log")
-            plain_log(getattr(axes, f"{name}axis"))
-    axes.margins(x=0.03, y=0.06)
+            low, high = getattr(axes, f"get_{name}lim")()
+            plain_log(getattr(axes, f"{name}axis"), subs=(1, 2, 5) if high < _CLOSE * low else None)
 
 
 def validation_figure(validation: Validation) -> Figure:
@@ -127,7 +164,7 @@ def validation_figure(validation: Validation) -> Figure:
     found = [
         (f"{result.case.name}: {row.quantity}", row.difference)
         for result in validation.results
-        if result.finding is not None and result.case.kind.name != "ASSUMED"
+        if result.finding is not None and result.case.kind is not Kind.ASSUMED
         for row in result.finding.rows
         if not row.is_absolute
     ]
@@ -159,7 +196,7 @@ def validation_page(validation: Validation, pictures: dict[str, bytes], command:
             **result.to_dict(),
             "picture": b64encode(pictures[result.case.name]).decode() if result.case.name in pictures else None,
             "numbers": [
-                (row.quantity, _published(row), _number(row.ours, row.unit, 5), difference_text(row), _verdict(row))
+                (row.quantity, *_texts(row, result.case), _verdict(row))
                 for row in (result.finding.rows if result.finding else ())
             ],
         }

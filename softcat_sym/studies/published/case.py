@@ -85,6 +85,8 @@ class Picture:
     curves: tuple[Curve, ...]
     is_log_x: bool = False
     is_log_y: bool = False
+    published_x: float | None = None  # Where a line is drawn down, or across
+    published_y: float | None = None
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -33,7 +32,7 @@ def _threshold(stretch: float) -> tuple[float, Curve, Curve]:
     # Each run is one linear equation for the pole, a and b.
     matrix = np.column_stack([grown, -np.ones(len(ratios)), -ratios])
     (pole, a, b), *_ = np.linalg.lstsq(matrix, grown * ratios, rcond=None)
-    line = np.linspace(0.0, 0.97 * pole, 80)
+    line = np.linspace(_RATIOS[0] / 2, 0.98 * pole, 80)
     words = "unstretched" if stretch == 1 else f"stretched by {stretch:.3g}"
     response = Curve(f"{words}, (a + b x)/(x_c - x)", line.tolist(), ((a + b * line) / (pole - line)).tolist())
     return float(pole), response, Curve(f"{words}, runs", _RATIOS, grown.tolist(), is_published=True)
@@ -42,7 +41,7 @@ def _threshold(stretch: float) -> tuple[float, Curve, Curve]:
 def _undulations(published: float, stretch: float) -> Finding:
     pole, line, runs = _threshold(stretch)
     row = Row("threshold gamma/(G R)", "", published, pole)
-    picture = Picture("gamma/(G R)", "undulation of the stretch", (line, runs), is_log_y=True)
+    picture = Picture("gamma/(G R)", "undulation of the stretch", (line, runs), is_log_y=True, published_x=published)
     return Finding((row,), picture)
 
 
@@ -59,7 +58,7 @@ _SOLID = {
     8.896: ((10.57180106, 8.686786771, 3.481999513), (41.01165651, 105.976311, 139.59474)),
     13.345: ((16.37026068, 14.8505521, 6.062461977), (62.70699533, 153.554457, 192.972233)),
 }
-"""Tip displacements [mm] the stiff and the soft way at three loading angles, by load [N]: 4 x 12 x 500 solid elements."""
+"""Tip displacements [mm] the stiff and the soft way, by load [N]: 4 x 12 x 500 solid elements."""
 _BEAMS = {8.896: ((10.61328706, 8.837226265, 3.538889001), (42.08232124, 108.987937, 142.19437))}
 """The same of 199 beam elements."""
 
@@ -147,20 +146,21 @@ CASES = (
         "A neo-Hookean cylinder loses convexity from gamma/(G R) = sqrt 32 on, which full finite elements confirm "
         "(abstract); in its energy that is at a stretch of 2^(1/3).",
         "their law and finite elements",
-        "the elastic law here is linear in the logarithm of the stretch: at 2^(1/3) it has softened to 6 (1 - log s)/sqrt s",
+        "the elastic law here is linear in the logarithm of the stretch, and softer than rubber when stretched: its "
+        "threshold is 6 (1 - log s)/sqrt s",
         _stretched,
         ("undulation",),
     ),
     Case(
         "princeton",
         "The Princeton beam in three dimensions",
-        "Obrezkov et al., Nonlinear Dyn. 109 (2022), as tabulated in the tests of Exudyn; experiment: Dowell & Traybar, "
-        "Princeton AMS reports 1194 and 1257 (1975)",
+        "Obrezkov et al., Nonlinear Dyn. 109 (2022); experiment: Dowell & Traybar, AMS reports 1194 and 1257 (1975)",
         Kind.COMPUTED,
-        "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS, by load and loading angle. "
-        "The measured displacements themselves could not be had as numbers.",
+        "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS by load and loading angle, "
+        "as tabulated in the tests of Exudyn. The measured displacements themselves could not be had as numbers.",
         "solid elements of another program",
-        "a section of 4:1 that bends the soft way curls across less than a beam's (anticlastic): beams of ANSYS are as far",
+        "a flat section held at its root curls across less than a beam's does (anticlastic bending): the beam elements "
+        "of the same authors are as far from their solid ones",
         _princeton,
         ("princeton",),
     ),
@@ -180,8 +180,8 @@ CASES = (
         "The modulus that an ink needs to span",
         "Smay, Cesarano & Lewis, Langmuir 18, 5429 (2002)",
         Kind.COMPUTED,
-        "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). Their "
-        "measured deflections could not be had.",
+        "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). "
+        "Their measured deflections could not be had.",
         "their rule, stated to two digits",
         "a beam that bends alone gives 1.39; clamps need a fifth of it, and surface tension helps",
         _spanning,

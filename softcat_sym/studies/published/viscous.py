@@ -38,9 +38,8 @@ def _thinning() -> Finding:
     curves = (
         Curve("X from the force", thin[later].tolist(), by_force[later].tolist()),
         Curve("X from the speed", thin[later].tolist(), by_speed[later].tolist()),
-        Curve("measured, X = 0.7127", (0.04, 1.0), (0.7127, 0.7127), is_published=True),
     )
-    return Finding(rows, Picture("R/R at the start", "X", curves, is_log_x=True))
+    return Finding(rows, Picture("R/R at the start", "X", curves, is_log_x=True, published_y=0.7127))
 
 
 _DIAMETERS, _VISCOSITIES = (1e-3, 1.4e-3, 2e-3, 2.8e-3), (9.7, 97.0, 970.0)
@@ -71,23 +70,19 @@ def _shapes() -> Finding:
         curves.append(Curve(f"{viscosity:g} Pa s", [1e3 * d for d in _DIAMETERS], found))
     spread = np.ptp(np.array(shapes), axis=0) / np.mean(shapes, axis=0)
     row = Row("shape at a sag of 0.4 L, largest over smallest", "", 1.0, 1 + float(spread.max()))
-    picture = Picture("diameter [mm]", "thickness at midspan over that at 0.3 L", tuple(curves))
+    picture = Picture("diameter [mm]", "thickness, X = 0 over X = 0.3 L", tuple(curves))
     return Finding((row,), picture)
 
 
 def _cube_root() -> Finding:
     run = answer_of(published_scene("viscous-string"))
     time, sag = run.data["time"].values[10:], -run.data["midpoint"].values[10:] / run.scene.filament.span
-    exponent, size = np.polyfit(np.log(time), np.log(sag), 1)
+    exponent = np.polyfit(np.log(time), np.log(sag), 1)[0]
     rows = (Row("exponent of the sag in time", "", 1 / 3, float(exponent)),)
+    law = sag[-1] * (time[::15] / time[-1]) ** (1 / 3)
     curves = (
         Curve("run", time.tolist(), sag.tolist()),
-        Curve(
-            "t^(1/3)",
-            time[::15].tolist(),
-            (np.exp(size) * time[-1] ** (exponent - 1 / 3) * time[::15] ** (1 / 3)).tolist(),
-            is_published=True,
-        ),
+        Curve("t^(1/3) through its end", time[::15].tolist(), law.tolist(), is_published=True),
     )
     return Finding(rows, Picture("time in eta/(rho g L)", "sag/L", curves, is_log_x=True, is_log_y=True))
 
@@ -98,8 +93,8 @@ CASES = (
         "A thinning thread pulls at its plates",
         "Sachsenheimer, Hochstein, Buggisch & Willenbacher, Rheol. Acta 51, 909 (2012)",
         Kind.MEASURED,
-        "The axial force, read from how much gravity bends threads of fructose solutions and silicone oils of 0.9 to 60 "
-        "Pa s, confirms Papageorgiou's solution for Newtonian fluids, X = 0.7127 (abstract; the scatter could not be had).",
+        "The axial force, read from how much gravity bends threads of fructose solutions and silicone oils (0.9 to 60 "
+        "Pa s), confirms Papageorgiou's solution for Newtonian fluids, X = 0.7127 (abstract; not its scatter).",
         "the measured force, and Papageorgiou's number",
         "the neck nears its final shape slowly: at R/R0 = 0.04 it is still under way",
         _thinning,
@@ -113,16 +108,16 @@ CASES = (
         "Over two decades of kinematic viscosity the kind of descent depends on radius and length of the filament only "
         "(abstracts); the catenary number of the transition is not in them.",
         "what was observed; inertia, which would make a difference, is in the runs",
-        "inertia: it is some (rho g L) times (L/g) over the square of the viscosity",
+        "inertia, which the least viscous of the three still shows",
         _shapes,
         ("hanging-oil",),
     ),
     Case(
         "u-shape",
         "The transition from catenary to U",
-        "Zylstra & Mitescu, EPL (2009); Koulakis, Mitescu, Brochard-Wyart, de Gennes & Guyon, J. Fluid Mech. 609, 87 (2008)",
+        "Zylstra & Mitescu, EPL (2009); Koulakis et al., J. Fluid Mech. 609, 87 (2008)",
         Kind.MEASURED,
-        "A clear transition as the catenary number passes a certain value (abstract).",
+        "A clear transition as the catenary number, of radius and length, passes a certain value (abstract).",
         reason="neither the number nor its value is in what could be had, nor the measured curves; and thin threads of "
         "this theory gather into beads, which want thousands of cells",
     ),
@@ -150,7 +145,7 @@ CASES = (
         "A viscoelastic filament falls, and rises again",
         "Roy, Mahadevan & Thiffeault, J. Fluid Mech. 563, 283 (2006)",
         Kind.MEASURED,
-        "If the ends are brought together quickly after stretching, the falling filament straightens by rising (abstract).",
+        "If the ends are brought together quickly after stretching, the filament straightens by rising (abstract).",
         reason="no number, and neither its fluid nor its path are in what could be had",
     ),
 )

@@ -68,8 +68,8 @@ CASES = (
         "The viscosity in traction",
         "Trouton, Proc. Royal Institution (1904-06)",
         Kind.ASSUMED,
-        "The coefficient of viscous traction of pitch is about three times its viscosity (discourse; its table could not "
-        "be had).",
+        "The coefficient of viscous traction of pitch is about three times its viscosity, and experiment supports it "
+        "(discourse; its table could not be had).",
         "nothing: a shear viscosity is converted by this very factor",
         "no test of the program; the measurement is why it may assume it",
         _trouton,
@@ -78,7 +78,7 @@ CASES = (
     Case(
         "rheodata",
         "Published flow curves become materials",
-        "rheopy-rheodata (Caggioni): eleven curated sets of flow curves, each with its paper",
+        "rheopy-rheodata (Caggioni): curated flow curves, each set with its paper",
         Kind.MEASURED,
         "Curves digitised or measured anew, and whether the material has a yield stress, by its authors; emulsions of "
         "Mason, Bibette & Weitz (1996) have one from a volume fraction of 0.58 on.",
