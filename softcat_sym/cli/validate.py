@@ -18,7 +18,9 @@ from softcat_sym.cli.application import (
     study,
 )
 
-_NAMES = typer.Argument(metavar="[CASE]...", help="Only these cases; all of them if none is named.", show_default=False)
+_NAMES = typer.Argument(
+    metavar="CASE", help="Only these, such as mora or princeton; a wrong name lists all.", show_default="all of them"
+)
 
 
 @commands.command()

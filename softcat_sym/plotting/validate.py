@@ -159,15 +159,20 @@ def _scale(axes: Axes, *, is_log_x: bool, is_log_y: bool) -> None:
             plain_log(getattr(axes, f"{name}axis"), subs=(1, 2, 5) if high < _CLOSE * low else None)
 
 
-def validation_figure(validation: Validation) -> Figure:
-    """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
-    found = [
+def _relative(validation: Validation) -> list[tuple[str, float]]:
+    """Names and relative differences of what is compared."""
+    return [
         (f"{result.case.name}: {row.quantity}", row.difference)
         for result in validation.results
         if result.finding is not None and result.case.kind is not Kind.ASSUMED
         for row in result.finding.rows
         if not row.is_absolute
     ]
+
+
+def validation_figure(validation: Validation) -> Figure:
+    """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
+    found = _relative(validation)
     with style.styled():
         figure, body = sheet(
             "Held against the world", summary_of(validation), height=0.5 + 0.24 * max(1, len(found)),
@@ -222,7 +227,10 @@ def _verdict(row: Row) -> str:
 
 
 def write_validation(validation: Validation, directory: str | Path, command: str = "") -> list[Path]:
-    """Write ``validation.html``, ``.json``, ``.csv``, ``.png``, and a picture and the scenes of each case."""
+    """Write ``validation.html``, ``.json``, ``.csv``, ``.png``, and a picture and the scenes of each case.
+
+    The picture of all differences is left out where there is none.
+    """
     figures = validation.figures()
     scenes = dict.fromkeys(name for result in validation.results for name in result.case.scenes)
     contents: dict[str, object] = {
@@ -231,7 +239,7 @@ def write_validation(validation: Validation, directory: str | Path, command: str
         ),
         "validation.json": validation.to_dict(),
         "validation.csv": validation.to_frame(),
-        "validation.png": validation.plot(),
+        "validation.png": validation.plot() if _relative(validation) else None,
         **{f"{name}.png": figure for name, figure in figures.items()},
         **{f"{name}.toml": published_scene(name).to_toml() for name in scenes},
     }

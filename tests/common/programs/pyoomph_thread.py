@@ -1,17 +1,17 @@
 """A viscous thread with a wave on it, drained by its surface: axisymmetric flow with a free surface, by pyoomph.
 
-Called with half the length of the wave, its height over the mean radius, the time to stop, elements across and along,
-and a folder for what pyoomph writes. Units: mean radius, viscosity and surface tension are one. Prints a line of time
-and smallest radius for each step, behind the word "neck".
+Called with half the length of the wave, its height over the mean radius, the time to stop, the step of time, elements
+across and along, and a folder for what pyoomph writes. Units: mean radius, viscosity and surface tension are one.
+Prints a line of time and smallest radius for each step, behind the word "neck".
 """
 
 from __future__ import annotations
 
 import sys
 
-HALF, HEIGHT, END = map(float, sys.argv[1:4])
-ACROSS, ALONG = map(int, sys.argv[4:6])
-FOLDER = sys.argv[6]
+HALF, HEIGHT, END, STEP = map(float, sys.argv[1:5])
+ACROSS, ALONG = map(int, sys.argv[5:7])
+FOLDER = sys.argv[7]
 # pyoomph reads the command line, too.
 sys.argv = sys.argv[:1]
 
@@ -43,13 +43,12 @@ class Thread(Problem):
 
 with Thread() as problem:
     problem.set_output_directory(FOLDER)
-    step = 0.05
     problem.initialise()
     print("neck", 0.0, problem.neck())
     time = 0.0
     while time < END:
-        problem.run(time + step, startstep=step, outstep=False, temporal_error=None)
-        time += step
+        problem.run(time + STEP, startstep=STEP, outstep=False, temporal_error=None)
+        time += STEP
         print("neck", time, problem.neck(), flush=True)
         if problem.neck() < 0.1:
             break
