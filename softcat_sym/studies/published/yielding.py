@@ -66,7 +66,7 @@ CASES = (
     Case(
         "trouton",
         "The viscosity in traction",
-        "Trouton, Proc. Royal Institution (1904-06)",
+        "Trouton, discourse at the Royal Institution of Great Britain",
         Kind.ASSUMED,
         "The coefficient of viscous traction of pitch is about three times its viscosity, and experiment supports it "
         "(discourse; its table could not be had).",
