@@ -36,6 +36,7 @@ COMMANDS: Final = {
         "experiment": "Design the film that tells a material best.",
     },
     "Validation": {
+        "validate": "Hold the package against published experiments and computations.",
         "compare": "Compare a filament with finite elements.",
         "accuracy": "Measure what accuracy costs, beside IDAS and SciPy's Radau.",
         "effects": "Tell what each effect is worth, and what it costs.",

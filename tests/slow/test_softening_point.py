@@ -6,96 +6,19 @@ held against what comes out, and against an independent quadrature: there is no 
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-import softcat_sym as sc
+from softcat_sym.studies.published.glass import ELONGATES, GLASSES, RATE, Glass, softening
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
 LENGTH, HEATED, DIAMETER, GRAVITY = 0.235, 0.1, 0.65e-3, 9.81
-RATE, ELONGATES = 5 / 60, 1e-3 / 60
 CAPACITY, TRANSFER, CONDUCTIVITY, OUTSIDE = 1250.0, 250.0, 1.3, 500.0
-"""About those of glass, and of a fibre at 720 C in a furnace: convection (50) and the walls' radiation (200)."""
-ZERO = 273.15
-
-
-class Glass(NamedTuple):
-    """log10 eta/dPa s = A + B/(T - T_0) in Celsius; published softening point; about its density, surface."""
-
-    A: float
-    B: float
-    T_0: float
-    softens: float
-    density: float
-    surface: float
-
-    def viscosity(self, celsius: Any) -> Any:
-        """In Pa s."""
-        return 10 ** (self.A - 1 + self.B / (celsius - self.T_0))
-
-    def celsius(self, viscosity: float) -> float:
-        """Temperature of a viscosity in Pa s."""
-        return float(self.T_0 + self.B / (np.log10(viscosity) + 1 - self.A))
-
-
-GLASSES = {
-    "710": Glass(-1.626, 4236.1, 265.5, 724, 2500, 0.31),
-    "717a": Glass(-1.546, 4852.2, 192.5, 720, 2270, 0.28),
-}
-
-
-def scene(glass: Glass, **changes: object) -> sc.Scene:
-    """The fibre from 40 K below its softening point to 10 K above it."""
-    low, high = glass.softens - 40, glass.softens + 10
-    duration = (high - low) / RATE
-    table = {
-        "filament": {"span": LENGTH, "diameter": DIAMETER, "density": glass.density},
-        # The elastic part is some millionths: it spares a velocity that no cold glass has.
-        "material": {"law": "maxwell", "youngs_modulus": "1 GPa", "shear_viscosity": "0.1 Pa*s"},
-        "ends": {"left": "clamped", "left_angle": "-90 deg", "right": "free"},
-        "surroundings": {"surface_tension": glass.surface},
-        "temperature": {
-            "initial": low + ZERO,
-            "ambient": {"0 s": f"{low} degC", f"{duration} s": f"{high} degC"},
-            "heated": [0.0, HEATED],
-            "outside": f"{OUTSIDE} degC",
-            "heat_capacity": CAPACITY,
-            "heat_transfer": TRANSFER,
-            "conductivity": CONDUCTIVITY,
-            "law": "vft",
-            "A": glass.A,
-            "B": f"{glass.B} K",
-            "T_0": f"{glass.T_0} degC",
-        },
-        "run": {
-            "duration": duration,
-            "frames": 301,
-            "effects": [
-                *("bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"),
-                *("surface-tension", "temperature"),
-            ],
-        },
-        "numerics": {"cells": 120, "grading": 1.0, "rtol": 1e-5, "estimate": False},
-    }
-    return sc.Scene.from_dict(table).replace(changes)
-
-
-def reached(asked: sc.Scene, softens: float) -> tuple[float, float, float]:
-    """Temperatures of furnace and fibre [C] at 1 mm/min; its speed [mm/min] where the furnace has another."""
-    found = sc.simulate(asked)
-    assert found.outcome.is_success, found.summary["message"]
-    time, length = found.fields["time"], -found.fields["y"][:, -1]
-    speed = (length[2:] - length[:-2]) / (time[2:] - time[:-2])
-    at = float(np.interp(ELONGATES, speed, time[1:-1]))
-    furnace = asked.temperature.ambient.at(at) - ZERO  # type: ignore[union-attr]
-    middle = int(np.argmin(np.abs(found.fields["X_node"] - (HEATED - LENGTH) / 2)))
-    fibre = float(np.interp(at, time, found.fields["temperature"][:, middle])) - ZERO
-    later = at + (softens - furnace) / RATE
-    return furnace, fibre, float(np.interp(later, time[1:-1], speed)) / ELONGATES
+"""Those of the published scene."""
 
 
 def by_quadrature(glass: Glass, heated: float = HEATED, colder: float = 0.0) -> float:
@@ -126,7 +49,9 @@ def by_quadrature(glass: Glass, heated: float = HEATED, colder: float = 0.0) -> 
 def test_a_fibre_elongates_where_the_method_says(name: str) -> None:
     """At 10^6.5 to 10^7 Pa s, as the method states; the published softening point is ten kelvin higher."""
     glass = GLASSES[name]
-    furnace, fibre, faster = reached(scene(glass), glass.softens)
+    found = softening(glass)
+    furnace, fibre = found.at, found.fibre
+    faster = float(np.interp(glass.softens, found.furnace, found.speed)) / ELONGATES
     exact = by_quadrature(glass)
     decades = float(np.log10(glass.viscosity(fibre)))
     rows = [
@@ -146,9 +71,9 @@ def test_a_fibre_elongates_where_the_method_says(name: str) -> None:
     ends = float(np.interp(glass.softens, points, colder))
     rows.append(("ends of the furnace colder than its middle by", f"{ends:.0f} K", "", ""))
     for what, other in (
-        ("twice the surface tension", glass._replace(surface=2 * glass.surface)),
-        ("no surface tension", glass._replace(surface=0.0)),
-        ("density 10 % less", glass._replace(density=0.9 * glass.density)),
+        ("twice the surface tension", replace(glass, surface=2 * glass.surface)),
+        ("no surface tension", replace(glass, surface=0.0)),
+        ("density 10 % less", replace(glass, density=0.9 * glass.density)),
     ):
         at = by_quadrature(other)
         rows.append((what, f"{at:.2f}", f"{at - glass.softens:+.2f}", ""))

@@ -1,0 +1,246 @@
+"""Published cases: the table, a page with pictures, and all files."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import textwrap
+from base64 import b64encode
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from rich.console import Console
+from rich.text import Text
+
+from softcat_sym.plotting import style
+from softcat_sym.plotting.files import page, write_results
+from softcat_sym.plotting.style import legend, plain_log, png, sheet
+from softcat_sym.studies.published.case import Kind, published_scene
+
+if TYPE_CHECKING:
+    from softcat_sym.studies.published.case import Case, Row
+    from softcat_sym.studies.validate import Result, Validation
+
+HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
+_NUMBERS = (2, 3, 4)
+"""Columns of the table that are numbers."""
+
+_COLUMN, _WIDEST = 14, 110
+"""Width of a column of numbers, and that of the whole at most [characters]."""
+
+_LINES = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
+_CLOSE = 300.0
+"""Ends of a logarithmic axis below whose ratio more than the powers of ten are written."""
+
+_NAMED = 8
+"""More curves than this are told apart by no legend."""
+
+
+def difference_text(row: Row) -> str:
+    """A difference in the unit of the number, or in per cent; none within a range that is published."""
+    if row.agrees and row.band is not None and row.band[0] < row.band[1]:
+        return "within"
+    if row.is_absolute:
+        return f"{row.difference:+.3g} {row.unit}".rstrip()
+    return f"{100 * row.difference:+.2g} %"
+
+
+def _number(value: float, unit: str, digits: int) -> str:
+    return f"{value:.{digits}g} {unit}".rstrip()
+
+
+def _published(row: Row) -> str:
+    if row.band is None:
+        return _number(row.published, row.unit, 4)
+    low, high = row.band
+    return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {row.unit}".rstrip()
+
+
+def _texts(row: Row, case: Case) -> tuple[str, str, str]:
+    """What is published, ours, and the difference; what is assumed does not differ by being right."""
+    apart = "assumed" if case.kind is Kind.ASSUMED else difference_text(row)
+    return _published(row), _number(row.ours, row.unit, 4), apart
+
+
+def _remark(result: Result) -> str:
+    """What may explain a difference, or why there is none."""
+    if result.not_run:
+        return f"not run: {result.not_run}"
+    return f"no answer: {result.failure}" if result.failure else result.case.explains
+
+
+def table_rows(validation: Validation) -> Iterator[tuple[str, ...]]:
+    """Cells of the table: a row for each case and its source, and one for each of its numbers."""
+    for result in validation.results:
+        case = result.case
+        yield case.name, case.source, "", "", str(case.kind), _remark(result)
+        for row in result.finding.rows if result.finding else ():
+            yield "", row.quantity, *_texts(row, case), ""
+
+
+def summary_of(validation: Validation) -> str:
+    """One sentence on how many cases there are."""
+    results = validation.results
+    idle, failed = sum(bool(one.not_run) for one in results), len(validation.failures)
+    assumed = sum(one.finding is not None and one.case.kind is Kind.ASSUMED for one in results)
+    parts = [f"{len(results) - idle - failed - assumed} cases compared", f"{assumed} assumed", f"{idle} not run"]
+    return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
+
+
+def print_validation(validation: Validation, console: Console | None = None) -> None:
+    """Print the table, as wide as the screen: a case, its source, its numbers, and what may explain a difference."""
+    screen = console or Console()
+    width = min(screen.width, _WIDEST)
+    room = width - len(_NUMBERS) * _COLUMN
+    head = "".join(f"{HEADINGS[k]:>{_COLUMN}}" for k in _NUMBERS)
+    screen.print(Text(f"{'case, number':{room}}{head}", style="dim"))
+    for result in validation.results:
+        case, why = result.case, _remark(result)
+        screen.print(Text.assemble((case.name, "bold"), f": {case.title} ({case.kind})"))
+        _print_indented(screen, case.source, width, "dim")
+        for row in result.finding.rows if result.finding else ():
+            first, *others = textwrap.wrap(row.quantity, room - 3)
+            numbers = "".join(f"{text:>{_COLUMN}}" for text in _texts(row, case))
+            screen.print(Text(f"  {first:{room - 2}}{numbers}"), soft_wrap=True)
+            _print_indented(screen, " ".join(others), width, "")
+        _print_indented(screen, why, width, "yellow" if result.not_run else "red" if result.failure else "dim")
+    screen.print(Text(f"{summary_of(validation)}; no constant is fitted", style="bold"))
+
+
+def _print_indented(screen: Console, text: str, width: int, look: str) -> None:
+    for line in textwrap.wrap(text, width - 2):
+        screen.print(Text(f"  {line}", style=look))
+
+
+def case_figure(result: Result) -> Figure:
+    """Draw what was run, as lines, beside what is published, as points."""
+    case, finding = result.case, result.finding
+    picture = None if finding is None else finding.picture
+    with style.styled():
+        figure, body = sheet(case.title, case.source, height=3.1)
+        axes = body.subplots()
+        if picture is None:
+            axes.set_axis_off()
+            return figure
+        drawn = iter(_LINES * (1 + len(picture.curves) // len(_LINES)))
+        many = len(picture.curves) > _NAMED
+        colour = style.BLUE
+        for curve in picture.curves:
+            look: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5, "markerfacecolor": "white"}
+            if not curve.is_published or many:
+                colour = next(drawn)
+            if not curve.is_published:
+                look = {"linewidth": 1.4}
+            elif many:
+                look = {"linewidth": 0.6, "marker": ".", "markersize": 3.0}
+            axes.plot(curve.x, curve.y, color=colour, label=curve.label, **look)
+        for place, draw in ((picture.published_x, axes.axvline), (picture.published_y, axes.axhline)):
+            if place is not None:
+                draw(place, color=style.GREY, linestyle="--", linewidth=1.0, label=f"published, {place:.4g}")
+        axes.set_xlabel(picture.x)
+        axes.set_ylabel(picture.y)
+        axes.margins(x=0.03, y=0.06)
+        _scale(axes, is_log_x=picture.is_log_x, is_log_y=picture.is_log_y)
+        axes.grid(True)
+        style.lighten(axes)
+        if not many:
+            legend(body, "lower center", ncols=2)
+    return figure
+
+
+def _scale(axes: Axes, *, is_log_x: bool, is_log_y: bool) -> None:
+    for is_log, name in ((is_log_x, "x"), (is_log_y, "y")):
+        if is_log:
+            getattr(axes, f"set_{name}scale")("log")
+            low, high = getattr(axes, f"get_{name}lim")()
+            plain_log(getattr(axes, f"{name}axis"), subs=(1, 2, 5) if high < _CLOSE * low else None)
+
+
+def _relative(validation: Validation) -> list[tuple[str, float]]:
+    """Names and relative differences of what is compared."""
+    return [
+        (f"{result.case.name}: {row.quantity}", row.difference)
+        for result in validation.results
+        if result.finding is not None and result.case.kind is not Kind.ASSUMED
+        for row in result.finding.rows
+        if not row.is_absolute
+    ]
+
+
+def validation_figure(validation: Validation) -> Figure:
+    """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
+    found = _relative(validation)
+    with style.styled():
+        figure, body = sheet(
+            "Held against the world", summary_of(validation), height=0.5 + 0.24 * max(1, len(found)),
+            notes="Ours over what is published, minus one; differences in kelvin, decades or counts are in the table.",
+        )  # fmt: skip
+        axes = body.subplots()
+        values = np.array([100 * value for _, value in found])
+        colours = [style.BLUE if value >= 0 else style.VERMILLION for value in values]
+        axes.barh(np.arange(len(found)), values, color=colours, height=0.62)
+        axes.set_yticks(np.arange(len(found)), [style.printable(name, 58) for name, _ in found], fontsize=7.0)
+        axes.set_xscale("symlog", linthresh=0.1)
+        axes.set_xticks([-30, -10, -3, -1, 0, 1, 3, 10, 30], [f"{t:g}" for t in (-30, -10, -3, -1, 0, 1, 3, 10, 30)])
+        axes.axvline(0.0, color=style.GREY, lw=0.6)
+        axes.invert_yaxis()
+        axes.tick_params(axis="y", length=0)
+        axes.set_xlabel("difference [%]")
+        axes.grid(True, axis="x")
+        style.lighten(axes)
+    return figure
+
+
+def validation_page(validation: Validation, pictures: dict[str, bytes], command: str = "") -> bytes:
+    """Write the page: the table, then every case with its picture."""
+    cases = [
+        {
+            **result.to_dict(),
+            "picture": b64encode(pictures[result.case.name]).decode() if result.case.name in pictures else None,
+            "numbers": [
+                (row.quantity, *_texts(row, result.case), _verdict(row))
+                for row in (result.finding.rows if result.finding else ())
+            ],
+        }
+        for result in validation.results
+    ]
+    return page(
+        "validate.html",
+        title="Held against the world",
+        version=importlib.metadata.version("softcat_sym"),
+        summary=summary_of(validation),
+        headings=HEADINGS,
+        rows=[("case" if row[0] else "", row) for row in table_rows(validation)],
+        right=_NUMBERS,
+        cases=cases,
+        command=command,
+    )
+
+
+def _verdict(row: Row) -> str:
+    if row.agrees is None:
+        return "no uncertainty is published"
+    return "within what is published" if row.agrees else "outside what is published"
+
+
+def write_validation(validation: Validation, directory: str | Path, command: str = "") -> list[Path]:
+    """Write ``validation.html``, ``.json``, ``.csv``, ``.png``, and a picture and the scenes of each case.
+
+    The picture of all differences is left out where there is none.
+    """
+    figures = validation.figures()
+    scenes = dict.fromkeys(name for result in validation.results for name in result.case.scenes)
+    contents: dict[str, object] = {
+        "validation.html": validation_page(
+            validation, {name: png(one, titled=False) for name, one in figures.items()}, command
+        ),
+        "validation.json": validation.to_dict(),
+        "validation.csv": validation.to_frame(),
+        "validation.png": validation.plot() if _relative(validation) else None,
+        **{f"{name}.png": figure for name, figure in figures.items()},
+        **{f"{name}.toml": published_scene(name).to_toml() for name in scenes},
+    }
+    return write_results(directory, contents)

@@ -1,0 +1,191 @@
+"""Elastic filaments: undulations by surface tension, rods in three dimensions, the modulus of a spanning strand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, answers_of, published_scene
+
+_GENTLEST = 2 ** (1 / 3)
+"""Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) is least, sqrt(32)."""
+
+_RATIOS = (1.0, 2.0, 3.0, 3.5)
+"""gamma/(G R) of the runs, all below every threshold."""
+
+
+def _threshold(stretch: float) -> tuple[float, Curve, Curve]:
+    """gamma/(G R) at which undulations grow without limit, from how much of them there is below it.
+
+    The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there, which three runs determine.
+    """
+    scene = published_scene("undulation")
+    radius, modulus = scene.filament.thickness / 2, float(scene.material.youngs_modulus or 0) / 3
+    length = scene.filament.span
+    rows = [
+        {"surroundings.surface_tension": ratio * modulus * radius, "filament.span": stretch * length}
+        for ratio in _RATIOS
+    ]
+    grown = np.array([np.ptp(run.fields["stretch"][-1]) for run in answers_of(scene, rows)])
+    ratios = np.array(_RATIOS)
+    # Each run is one linear equation for the pole, a and b.
+    matrix = np.column_stack([grown, -np.ones(len(ratios)), -ratios])
+    (pole, a, b), *_ = np.linalg.lstsq(matrix, grown * ratios, rcond=None)
+    line = np.linspace(_RATIOS[0] / 2, 0.98 * pole, 80)
+    words = "unstretched" if stretch == 1 else f"stretched by {stretch:.3g}"
+    response = Curve(f"{words}, (a + b x)/(x_c - x)", line.tolist(), ((a + b * line) / (pole - line)).tolist())
+    return float(pole), response, Curve(f"{words}, runs", _RATIOS, grown.tolist(), is_published=True)
+
+
+def _undulations(published: float, stretch: float) -> Finding:
+    pole, line, runs = _threshold(stretch)
+    row = Row("threshold gamma/(G R)", "", published, pole)
+    picture = Picture("gamma/(G R)", "undulation of the stretch", (line, runs), is_log_y=True, published_x=published)
+    return Finding((row,), picture)
+
+
+def _mora() -> Finding:
+    return _undulations(6.0, 1.0)
+
+
+def _stretched() -> Finding:
+    return _undulations(math.sqrt(32), _GENTLEST)
+
+
+_ANGLES = (15, 45, 75)
+_SOLID = {
+    8.896: ((10.57180106, 8.686786771, 3.481999513), (41.01165651, 105.976311, 139.59474)),
+    13.345: ((16.37026068, 14.8505521, 6.062461977), (62.70699533, 153.554457, 192.972233)),
+}
+"""Tip displacements [mm] the stiff and the soft way, by load [N]: 4 x 12 x 500 solid elements."""
+_BEAMS = {8.896: ((10.61328706, 8.837226265, 3.538889001), (42.08232124, 108.987937, 142.19437))}
+"""The same of 199 beam elements."""
+
+
+def _newtons(*force: float) -> list[str]:
+    return [f"{part!r} N" for part in force]
+
+
+def _tips(force: float) -> list[list[float]]:
+    """Tip displacements [mm] the stiff and the soft way, at every angle."""
+    angles = np.radians(_ANGLES)
+    rows = [{"load.tip_force": _newtons(0.0, -force * math.cos(a), force * math.sin(a))} for a in angles]
+    runs = [run.fields for run in answers_of(published_scene("princeton"), rows)]
+    return [[-1e3 * float(run["y"][-1, -1]) for run in runs], [1e3 * float(run["z"][-1, -1]) for run in runs]]
+
+
+def _princeton() -> Finding:
+    rows, curves = [], []
+    for force, solid in _SOLID.items():
+        ours, beams = _tips(force), _BEAMS.get(force)
+        for way, name in enumerate(("stiff", "soft")):
+            rows.append(Row(f"tip the {name} way, {force:g} N at 45 deg", "mm", solid[way][1], ours[way][1]))
+            if beams:
+                rows.append(Row("the same of their beam elements", "mm", beams[way][1], ours[way][1]))
+            curves.append(Curve(f"{name}, {force:g} N", _ANGLES, ours[way]))
+            curves.append(Curve(f"{name}, {force:g} N, solid elements", _ANGLES, solid[way], is_published=True))
+    return Finding(tuple(rows), Picture("loading angle [deg]", "displacement of the tip [mm]", tuple(curves)))
+
+
+_BENDS = {300.0: (58.84, 22.33, 40.08), 600.0: (47.23, 15.79, 53.37)}
+"""Place of the tip by force: eight elements of Simo & Vu-Quoc."""
+
+
+def _curved_beam() -> Finding:
+    rows = []
+    runs = answers_of(
+        published_scene("curved-beam"), [{"load.tip_force": _newtons(0.0, 0.0, force)} for force in _BENDS]
+    )
+    for (force, theirs), run in zip(_BENDS.items(), runs, strict=True):
+        # Along the chord and across it here; there along the tangent at the clamp and towards the centre.
+        tip = [float(run.fields[axis][-1, -1] - run.fields[axis][-1, 0]) for axis in "xyz"]
+        rows += [
+            Row(f"{axis} of the tip, force {force:g}", "", b, a) for axis, a, b in zip("xyz", tip, theirs, strict=True)
+        ]
+    return Finding(tuple(rows))
+
+
+_LIMIT = 0.05
+"""Sag in diameters that the rule allows."""
+
+
+def _spanning() -> Finding:
+    scene = published_scene("spanning-strand")
+    filament, gravity = scene.filament, scene.load.gravity
+    unit = filament.density * gravity * (filament.span / filament.thickness) ** 4 * filament.thickness
+    moduli = np.array([0.5, 1.0, 2.0, 4.0]) * unit
+    runs = answers_of(scene, [{"material.youngs_modulus": 3 * modulus} for modulus in moduli])
+    sags = np.array([-run.midpoint[-1] for run in runs]) / filament.thickness
+    needed = math.exp(np.interp(-math.log(_LIMIT), -np.log(sags), np.log(moduli)))
+    rows = (Row("G' D^3/(rho g L^4) for a sag of 0.05 D", "", 1.4, needed / unit, band=(1.35, 1.45)),)
+    curves = (
+        Curve("runs", (moduli / unit).tolist(), sags.tolist()),
+        Curve("their rule", (1.4,), (_LIMIT,), is_published=True),
+    )
+    return Finding(rows, Picture("G' D^3/(rho g L^4)", "sag/D", curves, is_log_x=True, is_log_y=True))
+
+
+CASES = (
+    Case(
+        "mora",
+        "Agar filaments gather into beads",
+        "Mora et al., Phys. Rev. Lett. (2010), 214301",
+        Kind.MEASURED,
+        "Filaments of agar gel undulate once their radius is a sixth of gamma/G (authors' summary of the paper).",
+        "the measured threshold; their G is a rheometer's",
+        "nothing needs to: what is left is the length of the wave, (2 pi R/L)^2",
+        _mora,
+        ("undulation",),
+    ),
+    Case(
+        "stretched-gel",
+        "A stretched soft cylinder gathers into beads",
+        "Xuan & Biggins, arXiv:1701.03832 (2017)",
+        Kind.COMPUTED,
+        "A neo-Hookean cylinder loses convexity from gamma/(G R) = sqrt 32 on, which full finite elements confirm "
+        "(abstract); in its energy that is at a stretch of 2^(1/3).",
+        "their law and finite elements",
+        "the elastic law here is linear in the logarithm of the stretch, and softer than rubber when stretched: its "
+        "threshold is 6 (1 - log s)/sqrt s",
+        _stretched,
+        ("undulation",),
+    ),
+    Case(
+        "princeton",
+        "The Princeton beam in three dimensions",
+        "Obrezkov et al., Nonlinear Dyn. 109 (2022); experiment: Dowell & Traybar, AMS reports 1194 and 1257 (1975)",
+        Kind.COMPUTED,
+        "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS by load and loading angle, "
+        "as tabulated in the tests of Exudyn. The measured displacements themselves could not be had as numbers.",
+        "solid elements of another program",
+        "a flat section held at its root curls across less than a beam's does (anticlastic bending): the beam elements "
+        "of the same authors are as far from their solid ones",
+        _princeton,
+        ("princeton",),
+    ),
+    Case(
+        "curved-beam",
+        "A curved cantilever bends out of its plane",
+        "Simo & Vu-Quoc, A three-dimensional finite-strain rod model, part II (1986)",
+        Kind.COMPUTED,
+        "Place of the tip of Bathe & Bolourchi's bend under forces of 300 and 600, eight elements.",
+        "elements of others",
+        "eight elements are not converged: as many of ours lie as far from the limit",
+        _curved_beam,
+        ("curved-beam",),
+    ),
+    Case(
+        "smay",
+        "The modulus that an ink needs to span",
+        "Smay, Cesarano & Lewis, Langmuir 18, 5429 (2002)",
+        Kind.COMPUTED,
+        "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). "
+        "Their measured deflections could not be had.",
+        "their rule, stated to two digits",
+        "a beam that bends alone gives 1.39; clamps need a fifth of it, and surface tension helps",
+        _spanning,
+        ("spanning-strand",),
+    ),
+)
+"""In the order of the table."""

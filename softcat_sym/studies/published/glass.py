@@ -1,0 +1,199 @@
+"""Glass: the furnace of the softening point, and the beam-bending viscometer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from softcat_sym.scene.scene import Scene
+from softcat_sym.studies.published.case import (
+    Case,
+    Curve,
+    Finding,
+    Floats,
+    Kind,
+    Picture,
+    Row,
+    answer_of,
+    answers_of,
+    published_scene,
+)
+
+ELONGATES, RATE = 1e-3 / 60, 5 / 60
+"""Speed [m/s] of a fibre at its softening point, and how fast its furnace heats [K/s]: ASTM C338."""
+ZERO = 273.15
+_BELOW, _ABOVE = 40.0, 10.0
+
+
+@dataclass(frozen=True)
+class Glass:
+    """A standard glass of the National Bureau of Standards: log10 eta/dPa s = A + B/(T - T_0), T in Celsius."""
+
+    A: float
+    B: float
+    T_0: float
+    softens: float  # Published softening point [C]
+    density: float  # About its own [kg/m^3]
+    surface: float  # About its surface tension [N/m]
+
+    def viscosity(self, celsius: Floats | float) -> Floats:
+        """In Pa s."""
+        return np.asarray(10 ** (self.A - 1 + self.B / (np.asarray(celsius) - self.T_0)))
+
+
+GLASSES = {
+    "710": Glass(-1.626, 4236.1, 265.5, 724.0, 2500.0, 0.31),
+    "717a": Glass(-1.546, 4852.2, 192.5, 720.0, 2270.0, 0.28),
+}
+
+
+def fibre_scene(glass: Glass) -> Scene:
+    """The fibre from 40 K below its softening point to 10 K above it."""
+    low, high = glass.softens - _BELOW, glass.softens + _ABOVE
+    duration = (high - low) / RATE
+    return published_scene("softening-fibre").replace(
+        {
+            "filament.density": f"{glass.density!r} kg/m^3",
+            "surroundings.surface_tension": f"{glass.surface!r} N/m",
+            "temperature.initial": f"{low!r} degC",
+            "temperature.ambient": {"0 s": f"{low!r} degC", f"{duration!r} s": f"{high!r} degC"},
+            "temperature.A": glass.A,
+            "temperature.B": f"{glass.B!r} K",
+            "temperature.T_0": f"{glass.T_0!r} degC",
+            "run.duration": f"{duration!r} s",
+        }
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Softening:
+    """A fibre in its furnace."""
+
+    furnace: Floats  # Temperatures [C]
+    speed: Floats  # How fast it grows meanwhile [m/s]
+    at: float  # Temperature of the furnace at 1 mm/min [C]
+    fibre: float  # That of the fibre then, in the middle of the furnace [C]
+
+
+def softening(glass: Glass) -> Softening:
+    """Heat a fibre as ASTM C338 does."""
+    run = answer_of(fibre_scene(glass))
+    fields, heat = run.fields, run.scene.temperature
+    time, length = fields["time"], -fields["y"][:, -1]
+    speed = (length[2:] - length[:-2]) / (time[2:] - time[:-2])
+    when = float(np.interp(ELONGATES, speed, time[1:-1]))
+    furnace = glass.softens - _BELOW + RATE * time[1:-1]
+    heated = 0.1 if heat is None or heat.heated is None else float(heat.heated[1])
+    middle = int(np.argmin(np.abs(fields["X_node"] - (heated - run.scene.filament.span) / 2)))
+    fibre = float(np.interp(when, time, fields["temperature"][:, middle])) - ZERO
+    return Softening(furnace, speed, glass.softens - _BELOW + RATE * when, fibre)
+
+
+def _softens(name: str) -> Finding:
+    glass = GLASSES[name]
+    found = softening(glass)
+    decades = float(np.log10(glass.viscosity(found.fibre)))
+    rows = (
+        Row("softening point", "C", glass.softens, found.at, is_absolute=True),
+        Row("log10 of the viscosity there [Pa s]", "", 6.75, decades, band=(6.5, 7.0), is_absolute=True),
+    )
+    curves = (
+        Curve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
+        Curve("softening point by the run", (found.at,), (1.0,), is_published=True),
+    )
+    picture = Picture("furnace [C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
+    return Finding(rows, picture)
+
+
+def _softens_710() -> Finding:
+    return _softens("710")
+
+
+def _softens_717a() -> Finding:
+    return _softens("717a")
+
+
+_WEIGHT = 0.02
+
+
+def _beam() -> Finding:
+    scene = published_scene("glass-beam")
+    filament, gravity = scene.filament, scene.load.gravity
+    area, second = filament.thickness**2, filament.thickness**4 / 12
+    own, viscosity = filament.density * area * filament.span, (scene.material.viscosity or 0.0) / 3
+    bare, loaded = (
+        # Per minute, as the method has it.
+        float(run.midpoint[1] - run.midpoint[2]) * 60 / (scene.run.duration / 2)
+        for run in answers_of(scene, [{"load.point_mass": "0 kg"}, {"load.point_mass": f"{_WEIGHT} kg"}])
+    )
+    first = gravity * filament.span**3 * _WEIGHT / (viscosity * second * (loaded - bare))
+    other = gravity * filament.span**3 * own / (viscosity * second * first * bare)
+    rows = (
+        Row("constant of the weight in mu = g L^3/(2.4 I v) (M + rho A L/1.6)", "", 2.4, first),
+        Row("constant of the bar's own weight in it", "", 1.6, other),
+    )
+    masses = np.array([0.0, _WEIGHT])
+    line = gravity * filament.span**3 / (2.4 * second * viscosity) * (masses + own / 1.6)
+    curves = (
+        Curve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
+        Curve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
+    )
+    return Finding(rows, Picture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
+
+
+_NBS = "Napolitano & Hawkins, J. Res. NBS 68A, 439 (1964)"
+_SOFTENS = (
+    "The fibre, 0.65 mm by 235 mm, grows by 1 mm/min under its own weight while its upper 100 mm are heated by 5 "
+    "K/min; its viscosity then is 10^6.5 to 10^7.0 Pa s (scope of the standard)."
+)
+_COLDER = (
+    "a furnace that is some 50 K colder at its ends than at its thermocouple, or heats half the length; twice the "
+    "surface tension would be half of it, 10 % of density 2.7 K, the lag of the fibre is 0.2 K"
+)
+
+CASES = (
+    Case(
+        "softening-710",
+        "Softening point of a soda-lime glass",
+        f"ASTM C338; NBS Standard Sample 710: {_NBS}",
+        Kind.MEASURED,
+        f"{_SOFTENS} Published: 724 C, and the constants of its viscosity.",
+        "the softening point, measured apart from the viscosity that the run is given",
+        _COLDER,
+        _softens_710,
+        ("softening-fibre",),
+    ),
+    Case(
+        "softening-717a",
+        "Softening point of a borosilicate glass",
+        "ASTM C338; NIST Standard Reference Material 717a",
+        Kind.MEASURED,
+        f"{_SOFTENS} Published: 720 C, and the constants of its viscosity.",
+        "the softening point, measured apart from the viscosity that the run is given",
+        _COLDER,
+        _softens_717a,
+        ("softening-fibre",),
+    ),
+    Case(
+        "beam-bending",
+        "A bar in a beam-bending viscometer",
+        "ASTM C598",
+        Kind.COMPUTED,
+        "The shear viscosity is g L^3/(2.4 I v) (M + rho A L/1.6), v the midpoint's speed per minute.",
+        "the standard's two constants",
+        "the grid: it tends to both as its square",
+        _beam,
+        ("glass-beam",),
+    ),
+    Case(
+        "annealing",
+        "Annealing and strain points by fibre elongation",
+        "ASTM C336; NBS glasses",
+        Kind.MEASURED,
+        "A fibre of 0.65 mm grows by 0.14 mm/min under 1 kg while it cools by 4 K/min, and at 0.0316 of that at the "
+        "strain point (a laboratory's page); 10^13 and 10^14.5 poise.",
+        reason="the heated length of the fibre and the certified points of the glasses are not in what could be had",
+    ),
+)
+"""In the order of the table."""

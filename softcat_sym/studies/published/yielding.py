@@ -1,0 +1,91 @@
+"""Yield stresses: what is taken over from shear, and the flow curves of others."""
+
+from __future__ import annotations
+
+import importlib
+import math
+
+from softcat_sym.fitting.flow_curve import FlowCurve, fit_flow_curve
+from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
+
+_YIELDS, _FLOWS = 100.0, 10.0
+"""Shear yield stress [Pa] and shear viscosity [Pa s] of the scene."""
+
+
+def _elongational() -> Finding:
+    material = published_scene("shear-data").material
+    ratio = (material.yield_stress or 0.0) / _YIELDS
+    return Finding((Row("elongational over shear yield stress", "", math.sqrt(3), ratio),))
+
+
+def _trouton() -> Finding:
+    material = published_scene("shear-data").material
+    ratio = (material.viscosity or 0.0) / _FLOWS
+    return Finding((Row("viscous traction over viscosity", "", 3.0, ratio),))
+
+
+_GLASSES = {"mason1996_fig5": 0.58}
+"""Volume fraction below which these emulsions flow as liquids (Mason, Bibette & Weitz 1996)."""
+
+
+def _flow_curves() -> Finding:
+    rheodata = importlib.import_module("rheodata")
+    solids = set(rheodata.search(experiment="flow_curve", tag="yield-stress")["id"])
+    as_said, curves = [], []
+    for name in rheodata.search(experiment="flow_curve")["id"]:
+        for sample, rows in rheodata.load(name).df.groupby("sample_id", sort=False):
+            rate, stress = (rows[column].to_numpy(float) for column in ("shear_rate_1/s", "stress_Pa"))
+            yields = fit_flow_curve(FlowCurve(rate, stress)).best.tau_Y is not None
+            flows = name not in solids
+            if name in _GLASSES:
+                flows = float(str(sample).removeprefix("phi_")) < _GLASSES[name]
+            as_said.append(yields is not flows)
+            curves.append(Curve(f"{name} {sample}", rate.tolist(), stress.tolist(), is_published=True))
+    number = float(len(as_said))
+    row = Row(
+        "curves with a yield stress or without, as their authors say", "", number, float(sum(as_said)),
+        band=(number, number), is_absolute=True,
+    )  # fmt: skip
+    picture = Picture("shear rate [1/s]", "shear stress [Pa]", tuple(curves), is_log_x=True, is_log_y=True)
+    return Finding((row,), picture)
+
+
+CASES = (
+    Case(
+        "martinie",
+        "The yield stress in elongation",
+        "Martinie, Buggisch & Willenbacher, J. Rheol. 57, 627 (2013)",
+        Kind.ASSUMED,
+        "For gels, emulsions and suspensions the elongational yield stress is sqrt 3 times that in shear, in agreement "
+        "with von Mises (abstract; its scatter could not be had).",
+        "nothing: a shear yield stress is converted by this very factor",
+        "no test of the program; the measurement is why it may assume it",
+        _elongational,
+        ("shear-data",),
+    ),
+    Case(
+        "trouton",
+        "The viscosity in traction",
+        "Trouton, discourse at the Royal Institution of Great Britain",
+        Kind.ASSUMED,
+        "The coefficient of viscous traction of pitch is about three times its viscosity, and experiment supports it "
+        "(discourse; its table could not be had).",
+        "nothing: a shear viscosity is converted by this very factor",
+        "no test of the program; the measurement is why it may assume it",
+        _trouton,
+        ("shear-data",),
+    ),
+    Case(
+        "rheodata",
+        "Published flow curves become materials",
+        "rheopy-rheodata (Caggioni): curated flow curves, each set with its paper",
+        Kind.MEASURED,
+        "Curves digitised or measured anew, and whether the material has a yield stress, by its authors; emulsions of "
+        "Mason, Bibette & Weitz (1996) have one from a volume fraction of 0.58 on.",
+        "measured stresses, and what their authors call the material",
+        "a curve that ends above its plateau tells no yield stress from a small index",
+        _flow_curves,
+        needs="rheodata",
+    ),
+)
+"""In the order of the table."""
