@@ -45,6 +45,7 @@ COMMANDS: Final = {
     "Developer": {
         "generate": "Write the solver of a scene as C99, or as a web page with sliders.",
         "cache": "Show the libraries and results that are kept, or clear them.",
+        "doctor": "Check the installation, the compiler and the cache, and run a test.",
     },
 }
 """First lines of the commands' docstrings by their names, in the groups and the order of the help."""

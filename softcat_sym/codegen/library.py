@@ -14,6 +14,7 @@ import secrets
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import zlib
 from collections.abc import Callable, Mapping, Sequence
@@ -375,6 +376,21 @@ def compiled_by(
     key = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
     about = f"{' '.join(chosen)} by {compiler.name}, {' '.join(flags)}"
     return find(key) or store(key, functools.partial(_build, sources, chosen, compiler, [*always, *flags]), about)
+
+
+def check_compiler(compiler: Compiler) -> None:
+    """Refuse a compiler that cannot make a library of one function, or whose library does not give what C says."""
+    flags = [*_ALWAYS, *SOON, *split_variable("SOFTCAT_CFLAGS")]
+    source = {"check.c": "#include <math.h>\ndouble softcat_check(double x) { return 2.0 * sqrt(x); }\n"}
+    # A library that is loaded cannot be deleted on Windows.
+    with tempfile.TemporaryDirectory(prefix="softcat_sym-", ignore_cleanup_errors=True) as passing:
+        place = Path(passing) / "check"
+        place.mkdir()
+        _build(source, list(source), compiler, flags, place)
+        check = load(place / LIBRARY, "softcat_check").softcat_check
+    check.argtypes, check.restype = [ctypes.c_double], ctypes.c_double
+    if (found := check(9.0)) != 6.0:
+        raise SoftcatError(f"{compiler.path} ({compiler.version}) makes 2 sqrt(9) = {found!r}, which is 6")
 
 
 def load(path: Path, *symbols: str) -> ctypes.CDLL:
