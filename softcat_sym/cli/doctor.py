@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from shutil import get_terminal_size
-from textwrap import fill
+from textwrap import TextWrapper
 from typing import TYPE_CHECKING
 
 import typer
@@ -57,8 +57,9 @@ def doctor(quiet: QuietOption = False) -> None:
 
 def _say(name: str, text: str) -> None:
     width = max(get_terminal_size().columns, 60) - 2
-    options = {"break_long_words": False, "break_on_hyphens": False}
-    typer.echo(fill(text, width, initial_indent=f"{name:12}", subsequent_indent=" " * 12, **options))
+    wrapper = TextWrapper(width, initial_indent=f"{name:12}", subsequent_indent=" " * 12)
+    wrapper.break_long_words = wrapper.break_on_hyphens = False
+    typer.echo(wrapper.fill(text))
 
 
 def _findings(*, quiet: bool) -> Iterator[Finding]:
@@ -204,7 +205,8 @@ def exact_sag(scene: Scene) -> float:
     """
     part, gravity = scene.filament, scene.load.gravity
     span, area, second_moment = part.span, part.thickness**2, part.thickness**4 / 12
-    bending, shear = scene.material.viscosity * second_moment, 5 / 6 * scene.material.viscosity / 3 * area
+    viscosity = float(scene.material.viscosity or "nan")
+    bending, shear = viscosity * second_moment, 5 / 6 * viscosity / 3 * area
     weight, hung = part.density * area * gravity, gravity * scene.load.point_mass
     rate = hung * span**3 / (48 * bending) + 5 * weight * span**4 / (384 * bending)
     rate += (hung * span / 4 + weight * span**2 / 8) / shear

@@ -1,4 +1,4 @@
-"""README and the how-to pages, as a newcomer meets them; ``pytest -s -m slow`` prints seconds of each step.
+"""README and the pages of notebooks, as a newcomer meets them; ``pytest -s -m slow`` prints seconds of each step.
 
 The stopwatch runs from a clone to the answer for a filament of one's own: it installs from the registry that pip is set
 up for, and compiles into a cache of its own.
@@ -118,25 +118,25 @@ def test_from_a_clone_to_an_answer_of_ones_own(tmp_path: Path) -> None:
 
 
 PAGES = {
-    "12_own_rheology": "",
-    "13_first_run": "expected: descending",
-    "14_ink_bridging": "",
-    "15_fit_your_data": "",
-    "16_take_the_c_away": "",
+    "howto/12_own_rheology": "",
+    "tutorials/13_first_run": "expected: descending",
+    "tutorials/14_ink_bridging": "",
+    "tutorials/15_fit_your_data": "",
+    "howto/16_take_the_c_away": "",
 }
-"""How-to pages; each has pictures and printed text; of one, what it must print."""
+"""Pages of notebooks; each has pictures and printed text; of one, what it must print."""
 
 
-def test_how_to_pages_show_what_their_notebooks_print_and_draw(tmp_path: Path) -> None:
+def test_pages_of_notebooks_show_what_these_print_and_draw(tmp_path: Path) -> None:
     """Built as CONTRIBUTING says, without a warning."""
-    status, said = run(f"{sys.executable} -m sphinx -W -q -b html .docs {tmp_path}", ROOT, dict(os.environ))
+    status, said = run(f"{sys.executable} -m sphinx -W -q -b html .docs {tmp_path / 'pages'}", ROOT, dict(os.environ))
     assert status == 0, said
     for name, expected in PAGES.items():
-        page = (tmp_path / "howto" / f"{name}.html").read_text(encoding="utf-8")
-        blocks = re.findall(r'<div class="output highlight-text.*?</div>', page, re.DOTALL)
+        page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
+        blocks = re.findall(r'<div class="output .*?</pre>', page, re.DOTALL)
         texts = [html.unescape(re.sub(r"<[^>]+>", "", block)).strip() for block in blocks]
-        pictures = re.findall(r'<img class="output"[^>]* src="data:image/png;base64,\w', page)
-        print(f"{name:20} {len(texts)} texts, {len(pictures)} pictures")
+        pictures = re.findall(r'<img alt="[^"]*" src="../_images/[0-9a-f]{16,}\.png"', page)
+        print(f"{name:26} {len(texts)} texts, {len(pictures)} pictures")
         assert texts and pictures
         assert any(text.startswith(expected) for text in texts)
         assert not any("Traceback" in text for text in texts)
