@@ -70,8 +70,8 @@ def built(kind: str, folder: Path) -> Path:
 
 def data_of_package() -> set[str]:
     """Whatever belongs to the package, by path; what an editor or Python leaves behind aside."""
-    paths = (path for path in (ROOT / "softcat_sym").rglob("*") if path.is_file())
-    return {path.relative_to(ROOT).as_posix() for path in paths if "__pycache__" not in path.parts and path.name[0] != "."}
+    paths = (path.relative_to(ROOT) for path in (ROOT / "softcat_sym").rglob("*") if path.is_file())
+    return {path.as_posix() for path in paths if "__pycache__" not in path.parts and path.name[0] != "."}
 
 
 @pytest.mark.tooling
