@@ -76,6 +76,11 @@ PAGES = {
     "derivations/ERRATA.md": "errata.md",
     "CHANGELOG.md": "changelog.md",
     "CONTRIBUTING.md": "contributing.md",
+    **{
+        f"derivations/{page.stem}.py": f"{folder}/{page.name}"
+        for folder in ("tutorials", "howto")
+        for page in (ROOT / ".docs" / folder).glob("*.md")
+    },
 }
 """Files of the repository that are pages here."""
 
@@ -126,8 +131,8 @@ def of_functions_only(app: Sphinx, what: str, *_: object) -> tuple[str, None] | 
 
 
 def front_page() -> str:
-    """The README, whose links lead to files of the repository."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    """The README without its badges; its links lead to files of the repository."""
+    text = re.sub(r"(?m)^\[!\[tests\].*\n", "", (ROOT / "README.md").read_text(encoding="utf-8"))
     text = text.replace("](.docs/", "](")
     for path, page in PAGES.items():
         text = text.replace(f"]({path})", f"]({page})")
