@@ -112,16 +112,19 @@ OutputOption = Annotated[
         "--output",
         "-o",
         metavar="DIR",
-        help="Where the files go.",
+        help="Folder for the files.",
         show_default="softcat-out/SCENE-COMMAND",
         parser=directory,
     ),
 ]
 FreshOption = Annotated[
-    bool, typer.Option("--fresh", help="Run everything, also what an earlier command has finished; see softcat cache.")
+    bool,
+    typer.Option(
+        "--fresh", help="Run everything again, even what an earlier command has finished (see softcat cache)."
+    ),
 ]
-QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
-VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress and no summary.")]
+VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Print everything, with reasons and formulas.")]
 
 
 def _version(asked: bool) -> None:

@@ -31,24 +31,31 @@ def generate(
     scene: OptionalScene = None,
     output: OutputOption = None,
     bundled: Annotated[
-        bool, typer.Option("--bundled", help="The structures of the bundled scenes instead, one runtime for all.")
+        bool, typer.Option("--bundled", help="Write the C of all bundled scenes instead, with one runtime for all.")
     ] = False,
     changes: SetOption = None,
     rhs: Annotated[
-        bool, typer.Option("--rhs", help="Add right-hand side and sparse Jacobian, for an integrator of your own.")
+        bool,
+        typer.Option("--rhs", help="Add the right-hand side and its sparse Jacobian, for an integrator of your own."),
     ] = False,
     name: Annotated[
-        str, typer.Option("--name", metavar="NAME", help="Of the C file and of what it exports: one for each filament.")
+        str,
+        typer.Option(
+            "--name",
+            metavar="NAME",
+            help="Name of the C file and of its functions, where a program holds several filaments.",
+        ),
     ] = _NAME,
     web: Annotated[
-        bool, typer.Option("--web", help="A page instead, NAME.html, that solves the scene in a browser, with sliders.")
+        bool,
+        typer.Option("--web", help="Write a page NAME.html instead, with sliders, that solves the scene in a browser."),
     ] = False,
     sliders: Annotated[
         list[str] | None,
         typer.Option(
             "--slider",
             metavar="KEY=LOW:HIGH[:log]",
-            help="With --web: one more key to move, or another range. Can be repeated.",
+            help="With --web: a slider for one more key, or another range. Repeatable.",
         ),
     ] = None,
     quiet: QuietOption = False,
