@@ -44,9 +44,10 @@ def doctor(quiet: QuietOption = False) -> None:
     for finding in _findings(quiet=quiet):
         faults += finding.is_fault
         if not quiet:
-            _say(finding.name, finding.text)
-            if finding.remedy:
-                _say("", f"{'remedy' if finding.is_fault else 'to have it'}: {finding.remedy}")
+            option = f"; to have it: {finding.remedy}" if finding.remedy and not finding.is_fault else ""
+            _say(finding.name, finding.text + option)
+            if finding.is_fault:
+                _say("", f"remedy: {finding.remedy}")
         elif finding.is_fault:
             print_error(f"{finding.name}: {finding.text}; {finding.remedy}")
     if not quiet:
@@ -110,7 +111,7 @@ def _packages() -> Iterator[Finding]:
             except metadata.PackageNotFoundError:
                 version = ""
             fits = bool(version) and each.specifier.contains(version, prereleases=True)
-            found.append(f"{each.name} {version or 'missing'}{'' if fits or not version else f' ({each.specifier})'}")
+            found.append(f"{each.name} {version or 'missing'}{f' ({each.specifier})' if version and not fits else ''}")
             lacking += [] if fits else [f"{each.name}{each.specifier}"]
         line = f"pip install 'softcat_sym[{extra}]'" if extra else f"pip install {' '.join(map(repr, lacking))}"
         name, is_fault = f"[{extra}]" if extra else "required", bool(lacking) and not extra

@@ -11,6 +11,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -19,6 +20,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
@@ -98,23 +101,57 @@ NEW = (
     " --law herschel-bulkley --shear-yield-stress '200 Pa' --shear-consistency '60 Pa*s^0.4' --index 0.4"
     " --surface-tension '40 mN/m' --duration '20 ms'"
 )
+CURVE = "shear_rate_1_s,shear_stress_Pa\n0.1,222\n0.5,247\n1,258\n5,316\n10,349\n50,489\n100,580\n"
+"""What a newcomer types from the screen of a rheometer: 200 Pa + 60 Pa (rate s)^0.4, within 2 %."""
+FIT = (
+    "softcat fit film.csv --scene sample.toml --free viscosity --free yield_stress --calibrated --no-profile-likelihood"
+)
 
 
-def test_from_a_clone_to_an_answer_of_ones_own(tmp_path: Path) -> None:
+def test_from_a_clone_to_answers_of_ones_own(tmp_path: Path) -> None:
+    """The stopwatch: what is typed, and the seconds of each step; nothing is compiled or downloaded before."""
     found = re.search(r"(?m)^python3 -m venv .*pip install.*softcat run.*$", README)
     assert found is not None
+    install, _, first_run = found[0].rpartition(" && ")
     folder = tmp_path / "softcat_sym"
     # Neither the libraries nor the modules of who tests are there for a newcomer.
     environment = {name: text for name, text in os.environ.items() if name not in ("PYTHONPATH", "VIRTUAL_ENV")}
-    environment |= {"SOFTCAT_CACHE": str(tmp_path / "cache")}
-    began = time.monotonic()
-    for command in (f"git clone -q '{ROOT}' '{folder}'", found[0], OWN + NEW, f"{OWN}softcat run my-ink.toml"):
+    environment |= {"SOFTCAT_CACHE": str(tmp_path / "cache"), "PIP_NO_CACHE_DIR": "1"}
+    path = {
+        "clone": f"git clone -q '{ROOT}' '{folder}'",
+        "install": install,
+        "run": first_run,
+        "check": f"{OWN}softcat doctor",
+        "own ink": OWN + NEW,
+        "its sag": f"{OWN}softcat run my-ink.toml",
+        "own CSV of a flow curve": f"{OWN}softcat flow-curve my-curve.csv --scene my-ink.toml",
+        "CSV of a film": OWN + FIT,
+        "card": f"{OWN}softcat card my-ink.toml",
+        "page: compiler": ".venv/bin/pip install -q ziglang",
+        "page": f"{OWN}softcat generate my-ink.toml --web -o page",
+    }
+    rows, began = [], time.monotonic()
+    for step, command in path.items():
+        start = time.monotonic()
         status, said = run(command, folder if folder.exists() else tmp_path, environment)
         assert status == 0, said
-    print(f"{time.monotonic() - began:7.1f} s  together")
-    summary = json.loads((folder / "softcat-out" / "my-ink" / "summary.json").read_text(encoding="utf-8"))
+        typed = command.removeprefix(OWN).replace(str(ROOT), "ADDRESS").replace(f" '{folder}'", "")
+        rows.append((step, f"`{typed}`", f"{time.monotonic() - start:.1f}"))
+        if step == "check":
+            # The newcomer's own files: a curve that is typed, a film that is at hand.
+            (folder / "my-curve.csv").write_text(CURVE, encoding="utf-8")
+            shutil.copy(folder / "softcat_sym" / "samples" / "film.csv", folder)
+            shutil.copy(folder / "softcat_sym" / "samples" / "my-ink.toml", folder / "sample.toml")
+    rows.append(("together", "", f"{time.monotonic() - began:.0f}"))
+    show("A newcomer's path", ("step", "typed", "s"), rows)
+    out = folder / "softcat-out"
+    summary = json.loads((out / "my-ink" / "summary.json").read_text(encoding="utf-8"))
     assert summary["outcome"] == "solved"
     assert summary["midpoint_final_m"] < 0
+    fitted = json.loads((out / "my-ink-flow-curve" / "flow_curve.json").read_text(encoding="utf-8"))
+    assert fitted["best"] == "herschel-bulkley"
+    assert (out / "my-ink-card" / "card.html").is_file() and (folder / "page" / "my-ink.html").is_file()
+    assert json.loads((out / "sample-fit" / "fit.json").read_text(encoding="utf-8"))["outcome"] == "solved"
 
 
 PAGES = {
