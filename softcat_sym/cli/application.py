@@ -102,7 +102,7 @@ SetOption = Annotated[
 def directory(text: str) -> Path:
     """Read the name of a folder; an empty one, as of a variable that is not set, does not mean this folder."""
     if not text.strip():
-        raise typer.BadParameter("an empty name is no folder; accepted: the folder of the files, . for this one")
+        raise typer.BadParameter("an empty name is no folder; accepted: the name of a folder, or . for the present one")
     return Path(text)
 
 

@@ -160,9 +160,9 @@ def fit(
     goes on from what was evaluated, to the same numbers.
     """
     if not free and not law:
-        raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
+        raise typer.BadParameter("name at least one parameter, or a law with --law", param_hint="--free")
     if prior and not posterior:
-        raise typer.BadParameter("only a posterior has priors: add --posterior", param_hint="--prior")
+        raise typer.BadParameter("priors belong to a posterior: add --posterior", param_hint="--prior")
     if posterior and loss != "linear":
         raise typer.BadParameter(
             "the likelihood of a posterior is Gaussian: leave --loss out", param_hint="--posterior"
@@ -221,7 +221,7 @@ def _loss(kind: str, scale: float | None) -> Loss:
     from softcat_sym.fitting.least_squares import Loss
 
     if scale is not None and kind == "linear":
-        raise typer.BadParameter("least squares have none: name --loss soft-l1 or cauchy", param_hint="--scale")
+        raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
     return Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 

@@ -45,7 +45,7 @@ def flow_curve(
     DIR gets flow_curve.json, a picture and a table; with --scene that scene with the material, scene.toml.
     """
     if changes and scene is None:
-        raise typer.BadParameter("it changes a scene: name one with --scene", param_hint="--set")
+        raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")
     from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
     from softcat_sym.plotting.flow_curve import print_flow_curve, write_flow_curve
 

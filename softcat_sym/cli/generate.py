@@ -69,7 +69,7 @@ def generate(
     """
     _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
     if sliders and not web:
-        raise typer.BadParameter("sliders are those of a page: give --web, too", param_hint="--slider")
+        raise typer.BadParameter("sliders belong to a page: add --web", param_hint="--slider")
     refused: dict[str, str] = {}
     try:
         if scene is None:
@@ -105,9 +105,9 @@ def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, 
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     if bundled and own:
-        raise typer.BadParameter("--bundled goes with no option of one scene", param_hint="--bundled")
+        raise typer.BadParameter("--bundled takes no option of a single scene", param_hint="--bundled")
     if web and rhs:
-        raise typer.BadParameter("a page has no right-hand side to take away", param_hint="--rhs")
+        raise typer.BadParameter("a page has no right-hand side to write", param_hint="--rhs")
 
 
 def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:

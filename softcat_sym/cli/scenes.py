@@ -72,7 +72,7 @@ def scenes(
             typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")
         return
     if changes:
-        raise typer.BadParameter("changes what is run: it takes -o DIR beside it", param_hint="--set")
+        raise typer.BadParameter("--set changes what is run: add -o DIR, which runs the scenes", param_hint="--set")
     width = max(map(len, names))
     for name in names:
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")

@@ -112,5 +112,5 @@ def sweep(
         names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]
         typer.echo(f"wrote {', '.join(names)} to {output}")
     if not done.counts.outcomes.get("solved"):
-        print_error("no member is an answer; sweep.csv tells of each why")
+        print_error("no member is an answer; sweep.csv has the reason of each")
         raise typer.Exit(UNTRUSTED)

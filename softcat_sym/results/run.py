@@ -426,7 +426,7 @@ def open_run(directory: str | os.PathLike[str]) -> Run:
     text = attrs.get("scene")
     if missing or not isinstance(text, str) or not len(fields["time"]):
         lacking = ", ".join(missing) or ("its scene" if not isinstance(text, str) else "frames")
-        raise SoftcatError(f"{path}: is no trajectory, it lacks {lacking}; {_ACCEPTED}")
+        raise SoftcatError(f"{path}: this is no trajectory, since it lacks {lacking}; {_ACCEPTED}")
     outcome = Outcome.__members__.get(str(attrs.get("outcome")))
     if outcome is None:
         raise SoftcatError(f"{path}: its outcome {attrs.get('outcome')!r} is not known; {_ACCEPTED}")
