@@ -75,7 +75,9 @@ def card(
     After Ctrl-C the same command goes on from the runs that were finished, to the same card.
     """
     if no_span and sag is not None:
-        raise typer.BadParameter("--sag belongs to the longest span, which --no-span leaves out", param_hint="--sag with --no-span")
+        raise typer.BadParameter(
+            "it limits the longest span, which --no-span leaves out", param_hint="--sag with --no-span"
+        )
     others = {"scene", "output", "sag", "no_span", "fresh", "changes", "quiet"}
     flags = {
         name.replace("_", "-"): text for name, text in context.params.items() if name not in others and text is not None

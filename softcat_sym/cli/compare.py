@@ -192,7 +192,10 @@ def compare(
     face = Clamp.FIXED if fixed_face else Clamp.THINNING
     if vary is not None:
         if deck_only or engine is not Engine.ELEMENTS:
-            raise typer.BadParameter("values are varied with the package's own elements only: leave --engine and --write-input-only out", param_hint="--vary")
+            raise typer.BadParameter(
+                "only the package's own elements run with --vary",
+                param_hint="--vary",
+            )
         _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
     resolved, output = scene_and_directory(scene, changes, output, "compare")
