@@ -100,14 +100,15 @@ class Explanation:
     sag, strain : float
         Rough largest sag over span, and mean strain.
     effects : list of dict
-        All effects, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the midpoint
-        without it, `estimate` (None where there is no estimate), its `meaning` and `formula`.
+        All effects, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the
+        midpoint without it, `estimate` (None where there is no estimate), its `meaning` and `formula`.
     equations : tuple of Stated
         Equations in force.
     unknowns : list of dict
         Unknowns by `kind`: `meaning`, `number`, and `algebraic`, whether the unknown has no rate of its own.
     graph : dict
-        Size of the graph: `cells` (of the half span where `half`), `differential`, `algebraic`, `instructions`, `parameters`.
+        Size of the graph: `cells` (of the half span where `half`), `differential`, `algebraic`, `instructions`,
+        `parameters`.
     integrator : dict
         Settings of the integrator: `solver`, `backend`, `rtol`, `atol`, `reason`.
     damping, ringing : str
