@@ -159,7 +159,10 @@ def _results() -> Finding:
     from softcat_sym.codegen.library import size_text
 
     sizes = [size for _, size in store.entries()]
-    return Finding("results", f"{store.folder()}, {len(sizes)} of studies, {size_text(sum(sizes))}")
+    return Finding(
+        "results",
+        f"{store.folder()}, {len(sizes)} of studies, {size_text(sum(sizes))} of at most {size_text(store.LIMIT)}",
+    )
 
 
 def _terminal() -> Finding:
