@@ -22,12 +22,15 @@ NEWEST = 20
 
 def pythons() -> dict[str, str]:
     """Executables by version, the one that runs the tests among them."""
-    found = {}
+    found: dict[str, str] = {}
     for program in (sys.executable, *(f"python3.{minor}" for minor in range(11, NEWEST))):
-        path = shutil.which(program)
-        if path is not None:
-            asked = [path, "-c", "import platform; print(platform.python_version())"]
-            found.setdefault(subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip(), path)
+        if (path := shutil.which(program)) is None:
+            continue
+        asked = [path, "-c", "import platform; print(platform.python_version())"]
+        done = subprocess.run(asked, capture_output=True, text=True, check=False)
+        # A name on the path may lead to no Python: pyenv has one for each version that it knows of.
+        if done.returncode == 0:
+            found.setdefault(done.stdout.strip(), path)
     return found
 
 
