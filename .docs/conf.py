@@ -111,17 +111,22 @@ def list_of_pages(app: Sphinx) -> str:
 
 
 def fill(app: Sphinx, name: str, source: list[str]) -> None:
-    """Fill a page as it is read."""
+    """Fill a page as it is read; it is read again when the file changes that it is filled from."""
     if name == "index":
+        app.env.note_dependency(str(ROOT / "README.md"))
         source[0] = front_page() + source[0]
     elif name.startswith("manual/"):
         source[0] = manual_page(source[0]) + (list_of_pages(app) if name.endswith("/live-page") else "")
     elif name == "api":
         source[0] += api()
     elif name == "commands":
+        for path in (ROOT / "softcat_sym" / "cli").glob("*.py"):
+            app.env.note_dependency(str(path))
         source[0] += commands()
     elif name.startswith(("tutorials/", "howto/")):
-        source[0] = notebook_page(name.partition("/")[2])
+        notebook = ROOT / "derivations" / f"{name.partition('/')[2]}.py"
+        app.env.note_dependency(str(notebook))
+        source[0] = notebook_page(notebook)
 
 
 def of_functions_only(app: Sphinx, what: str, *_: object) -> tuple[str, None] | None:
@@ -190,10 +195,10 @@ def commands() -> str:
     return "\n" + "\n".join(parts)
 
 
-def notebook_page(name: str) -> str:
+def notebook_page(path: Path) -> str:
     """A notebook as a page, which MyST-NB runs: in MyST's own format, without its number."""
-    notebook = jupytext.read(ROOT / "derivations" / f"{name}.py")
+    notebook = jupytext.read(path)
     notebook.cells[0].source = re.sub(r"^# \d+\. ", "# ", notebook.cells[0].source)
-    told = f"The notebook is `derivations/{name}.py`: `jupytext --to ipynb` makes it one."
+    told = f"The notebook is `derivations/{path.name}`: `jupytext --to ipynb` makes it one."
     notebook.cells.append(new_markdown_cell(told))
     return str(jupytext.writes(notebook, "md:myst"))
