@@ -1,9 +1,9 @@
 """Sphinx reads the documentation from where it is already: README, docstrings, help of the commands, notebooks.
 
 Build with ``python -m sphinx -W -b html .docs out/docs``. The pages here hold little more than titles; what they show
-is put in while they are read, so that nothing stands written twice. The how-to notebooks are run for what they print
-and draw, which takes a minute; ``-t without_outputs`` leaves that out. ``-t pages`` adds the live pages of the bundled
-scenes, for which a compiler for WebAssembly is needed and some minutes.
+is put in while they are read, so that nothing stands written twice. MyST-NB runs the notebooks of tutorials and how-to
+guides for what they print and draw, which takes a minute; ``-t without_outputs`` leaves that out. ``-t pages`` adds the
+live pages of the bundled scenes, for which a compiler for WebAssembly is needed and some minutes.
 """
 
 from __future__ import annotations
@@ -11,15 +11,14 @@ from __future__ import annotations
 import inspect
 import os
 import re
-import tempfile
 from html import escape
 from importlib.metadata import version as version_of
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import jupytext
-import nbclient
 import typer.main
+from nbformat.v4 import new_markdown_cell
 
 import softcat_sym
 from softcat_sym.scene.bundled import bundled_names, bundled_title
@@ -32,7 +31,7 @@ ROOT = Path(__file__).resolve().parents[1]
 project = "softcat_sym"
 author = "The softcat_sym authors"
 release = version = version_of("softcat_sym")
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax"]
 html_theme = "furo"
 html_title = f"softcat_sym {release}"
 html_show_copyright = False
@@ -42,6 +41,13 @@ exclude_patterns = ["_build"]
 
 myst_enable_extensions = ["dollarmath", "amsmath"]
 myst_heading_anchors = 3
+
+# Pictures are shown beneath their cell whatever the backend of who builds.
+os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
+nb_execution_mode = "off" if tags.has("without_outputs") else "force"  # noqa: F821 - Sphinx defines tags
+nb_execution_in_temp = True
+nb_execution_timeout = 600
+nb_execution_raise_on_error = True
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
@@ -65,7 +71,17 @@ GROUPS = {
     "Refusals": ("SoftcatError", "SceneError"),
 }
 
-PAGES = {"generated/README.md": "generated.md", "derivations/ERRATA.md": "errata.md"}
+PAGES = {
+    "generated/README.md": "generated.md",
+    "derivations/ERRATA.md": "errata.md",
+    "CHANGELOG.md": "changelog.md",
+    "CONTRIBUTING.md": "contributing.md",
+    **{
+        f"derivations/{page.stem}.py": f"{folder}/{page.name}"
+        for folder in ("tutorials", "howto")
+        for page in (ROOT / ".docs" / folder).glob("*.md")
+    },
+}
 """Files of the repository that are pages here."""
 
 
@@ -95,17 +111,22 @@ def list_of_pages(app: Sphinx) -> str:
 
 
 def fill(app: Sphinx, name: str, source: list[str]) -> None:
-    """Fill a page as it is read."""
+    """Fill a page as it is read; it is read again when the file changes that it is filled from."""
     if name == "index":
+        app.env.note_dependency(str(ROOT / "README.md"))
         source[0] = front_page() + source[0]
     elif name.startswith("manual/"):
         source[0] = manual_page(source[0]) + (list_of_pages(app) if name.endswith("/live-page") else "")
     elif name == "api":
         source[0] += api()
     elif name == "commands":
+        for path in (ROOT / "softcat_sym" / "cli").glob("*.py"):
+            app.env.note_dependency(str(path))
         source[0] += commands()
-    elif name.startswith("howto/") and name != "howto/index":
-        source[0] = how_to(name.removeprefix("howto/"), run="without_outputs" not in app.tags)
+    elif name.startswith(("tutorials/", "howto/")):
+        notebook = ROOT / "derivations" / f"{name.partition('/')[2]}.py"
+        app.env.note_dependency(str(notebook))
+        source[0] = notebook_page(notebook)
 
 
 def of_functions_only(app: Sphinx, what: str, *_: object) -> tuple[str, None] | None:
@@ -115,8 +136,8 @@ def of_functions_only(app: Sphinx, what: str, *_: object) -> tuple[str, None] | 
 
 
 def front_page() -> str:
-    """The README, whose links lead to files of the repository."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    """The README without its badges; its links lead to files of the repository."""
+    text = re.sub(r"(?m)^\[!\[tests\].*\n", "", (ROOT / "README.md").read_text(encoding="utf-8"))
     text = text.replace("](.docs/", "](")
     for path, page in PAGES.items():
         text = text.replace(f"]({path})", f"]({page})")
@@ -174,31 +195,10 @@ def commands() -> str:
     return "\n" + "\n".join(parts)
 
 
-def how_to(name: str, *, run: bool) -> str:
-    """A notebook as a page: its words, its code, and what that prints and draws if it is run."""
-    notebook = jupytext.read(ROOT / "derivations" / f"{name}.py")
-    if run:
-        # Pictures are shown beneath their cell whatever the backend of who builds.
-        environment = {**os.environ, "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
-        with tempfile.TemporaryDirectory() as folder:
-            place = {"metadata": {"path": folder}}
-            client = nbclient.NotebookClient(notebook, timeout=600, kernel_name="python3", resources=place)
-            client.execute(env=environment)
-    parts = []
-    for cell in notebook.cells:
-        if cell.cell_type == "markdown":
-            parts.append(re.sub(r"^# \d+\. ", "# ", cell.source))
-        else:
-            parts.append(f"```python\n{cell.source}\n```")
-            parts += [shown for output in cell.outputs if (shown := output_of_cell(output))]
-    return "\n\n".join([*parts, f"The notebook is `derivations/{name}.py`: `jupytext --to ipynb` makes it one.", ""])
-
-
-def output_of_cell(output: Any) -> str:
-    """A picture, or plain text, as it stands beneath its cell."""
-    data = output.get("data", {})
-    if "image/png" in data:
-        picture = "".join(data["image/png"].split())
-        return f'<img class="output" alt="what the cell above draws" src="data:image/png;base64,{picture}">'
-    text = output.get("text") if output.output_type == "stream" else data.get("text/plain")
-    return f"```{{code-block}} text\n:class: output\n\n{text.rstrip()}\n```" if text and text.strip() else ""
+def notebook_page(path: Path) -> str:
+    """A notebook as a page, which MyST-NB runs: in MyST's own format, without its number."""
+    notebook = jupytext.read(path)
+    notebook.cells[0].source = re.sub(r"^# \d+\. ", "# ", notebook.cells[0].source)
+    told = f"The notebook is `derivations/{path.name}`: `jupytext --to ipynb` makes it one."
+    notebook.cells.append(new_markdown_cell(told))
+    return str(jupytext.writes(notebook, "md:myst"))

@@ -60,22 +60,22 @@ def generate(
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What is asked. Its law, section, kinds of ends and effects become C text; its numbers are what the program
+        The scene. Its law, section, kinds of ends and effects become C text; its numbers are what the program
         starts from, and can be changed without writing it again.
     directory : str or pathlib.Path
-        Where the files go; made if missing. Files of the same name are replaced.
+        Folder for the files, made if missing. Files of the same name are replaced.
     rhs : bool
         Whether to add the right-hand side with its sparse Jacobian as plain CasADi functions, for an integrator of
         your own.
     name : str
-        Of the C file, and part of all that it exports: two filaments in one program want two names.
+        Name of the C file, and part of every name that it exports: two filaments in one program need two names.
     progress : Progress, optional
         Told of the run, as by :func:`softcat_sym.simulate`.
 
     Returns
     -------
     list of pathlib.Path
-        What was written.
+        The files that were written.
 
     Raises
     ------

@@ -22,14 +22,15 @@ _BREAKS, _BORNE = 6, 1e-4
 def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     """Run a filament.
 
-    Where the program chooses the effects, the finished run is asked whether what was left out mattered; if it did, the
-    run is repeated with that in. Then its error is estimated from runs beside it, on a coarser grid above all, and it
-    is refined until the estimate is below ``run.accuracy``; ``numerics.estimate = false`` goes without.
+    Where the program chooses the effects, it checks on the finished run whether an effect that was left out mattered;
+    if one did, the run is repeated with it. Then the error is estimated from companion runs, above all on a coarser
+    grid, and the run is refined until the estimate is below ``run.accuracy``; ``numerics.estimate = false`` leaves this
+    out.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What is asked: a scene, the name of a bundled one, the path of a TOML file, or a table as it would hold.
+        The scene, the name of a bundled one, the path of a TOML file, or nested tables as a file holds them.
     progress : Progress, optional
         Told which stage begins, and the simulated time while an integration runs.
 

@@ -9,6 +9,7 @@ import hashlib
 import math
 import os
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,10 @@ COMPILING = re.compile(
     "|phase|reference|ringings|rivals|rosenbrock|slenderness|solvers|theory_end|vtk"
 )
 """Files of tests, or their folders, that need a compiler."""
+
+_OF_POSIX = "calculix command_line compiler_cache ensemble faults hard_cases least_squares properties solvers"
+collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platform == "win32" else []
+"""Files whose tests send signals, limit processes, open pseudo-terminals, or put scripts in the place of programs."""
 
 
 def pytest_configure() -> None:

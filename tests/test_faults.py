@@ -167,7 +167,7 @@ def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         os.kill(int(note.read_text().split()[0]), signal.SIGKILL)
         _, message = process.communicate(timeout=60)
     assert process.returncode == 2
-    assert message.startswith("softcat: CalculiX gave up: killed by signal 9: Killed (after 0 s of simulated time)")
+    assert message.startswith("softcat: CalculiX failed: killed by signal 9: Killed (after 0 s of simulated time)")
     assert message.count("\n") == 1
     assert is_gone(note)
     assert not (tmp_path / "out").exists()

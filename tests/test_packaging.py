@@ -70,8 +70,8 @@ def built(kind: str, folder: Path) -> Path:
 
 def data_of_package() -> set[str]:
     """Whatever belongs to the package, by path; what an editor or Python leaves behind aside."""
-    paths = (path for path in (ROOT / "softcat_sym").rglob("*") if path.is_file())
-    return {str(path.relative_to(ROOT)) for path in paths if "__pycache__" not in path.parts and path.name[0] != "."}
+    paths = (path.relative_to(ROOT) for path in (ROOT / "softcat_sym").rglob("*") if path.is_file())
+    return {path.as_posix() for path in paths if "__pycache__" not in path.parts and path.name[0] != "."}
 
 
 @pytest.mark.tooling
@@ -162,11 +162,13 @@ def test_python_finds_the_installed_package_with_its_types_and_no_tests(installe
     assert 'expression has type "Run", variable has type "int"' in wrong.stdout
 
 
-HOW_TO = ("12_own_rheology", "13_first_run", "14_ink_bridging", "15_fit_your_data", "16_take_the_c_away")
+NOTEBOOKS = ("tutorials/13_first_run", "tutorials/14_ink_bridging", "tutorials/15_fit_your_data")
+NOTEBOOKS += ("howto/12_own_rheology", "howto/16_take_the_c_away")
+KINDS = ("Tutorials", "How-to guides", "Reference", "Explanation")
 
 
 def build_pages(source: Path, out: Path) -> subprocess.CompletedProcess[str]:
-    """Build without running the how-to notebooks: that takes a minute, and tests/slow does it."""
+    """Build without running the notebooks: that takes a minute, and tests/slow does it."""
     options = ["-t", "without_outputs", "-W", "--keep-going", "-q", "-b", "html", "-d", out / "read"]
     command = [sys.executable, "-m", "sphinx", *options, source, out / "html"]
     return subprocess.run(command, cwd=out, capture_output=True, text=True, check=False, timeout=300)
@@ -187,18 +189,20 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.tooling
-def test_every_public_name_command_how_to_and_picture_has_its_place(pages: Path) -> None:
+def test_every_public_name_command_notebook_and_picture_has_its_place(pages: Path) -> None:
     api = (pages / "api.html").read_text(encoding="utf-8")
     assert [name for name in sc.__all__ if f'id="softcat_sym.{name}"' not in api] == []
     text = html.unescape(re.sub(r"<[^>]+>", "", (pages / "commands.html").read_text(encoding="utf-8")))
     assert len(COMMANDS) > 10
     assert [name for name in COMMANDS if f"Usage: softcat {name} [OPTIONS]" not in text] == []
-    for name in HOW_TO:
-        text = (pages / "howto" / f"{name}.html").read_text(encoding="utf-8")
-        first = (ROOT / "derivations" / f"{name}.py").read_text(encoding="utf-8").split("# # ")[1].splitlines()[0]
+    for name in NOTEBOOKS:
+        text = (pages / f"{name}.html").read_text(encoding="utf-8")
+        source = (ROOT / "derivations" / f"{name.partition('/')[2]}.py").read_text(encoding="utf-8")
+        first = source.split("# # ")[1].splitlines()[0]
         assert f"<h1>{html.escape(first.split('. ', 1)[1], quote=False)}" in text and "softcat_sym" in text
     named = re.findall(r"\]\(\.readme/([^)]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
     front = (pages / "index.html").read_text(encoding="utf-8")
+    assert re.findall(r'class="caption"[^>]*><span class="caption-text">([^<]+)', front) == [*KINDS]
     assert len(named) > 5
     assert [name for name in named if f"_images/{name}" not in front] == []
 

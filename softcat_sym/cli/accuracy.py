@@ -17,9 +17,12 @@ from softcat_sym.cli.application import (
     scene_and_directory,
 )
 
-_ALL = typer.Option("--all", help="Every integrator of the package, and every rival.")
+_ALL = typer.Option("--all", help="Measure every integrator of the package, and every rival.")
 _LIMIT = typer.Option(
-    metavar="SECONDS", min=0.1, help="What is not measured by then is left out.", show_default="45, with --all 600"
+    metavar="SECONDS",
+    min=0.1,
+    help="Time for all measurements; those that are not done by then are left out.",
+    show_default="45, with --all 600",
 )
 
 
@@ -35,8 +38,9 @@ def accuracy(
     """Measure what accuracy costs, beside IDAS and SciPy's Radau.
 
     DIR gets accuracy.csv, accuracy.json and accuracy.png.
-    The error is of space and time together, against an answer extrapolated from the finest grids that a rival confirms.
-    Programs share the time; what is cut off is listed. Nothing is taken from the store.
+    An error is that of grid and time steps together, against an answer that is extrapolated from the finest grids and
+    that a rival confirms. The programs share the time; measurements that are cut off are listed. Nothing is taken from
+    the store.
     """
     from softcat_sym.plotting.accuracy import print_accuracy, write_accuracy
     from softcat_sym.progress import Display

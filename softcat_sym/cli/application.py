@@ -102,7 +102,7 @@ SetOption = Annotated[
 def directory(text: str) -> Path:
     """Read the name of a folder; an empty one, as of a variable that is not set, does not mean this folder."""
     if not text.strip():
-        raise typer.BadParameter("an empty name is no folder; accepted: the folder of the files, . for this one")
+        raise typer.BadParameter("an empty name is no folder; accepted: the name of a folder, or . for the present one")
     return Path(text)
 
 
@@ -112,16 +112,19 @@ OutputOption = Annotated[
         "--output",
         "-o",
         metavar="DIR",
-        help="Where the files go.",
+        help="Folder for the files.",
         show_default="softcat-out/SCENE-COMMAND",
         parser=directory,
     ),
 ]
 FreshOption = Annotated[
-    bool, typer.Option("--fresh", help="Run everything, also what an earlier command has finished; see softcat cache.")
+    bool,
+    typer.Option(
+        "--fresh", help="Run everything again, even what an earlier command has finished (see softcat cache)."
+    ),
 ]
-QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
-VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress and no summary.")]
+VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Print everything, with reasons and formulas.")]
 
 
 def _version(asked: bool) -> None:

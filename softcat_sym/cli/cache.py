@@ -22,8 +22,9 @@ def cache(
 ) -> None:
     """Show the libraries and results that are kept, or clear them.
 
-    Folder: SOFTCAT_CACHE, else softcat_sym in the usual folder of caches. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
-    it the libraries go that were not used for longest. Results of studies take at most 1 GB beside them.
+    The folder is SOFTCAT_CACHE, by default softcat_sym in the user's folder of caches. Libraries take at most
+    SOFTCAT_CACHE_LIMIT (512 MB); beyond that, those that were not used for longest are deleted. Results of studies take
+    at most 1 GB beside them.
     """
     from softcat_sym import store
     from softcat_sym.codegen.compiler import cache_folder, compiler_name

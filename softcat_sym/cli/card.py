@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
     from softcat_sym.studies.card import Card
 
-_CURVE = typer.Option(metavar="CSV", help="Columns shear_rate_1_s, shear_stress_Pa.")
-_SAG = typer.Option(metavar="LENGTH", help="What the filament may sag: '1 mm', or '5 %' of the span (default).")
-_NO_SPAN = typer.Option("--no-span", help="Do not seek the longest span, which takes a good part of the time.")
+_CURVE = typer.Option(metavar="CSV", help="Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
+_SAG = typer.Option(metavar="LENGTH", help="Largest sag allowed: '1 mm', or '5 %' of the span (default).")
+_NO_SPAN = typer.Option("--no-span", help="Leave out the longest span, which takes a good part of the time.")
 
 
 def _value(help_text: str) -> Any:
@@ -40,33 +40,44 @@ def card(
     scene: OptionalScene = None,
     output: OutputOption = None,
     sag: Annotated[str | None, _SAG] = None,
-    density: Annotated[str | None, _value("Instead of a SCENE: '1900 kg/m^3'.")] = None,
-    span: Annotated[str | None, _value("Likewise: '2 mm'.")] = None,
-    diameter: Annotated[str | None, _value("Of the round filament: '250 um'.")] = None,
-    law: Annotated[str | None, _value("bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
-    youngs_modulus: Annotated[str | None, _value("'300 kPa'; three times the storage modulus of an ink.")] = None,
-    viscosity: Annotated[str | None, _value("Extensional: '30 Pa*s'.")] = None,
-    yield_stress: Annotated[str | None, _value("In tension: '350 Pa'.")] = None,
-    index: Annotated[str | None, _value("Of a power law: 0.5.")] = None,
-    shear_viscosity: Annotated[str | None, _value("From a rheometer, converted: '10 Pa*s'.")] = None,
-    shear_consistency: Annotated[str | None, _value("Likewise, of a law with an index.")] = None,
-    shear_yield_stress: Annotated[str | None, _value("Likewise: '200 Pa'.")] = None,
-    surface_tension: Annotated[str | None, _value("Of its surface: '72 mN/m' of water; none if not given.")] = None,
+    density: Annotated[str | None, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
+    span: Annotated[str | None, _value("Span, where no SCENE is given: '2 mm'.")] = None,
+    diameter: Annotated[str | None, _value("Diameter of the round filament: '250 um'.")] = None,
+    law: Annotated[str | None, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
+    youngs_modulus: Annotated[
+        str | None, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
+    ] = None,
+    viscosity: Annotated[str | None, _value("Viscosity in extension: '30 Pa*s'.")] = None,
+    yield_stress: Annotated[str | None, _value("Yield stress in tension: '350 Pa'.")] = None,
+    index: Annotated[str | None, _value("Index of the power law: 0.5.")] = None,
+    shear_viscosity: Annotated[str | None, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
+    shear_consistency: Annotated[
+        str | None, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
+    ] = None,
+    shear_yield_stress: Annotated[str | None, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
+    surface_tension: Annotated[
+        str | None, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
+    ] = None,
     flow_curve: Annotated[str | None, _CURVE] = None,
-    ends: Annotated[str | None, _value("clamped (default) or pinned.")] = None,
-    duration: Annotated[str | None, _value("How long to look: '1 s'. Chosen if not given.")] = None,
+    ends: Annotated[str | None, _value("Ends: clamped (default) or pinned.")] = None,
+    duration: Annotated[
+        str | None, _value("Duration of the run: '1 s'. Without the option the program chooses it.")
+    ] = None,
     no_span: Annotated[bool, _NO_SPAN] = False,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Tell how far, when and over which gap a filament sags.
+    """Find how far, when and over which gap a filament sags.
 
-    One page: sag, arrest, longest span, the field's rules beside the solver: card.html, .json, .csv, .png in DIR.
+    One page has sag, arrest, longest span and the field's rules beside the solver; DIR gets card.html, card.json,
+    card.csv and card.png.
     After Ctrl-C the same command goes on from the runs that were finished, to the same card.
     """
     if no_span and sag is not None:
-        raise typer.BadParameter("it is what the longest span may sag", param_hint="--sag with --no-span")
+        raise typer.BadParameter(
+            "it limits the longest span, which --no-span leaves out", param_hint="--sag with --no-span"
+        )
     others = {"scene", "output", "sag", "no_span", "fresh", "changes", "quiet"}
     flags = {
         name.replace("_", "-"): text for name, text in context.params.items() if name not in others and text is not None

@@ -139,7 +139,7 @@ MeshOption = Annotated[
     typer.Option(
         "--mesh",
         metavar="ALONGxTHROUGH",
-        help="Elements over half the span, and the thickness.",
+        help="Elements along half the span and through the thickness.",
         show_default="64x4; with --vary 32x4",
     ),
 ]
@@ -155,7 +155,7 @@ FaceOption = Annotated[
     bool, typer.Option("--fixed-face", help="Hold every point of the clamped face, which then cannot thin.")
 ]
 EngineOption = Annotated[
-    Engine, typer.Option("--engine", help="Our own elements, CalculiX (Debian: calculix-ccx), or both.")
+    Engine, typer.Option("--engine", help="The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
 ]
 DeckOption = Annotated[
     bool, typer.Option("--write-input-only", help="Write CalculiX's input deck into DIR/calculix, and run nothing.")
@@ -181,8 +181,8 @@ def compare(
     surroundings; CalculiX knows none of the three.
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
     their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
-    and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements'
-    place; its finished run goes to the store, one that is interrupted begins again.
+    and fields go to DIR/vtk for ParaView. With --engine calculix the solver
+    CalculiX takes the elements' place; its finished run goes to the store, and an interrupted one begins again.
 
     With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
     each run costs; where the filament gets thinner, the slender limit is extrapolated.
@@ -192,7 +192,10 @@ def compare(
     face = Clamp.FIXED if fixed_face else Clamp.THINNING
     if vary is not None:
         if deck_only or engine is not Engine.ELEMENTS:
-            raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
+            raise typer.BadParameter(
+                "only the package's own elements run with --vary",
+                param_hint="--vary",
+            )
         _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
     resolved, output = scene_and_directory(scene, changes, output, "compare")

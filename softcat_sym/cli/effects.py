@@ -30,16 +30,18 @@ if TYPE_CHECKING:
 def effects(
     scene: OptionalScene = None,
     output: OutputOption = None,
-    bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
+    bundled: Annotated[
+        bool, typer.Option("--bundled", help="Price all bundled scenes instead, and write a table.")
+    ] = False,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Tell what each effect is worth, and what it costs.
+    """Measure what each effect is worth, and what it costs.
 
-    Each is put in or left out in turn: effects.csv, .json and .png in DIR.
-    After Ctrl-C the same command takes finished answers from the store; times are always measured anew. With --bundled
-    --set changes every scene, and a scene that cannot be priced is a line of the table; it takes many minutes.
+    Each effect is put in or left out in turn; DIR gets effects.csv, effects.json and effects.png.
+    After Ctrl-C the same command takes finished answers from the store; times are always measured anew. With --bundled,
+    --set changes every scene, and a scene that cannot be run is a line of the table; that takes many minutes.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")

@@ -26,30 +26,48 @@ if TYPE_CHECKING:
 _RANGE = "LOW:HIGH"
 
 FreeOption = Annotated[
-    list[str], typer.Option("--free", metavar="NAME", help="What the film is to tell: viscosity. Repeatable.")
+    list[str],
+    typer.Option("--free", metavar="NAME", help="Parameter that the film is to determine: viscosity. Repeatable."),
 ]
 NoiseOption = Annotated[
     str, typer.Option("--noise", metavar="LENGTH", help="Error of one reading: '10 um', or '1 %' of the largest sag.")
 ]
 SpanOption = Annotated[
-    str | None, typer.Option("--span", metavar=_RANGE, help="Between which to choose: 5:50 mm. The scene's by default.")
+    str | None,
+    typer.Option("--span", metavar=_RANGE, help="Spans to choose from: 5:50 mm. By default the scene's span stays."),
 ]
-ThicknessOption = Annotated[str | None, typer.Option("--thickness", metavar=_RANGE, help="Likewise: 1:4 mm.")]
-RateOption = Annotated[str | None, typer.Option("--frame-rate", metavar=_RANGE, help="Of the camera: 25:1000 Hz.")]
-DurationOption = Annotated[str | None, typer.Option("--duration", metavar=_RANGE, help="Of the film: 1:60 s.")]
+ThicknessOption = Annotated[
+    str | None,
+    typer.Option(
+        "--thickness",
+        metavar=_RANGE,
+        help="Thicknesses to choose from: 1:4 mm. By default the scene's thickness stays.",
+    ),
+]
+RateOption = Annotated[
+    str | None, typer.Option("--frame-rate", metavar=_RANGE, help="Frame rates that the camera has: 25:1000 Hz.")
+]
+DurationOption = Annotated[
+    str | None, typer.Option("--duration", metavar=_RANGE, help="Durations that the film may have: 1:60 s.")
+]
 NuisanceOption = Annotated[
     list[str] | None,
-    typer.Option("--nuisance", metavar="NAME", help="Not known either, but not wanted: time_offset. Repeatable."),
+    typer.Option(
+        "--nuisance", metavar="NAME", help="Parameter that is unknown too, but not asked for: time_offset. Repeatable."
+    ),
 ]
 FramesOption = Annotated[
-    int | None, typer.Option("--max-frames", metavar="NUMBER", min=2, help="That the camera keeps.")
+    int | None, typer.Option("--max-frames", metavar="NUMBER", min=2, help="Frames that the camera can store.")
 ]
 RoughOption = Annotated[
-    float, typer.Option("--rough", metavar="FACTOR", help="By which the scene's values may be wrong either way.")
+    float,
+    typer.Option("--rough", metavar="FACTOR", help="Factor by which the scene's values may be too large or too small."),
 ]
 DepthOption = Annotated[
     str | None,
-    typer.Option("--max-sag", metavar="LENGTH", help="What the designed filament may sag: '5 mm', '5 %' of span."),
+    typer.Option(
+        "--max-sag", metavar="LENGTH", help="Largest sag of the designed filament: '5 mm', or '5 %' of its span."
+    ),
 ]
 SagOption = Annotated[
     str | None,
@@ -76,11 +94,12 @@ def experiment(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Design the film that tells a material best.
+    """Design the film that determines a material best.
 
     DIR gets experiment.json, scene.toml, a picture and a table.
-    The scene holds rough values. Among what is allowed, the least worst relative error is chosen; the rest stays.
-    After Ctrl-C the same command goes on from what was tried.
+    The scene holds rough values. Among the experiments allowed, the command chooses the one whose largest relative
+    error is least; quantities without a range stay as in the scene. After Ctrl-C the same command goes on from the
+    experiments that were tried.
     """
     asked, output = scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})

@@ -35,16 +35,21 @@ def explain(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml.", parser=directory
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Folder for explain.json, equations.tex and scene.toml; without it nothing is written.",
+            parser=directory,
         ),
     ] = None,
     changes: SetOption = None,
     verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Say what a scene calls for, before it is run.
+    """Explain before a run what to expect, and which effects are on.
 
-    Its groups, regime, each effect in or out and why, equations, size and limits.
+    The command prints the groups of the scene, its regime, each effect with the reason why it is in or out, the size of
+    the problem and the limits of the theory; with -v the equations too.
     """
     if output is None:
         asked = scene_of(scene, changes)

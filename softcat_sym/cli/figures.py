@@ -28,14 +28,14 @@ def figures(
     output: OutputOption = None,
     only: Annotated[
         list[str] | None,
-        typer.Option("--only", metavar="NUMBER", help=f"Only this figure: {', '.join(_NUMBERS)}. Repeatable."),
+        typer.Option("--only", metavar="NUMBER", help=f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable."),
     ] = None,
     fresh: FreshOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
-    Each as PNG and PDF, its data as CSV, facts and caption as JSON.
+    Each figure is written as PNG and PDF, its data as CSV, facts and caption as JSON.
     Figure 3(a) runs a thousand filaments, a minute or two. Figures 3(b) and 4 run finite elements, a minute or so a
     scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command goes on from what was finished;
     figures that are there need not be asked for again.

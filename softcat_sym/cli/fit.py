@@ -39,20 +39,26 @@ _SCALE = 2.0
 
 DataArgument = Annotated[
     list[Path],
-    typer.Argument(metavar="DATA...", help="CSV files, one a filament: time_s, midpoint_m and others."),
+    typer.Argument(
+        metavar="DATA...", help="CSV files, one for each filament, with columns time_s, midpoint_m and others."
+    ),
 ]
 SceneOption = Annotated[
     str,
     typer.Option(
         "--scene",
         metavar="SCENE",
-        help="What is known: a bundled scene, or path of a TOML file.",
+        help="Scene that holds what is known: the name of a bundled one, or the path of a TOML file.",
         autocompletion=complete_scene,
     ),
 ]
 FreeOption = Annotated[
     list[str] | None,
-    typer.Option("--free", metavar="NAME", help="What is not known: viscosity; thickness@each film. Repeatable."),
+    typer.Option(
+        "--free",
+        metavar="NAME",
+        help="Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable.",
+    ),
 ]
 LawOption = Annotated[
     list[str] | None,
@@ -63,47 +69,64 @@ LawOption = Annotated[
     ),
 ]
 BoundsOption = Annotated[
-    list[str] | None, typer.Option("--bounds", metavar="NAME=LOW:HIGH", help="'viscosity=1:1e4 Pa*s'. Repeatable.")
+    list[str] | None,
+    typer.Option(
+        "--bounds", metavar="NAME=LOW:HIGH", help="Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable."
+    ),
 ]
 LossOption = Annotated[
-    str, typer.Option("--loss", metavar="LOSS", help="linear; soft-l1 or cauchy for data with outliers.")
+    str,
+    typer.Option(
+        "--loss", metavar="LOSS", help="Loss of a residual: linear, or soft-l1 or cauchy for data with outliers."
+    ),
 ]
 ScaleOption = Annotated[
     float | None,
-    typer.Option("--scale", metavar="NUMBER", help="Standard errors from which on it is an outlier; 2 by default."),
+    typer.Option(
+        "--scale", metavar="NUMBER", help="Standard errors beyond which a reading counts as an outlier; 2 by default."
+    ),
 ]
-StartsOption = Annotated[int, typer.Option("--starts", min=0, help="Starts besides the scene and the closed form.")]
+StartsOption = Annotated[
+    int, typer.Option("--starts", min=0, help="Initial guesses besides the scene's values and the closed form's.")
+]
 NoProfilesOption = Annotated[
-    bool, typer.Option("--no-profile-likelihood", help="Intervals from the curvature alone: sooner, and less true.")
+    bool,
+    typer.Option(
+        "--no-profile-likelihood", help="Take intervals from the curvature at the optimum: faster, and less accurate."
+    ),
 ]
 FlowCurveOption = Annotated[
-    Path | None, typer.Option("--flow-curve", metavar="CSV", help="Of the same material, to be fitted along.")
+    Path | None,
+    typer.Option(
+        "--flow-curve", metavar="CSV", help="Flow curve of the same material, which is fitted together with the films."
+    ),
 ]
 CalibratedOption = Annotated[
     bool,
     typer.Option(
         "--calibrated",
-        help="The camera's scale, clock, zero and tilt are exact; else known to 2 %, a frame, 2 %, 1 deg.",
+        help="Take the camera's scale, clock, zero and tilt for exact; else to 2 %, one frame, 2 % and 1 deg.",
     ),
 ]
 NoDiscrepancyOption = Annotated[
-    bool, typer.Option("--no-discrepancy", help="Intervals know of noise only, not of the theory's own error.")
+    bool, typer.Option("--no-discrepancy", help="Leave the theory's own error out of the intervals.")
 ]
 TimeLimitOption = Annotated[
-    float | None, typer.Option("--time-limit", metavar="SECONDS", help="End after it with what is known by then.")
+    float | None,
+    typer.Option("--time-limit", metavar="SECONDS", help="Time after which the fit ends with what it has."),
 ]
 PosteriorOption = Annotated[
-    bool, typer.Option("--posterior", help="Draw from the posterior too: softcat_sym\\[bayes].")
+    bool, typer.Option("--posterior", help="Draw from the posterior too; this needs the extra bayes.")
 ]
 PriorOption = Annotated[
     list[str] | None,
     typer.Option(
         "--prior",
         metavar="NAME=DIST",
-        help="Of scipy.stats, for the posterior: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
+        help="Prior of a parameter, from scipy.stats: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
     ),
 ]
-SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the initial guesses.")]
 
 
 @commands.command()
@@ -137,9 +160,9 @@ def fit(
     goes on from what was evaluated, to the same numbers.
     """
     if not free and not law:
-        raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
+        raise typer.BadParameter("name at least one parameter, or a law with --law", param_hint="--free")
     if prior and not posterior:
-        raise typer.BadParameter("only a posterior has priors: add --posterior", param_hint="--prior")
+        raise typer.BadParameter("priors belong to a posterior: add --posterior", param_hint="--prior")
     if posterior and loss != "linear":
         raise typer.BadParameter(
             "the likelihood of a posterior is Gaussian: leave --loss out", param_hint="--posterior"
@@ -198,7 +221,7 @@ def _loss(kind: str, scale: float | None) -> Loss:
     from softcat_sym.fitting.least_squares import Loss
 
     if scale is not None and kind == "linear":
-        raise typer.BadParameter("least squares have none: name --loss soft-l1 or cauchy", param_hint="--scale")
+        raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
     return Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 

@@ -12,22 +12,29 @@ from softcat_sym.cli.completing import complete_scene
 
 @commands.command("flow-curve")
 def flow_curve(
-    curve: Annotated[str, typer.Argument(metavar="CSV", help="Columns shear_rate_1_s and shear_stress_Pa.")],
+    curve: Annotated[
+        str, typer.Argument(metavar="CSV", help="CSV file with columns shear_rate_1_s and shear_stress_Pa.")
+    ],
     scene: Annotated[
         str | None,
         typer.Option(
             "--scene",
             metavar="SCENE",
-            help="Write this scene with the fitted material, too.",
+            help="Scene to write with the fitted material.",
             autocompletion=complete_scene,
         ),
     ] = None,
     law: Annotated[
         str | None,
-        typer.Option("--law", metavar="LAW", help="Hand this law on: newtonian, bingham, power-law, herschel-bulkley."),
+        typer.Option(
+            "--law",
+            metavar="LAW",
+            help="Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley.",
+        ),
     ] = None,
     sample: Annotated[
-        str | None, typer.Option("--sample", metavar="NAME", help="Of a file of several, named in a column sample_id.")
+        str | None,
+        typer.Option("--sample", metavar="NAME", help="Sample to fit, where a column sample_id names several."),
     ] = None,
     output: OutputOption = None,
     changes: SetOption = None,
@@ -38,7 +45,7 @@ def flow_curve(
     DIR gets flow_curve.json, a picture and a table; with --scene that scene with the material, scene.toml.
     """
     if changes and scene is None:
-        raise typer.BadParameter("it changes a scene: name one with --scene", param_hint="--set")
+        raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")
     from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
     from softcat_sym.plotting.flow_curve import print_flow_curve, write_flow_curve
 

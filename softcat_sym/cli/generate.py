@@ -31,24 +31,31 @@ def generate(
     scene: OptionalScene = None,
     output: OutputOption = None,
     bundled: Annotated[
-        bool, typer.Option("--bundled", help="The structures of the bundled scenes instead, one runtime for all.")
+        bool, typer.Option("--bundled", help="Write the C of all bundled scenes instead, with one runtime for all.")
     ] = False,
     changes: SetOption = None,
     rhs: Annotated[
-        bool, typer.Option("--rhs", help="Add right-hand side and sparse Jacobian, for an integrator of your own.")
+        bool,
+        typer.Option("--rhs", help="Add the right-hand side and its sparse Jacobian, for an integrator of your own."),
     ] = False,
     name: Annotated[
-        str, typer.Option("--name", metavar="NAME", help="Of the C file and of what it exports: one for each filament.")
+        str,
+        typer.Option(
+            "--name",
+            metavar="NAME",
+            help="Name of the C file and of its functions, where a program holds several filaments.",
+        ),
     ] = _NAME,
     web: Annotated[
-        bool, typer.Option("--web", help="A page instead, NAME.html, that solves the scene in a browser, with sliders.")
+        bool,
+        typer.Option("--web", help="Write a page NAME.html instead, with sliders, that solves the scene in a browser."),
     ] = False,
     sliders: Annotated[
         list[str] | None,
         typer.Option(
             "--slider",
             metavar="KEY=LOW:HIGH[:log]",
-            help="With --web: one more key to move, or another range. Can be repeated.",
+            help="With --web: a slider for one more key, or another range. Repeatable.",
         ),
     ] = None,
     quiet: QuietOption = False,
@@ -62,7 +69,7 @@ def generate(
     """
     _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
     if sliders and not web:
-        raise typer.BadParameter("sliders are those of a page: give --web, too", param_hint="--slider")
+        raise typer.BadParameter("sliders belong to a page: add --web", param_hint="--slider")
     refused: dict[str, str] = {}
     try:
         if scene is None:
@@ -98,9 +105,9 @@ def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, 
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     if bundled and own:
-        raise typer.BadParameter("--bundled goes with no option of one scene", param_hint="--bundled")
+        raise typer.BadParameter("--bundled takes no option of a single scene", param_hint="--bundled")
     if web and rhs:
-        raise typer.BadParameter("a page has no right-hand side to take away", param_hint="--rhs")
+        raise typer.BadParameter("a page has no right-hand side to write", param_hint="--rhs")
 
 
 def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:

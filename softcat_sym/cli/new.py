@@ -23,24 +23,31 @@ ForceOption = Annotated[bool, typer.Option("--force", help="Replace a file that 
 
 @commands.command()
 def new(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="Where it goes: my-ink.toml.")],
-    span: Annotated[str | None, _flag("span", "Between the supports: '5 mm'.")] = None,
-    diameter: Annotated[str | None, _flag("diameter", "Of the strand: '0.4 mm'.")] = None,
-    density: Annotated[str | None, _flag("density", "'2200 kg/m^3'.")] = None,
-    law: Annotated[str | None, _flag("law", "bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
-    youngs_modulus: Annotated[str | None, _flag("youngs-modulus", "'300 kPa'; three times an ink's G'.")] = None,
-    yield_stress: Annotated[str | None, _flag("shear-yield-stress", "From a rheometer: '200 Pa'.")] = None,
-    viscosity: Annotated[str | None, _flag("shear-viscosity", "Once it flows: '10 Pa*s'.")] = None,
-    consistency: Annotated[str | None, _flag("shear-consistency", "Of a law with an index: '10 Pa*s^0.5'.")] = None,
-    index: Annotated[str | None, _flag("index", "Of herschel-bulkley or power-law: 0.5.")] = None,
-    surface_tension: Annotated[str | None, _flag("surface-tension", "'72 mN/m'.")] = None,
-    duration: Annotated[str | None, _flag("duration", "How long to look: '0.5 s'.")] = None,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="File to write: my-ink.toml.")],
+    span: Annotated[str | None, _flag("span", "Distance of the supports: '5 mm'.")] = None,
+    diameter: Annotated[str | None, _flag("diameter", "Diameter of the strand: '0.4 mm'.")] = None,
+    density: Annotated[str | None, _flag("density", "Density: '2200 kg/m^3'.")] = None,
+    law: Annotated[str | None, _flag("law", "Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    youngs_modulus: Annotated[
+        str | None, _flag("youngs-modulus", "Young's modulus: '300 kPa'. That of an ink is three times its G'.")
+    ] = None,
+    yield_stress: Annotated[
+        str | None, _flag("shear-yield-stress", "Yield stress in shear, from a rheometer: '200 Pa'.")
+    ] = None,
+    viscosity: Annotated[str | None, _flag("shear-viscosity", "Viscosity in shear once it flows: '10 Pa*s'.")] = None,
+    consistency: Annotated[
+        str | None, _flag("shear-consistency", "Consistency in shear of a law with an index: '10 Pa*s^0.5'.")
+    ] = None,
+    index: Annotated[str | None, _flag("index", "Index of herschel-bulkley or power-law: 0.5.")] = None,
+    surface_tension: Annotated[str | None, _flag("surface-tension", "Surface tension: '72 mN/m'.")] = None,
+    duration: Annotated[str | None, _flag("duration", "Duration of the run: '0.5 s'.")] = None,
     force: ForceOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Write a first scene of your own, with comments.
 
-    On a terminal it asks. With flags, or without a terminal, what is not given is that of an ink.
+    On a terminal the command asks for the values. With options, or without a terminal, values that are not given are
+    those of an ink.
     """
     if file.suffix != ".toml":
         raise typer.BadParameter(f"{str(file)!r}; accepted: a name that ends in .toml", param_hint="FILE")
@@ -105,7 +112,7 @@ def samples(
 ) -> None:
     """Copy sample files: a scene, a film, a flow curve.
 
-    my-ink.toml is an ink; film.csv a film of its fall across a wider gap, my-curve.csv its flow curve, both made by
+    my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve, both made by
     this package and made noisy, as their first lines say.
     """
     output = output_directory(output, "samples")

@@ -19,7 +19,7 @@ from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
 
 PlaneOption = Annotated[
     list[str] | None,
-    typer.Option("--plane", metavar="NAME", help="G-delta or G-V. Repeatable; both by default."),
+    typer.Option("--plane", metavar="NAME", help="Plane of groups: G-delta or G-V. Repeatable; both by default."),
 ]
 ResolutionOption = Annotated[
     int, typer.Option("--resolution", metavar="CELLS", help="Cells of the finest lattice along each axis.")
@@ -43,10 +43,10 @@ def phase(
 ) -> None:
     """Map the regimes over planes of dimensionless groups.
 
-    Filaments are run over (G, delta) and (G, V): phase.json, pictures and tables in DIR.
-    Only along boundaries the lattice is refined. A regime is what a run shows; a run that is no answer is a row and a
-    mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy 1e-2, with 40 graded cells.
-    After Ctrl-C the same command goes on from the runs that were finished.
+    Filaments are run over (G, delta) and (G, V); DIR gets phase.json, pictures and tables.
+    The lattice is refined along boundaries only. A regime is that which a run shows; a run without a sound answer is a
+    row and a mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy is 1e-2 and the
+    filament has 40 graded cells. After Ctrl-C the same command goes on from the runs that were finished.
     """
     from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting.phase import print_phase_diagram, write_phase_diagram

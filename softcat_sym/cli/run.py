@@ -35,24 +35,24 @@ RunOutputOption = Annotated[
 AnimateOption = Annotated[
     str | None,
     typer.Option(
-        "--animate", metavar="FILM", help="A film of the filament in DIR: gif, mp4, or a name such as ink.gif."
+        "--animate", metavar="FILM", help="Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif."
     ),
 ]
 SecondsOption = Annotated[float, typer.Option("--animate-seconds", metavar="SECONDS", help="Length of the film.")]
 StyleOption = Annotated[
     str,
     typer.Option(
-        "--style", metavar="STYLE", help="Of the pictures: screen; publication (a column wide, PDF too); page."
+        "--style", metavar="STYLE", help="Style of the pictures: screen; publication (a column wide, PDF too); page."
     ),
 ]
 RadiusOption = Annotated[
-    float, typer.Option("--radius", metavar="FACTOR", help="Draw shapes with their thickness swollen, to see beads.")
+    float, typer.Option("--radius", metavar="FACTOR", help="Factor by which shapes are drawn thicker, to show beads.")
 ]
 NoPicturesOption = Annotated[
-    bool, typer.Option("--no-pictures", help="Only trajectory.nc, summary.json and scene.toml, and sooner.")
+    bool, typer.Option("--no-pictures", help="Write only trajectory.nc, summary.json and scene.toml, which is faster.")
 ]
 VtkOption = Annotated[
-    bool, typer.Option("--vtk", help="The filament at every frame for ParaView, in DIR/vtk; needs the extra fem.")
+    bool, typer.Option("--vtk", help="Write every frame for ParaView into DIR/vtk; this needs the extra fem.")
 ]
 TrajectoryArgument = Annotated[
     Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
@@ -127,8 +127,8 @@ def draw(
 ) -> None:
     """Draw a finished run again: in another style, as a film, or for ParaView.
 
-    Without solving; its pictures, its table and a film go to DIR (by default the folder of the run with -draw).
-    summary.json and scene.toml of the run go along with them.
+    Nothing is solved. The pictures, the table and a film go to DIR (by default the folder of the run with -draw),
+    with copies of the run's summary.json and scene.toml.
     """
     order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
     if vtk:

@@ -26,16 +26,22 @@ from softcat_sym.errors import SoftcatError
 def scenes(
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="DIR", help="Run them, and write a gallery here.", parser=directory),
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Run the scenes, and write a gallery into this folder.",
+            parser=directory,
+        ),
     ] = None,
     only: Annotated[
         list[str] | None,
-        typer.Option("--only", metavar="NAME", help="Only this scene. Repeatable.", autocompletion=complete_scene),
+        typer.Option("--only", metavar="NAME", help="Take only this scene. Repeatable.", autocompletion=complete_scene),
     ] = None,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """List the bundled scenes and what to learn from each.
+    """List the bundled scenes, with the lesson of each.
 
     With -o they are all run, and a gallery is written into DIR.
     The gallery is gallery.html and gallery.png, a picture and a TOML file of each scene, gallery.csv and gallery.json.
@@ -66,7 +72,7 @@ def scenes(
             typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")
         return
     if changes:
-        raise typer.BadParameter("changes what is run: it takes -o DIR beside it", param_hint="--set")
+        raise typer.BadParameter("--set changes what is run: add -o DIR, which runs the scenes", param_hint="--set")
     width = max(map(len, names))
     for name in names:
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
@@ -76,7 +82,7 @@ def scenes(
 def show(scene: SceneArgument, changes: SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
-    TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
+    The output is TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
     """
     from softcat_sym.scene.toml import toml_of
 
@@ -85,14 +91,12 @@ def show(scene: SceneArgument, changes: SetOption = None) -> None:
 
 @commands.command()
 def keys(
-    part: Annotated[
-        str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")
-    ] = "",
-    markdown: Annotated[bool, typer.Option("--markdown", help="Print the page of the manual instead.")] = False,
+    part: Annotated[str, typer.Argument(metavar="[PART]", help="Part of a key's name: material, or stress.")] = "",
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the list as a page of the manual.")] = False,
 ) -> None:
     """List the keys of a scene: unit, default and meaning.
 
-    Given a PART of their names, also what each accepts.
+    With PART, the command lists the keys whose names hold it, and what each accepts.
     """
     from softcat_sym.scene.keys import keys_in_markdown, scene_keys
 

@@ -34,20 +34,28 @@ VaryOption = Annotated[
 ]
 ModeOption = Annotated[
     str,
-    typer.Option("--mode", metavar="MODE", help="grid: all combinations; zip: side by side; lhs: Latin hypercube."),
+    typer.Option(
+        "--mode",
+        metavar="MODE",
+        help="Combination of the values: grid, all; zip, side by side; lhs, a Latin hypercube.",
+    ),
 ]
 TableOption = Annotated[
     Path | None,
-    typer.Option("--from-csv", metavar="FILE", help="Members as rows; the header names keys, 'filament.span [mm]'."),
+    typer.Option(
+        "--from-csv",
+        metavar="FILE",
+        help="Table with one member a row; its header names the keys: 'filament.span [mm]'.",
+    ),
 ]
 WorkersOption = Annotated[
-    int | None, typer.Option("--workers", metavar="THREADS", help="Threads; as many as there are cores by default.")
+    int | None, typer.Option("--workers", metavar="THREADS", help="Number of threads; by default one for each core.")
 ]
 SchedulerOption = Annotated[
     str | None, typer.Option("--scheduler", metavar="ADDRESS", help="Run on this Dask cluster: tcp://host:8786.")
 ]
 ClusterOption = Annotated[
-    int | None, typer.Option("--local-cluster", metavar="N", help="Run on a Dask cluster of N processes, begun for it.")
+    int | None, typer.Option("--local-cluster", metavar="N", help="Start a Dask cluster of N processes, and run on it.")
 ]
 
 
@@ -58,12 +66,14 @@ def sweep(
     vary: VaryOption = None,
     mode: ModeOption = "grid",
     table: TableOption = None,
-    samples: Annotated[int | None, typer.Option("--samples", metavar="N", help="Members of a hypercube.")] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="S", help="Of the hypercube.")] = 0,
-    shapes: Annotated[bool, typer.Option("--shapes", help="Keep shapes, and write sliders.html.")] = False,
+    samples: Annotated[
+        int | None, typer.Option("--samples", metavar="N", help="Number of members of a hypercube.")
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="S", help="Seed of the hypercube.")] = 0,
+    shapes: Annotated[bool, typer.Option("--shapes", help="Store the shapes, and write sliders.html.")] = False,
     estimate: Annotated[
         bool,
-        typer.Option("--estimate", help="Estimate each member's error, as run does: much slower, one at a time."),
+        typer.Option("--estimate", help="Estimate the error of each member, as softcat run does: much slower."),
     ] = False,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
@@ -75,10 +85,10 @@ def sweep(
     """Simulate a filament for every value of some parameters.
 
     DIR gets sweep.nc, sweep.csv, sweep.json, scene.toml and a picture.
-    The member in the middle of the ranges is run as `softcat run` does, its error estimated and its grid refined; all
-    others run once, in threads, with at least its cells, fibres and tolerance. --estimate estimates each of them, --set
-    numerics.estimate=false none. A member whose values make no sense, that fails or is no
-    answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
+    The member in the middle of the ranges is run as by `softcat run`: its error is estimated and its grid refined. All
+    others run once, in threads, with at least its cells, fibres and tolerance. --estimate estimates the error of each
+    member, --set numerics.estimate=false that of none. A member that cannot be run, or that has no sound answer, is a
+    row like the others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster:
     --set run.frames=41. After Ctrl-C the same command goes on from the members that were finished.
     """
     from softcat_sym.ensemble.ensemble import MembersBar
@@ -102,5 +112,5 @@ def sweep(
         names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]
         typer.echo(f"wrote {', '.join(names)} to {output}")
     if not done.counts.outcomes.get("solved"):
-        print_error("no member is an answer; sweep.csv tells of each why")
+        print_error("no member is an answer; sweep.csv has the reason of each")
         raise typer.Exit(UNTRUSTED)

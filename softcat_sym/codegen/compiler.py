@@ -87,15 +87,20 @@ def temporary(instead_of: Path, reason: str) -> Path:
 
 @contextlib.contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Mark a folder as in use by this process; the mark is gone when the process is, however it ends."""
+    """Mark a folder as in use by this process; the mark is gone when the process is, however it ends.
+
+    Windows has no such mark: there an open file could not be renamed, nor the folder around it.
+    """
+    if sys.platform == "win32":
+        yield
+        return
     begun = folder / f"{_LOCK}.begun"
     with begun.open("w") as stream:
-        if sys.platform != "win32":
-            import fcntl
+        import fcntl
 
-            # Some network file systems know no locks: clearing the cache then also takes what is under way.
-            with contextlib.suppress(OSError):
-                fcntl.flock(stream, fcntl.LOCK_EX)
+        # Some network file systems know no locks: clearing the cache then also takes what is under way.
+        with contextlib.suppress(OSError):
+            fcntl.flock(stream, fcntl.LOCK_EX)
         begun.rename(folder / _LOCK)  # so that it is never seen without the lock
         yield
 
@@ -265,7 +270,8 @@ def _read() -> dict[str, dict[str, object]]:
     return {key: value for key, value in known.items() if isinstance(value, dict)} if isinstance(known, dict) else {}
 
 
-_USUAL = ("cc", "gcc", "clang")
+# A clang on Windows usually makes libraries for Microsoft's linker, which takes other flags and exports no name.
+_USUAL = ("cc", "gcc") if sys.platform == "win32" else ("cc", "gcc", "clang")
 TO_INSTALL = "install gcc or clang (or pip install 'softcat_sym[compiler]'), or set CC"
 """What a user without a C compiler can do."""
 _PATIENCE = 10.0  # s, for a compiler to say its version, which takes a tenth of one
@@ -359,6 +365,10 @@ def _examine(command: tuple[str, ...], files: str) -> Compiler | None:
     return Compiler(command, version)
 
 
+UNKNOWN = "unknown"
+"""The processor of a compiler that does not know flags such as ``-march=native``."""
+
+
 def processor(compiler: Compiler, flags: Sequence[str]) -> str:
     """Hash of what flags such as ``-march=native`` make of this processor; empty where no flag asks for it.
 
@@ -372,7 +382,7 @@ def processor(compiler: Compiler, flags: Sequence[str]) -> str:
 @functools.lru_cache(maxsize=8)
 def _processor(compiler: Compiler, flags: tuple[str, ...]) -> str:
     macros = _output(*compiler.command, *flags, "-dM", "-E", "-x", "c", os.devnull)
-    return hashlib.sha256(macros.encode()).hexdigest()[:16] if macros else "unknown"
+    return hashlib.sha256(macros.encode()).hexdigest()[:16] if macros else UNKNOWN
 
 
 def _output(*command: str) -> str | None:

@@ -14,6 +14,8 @@ import secrets
 import shutil
 import signal
 import subprocess
+import sys
+import tempfile
 import time
 import zlib
 from collections.abc import Callable, Mapping, Sequence
@@ -327,7 +329,11 @@ STEADY: tuple[str, ...] = ("-O2", *OPTIMISED[1:])
 # of the runtime it looks for jumps and ranges for a fifth.
 _GNU = {SOON: ("-fira-region=one",), STEADY: ("-fno-tree-dominator-opts", "-fno-tree-vrp")}
 
-_ALWAYS = ("-std=c99", "-fPIC", "-shared")
+_WINDOWS = sys.platform == "win32"
+# Code on Windows is position-independent anyway.
+_ALWAYS = ("-std=c99", "-shared") if _WINDOWS else ("-std=c99", "-fPIC", "-shared")
+# A library that needs another one of MinGW's is not loaded there: Python looks for it beside the library only.
+_MINGW = ("-static-libgcc",) if _WINDOWS else ()
 _MARKS = re.compile(r"error|undefined|failed|no space|killed", re.IGNORECASE)
 _NO_SPACE = re.compile(r"no space left|file size limit|file too large|quota exceeded", re.IGNORECASE)
 _SHOWN = 6
@@ -348,9 +354,13 @@ def compile_library(
         named = os.environ.get("CC")
         found = f"CC is {named!r}, which is no C compiler that runs" if named else "no C compiler that runs was found"
         raise SoftcatError(f"{found}; {TO_INSTALL}")
-    own = _GNU.get(tuple(flags), ()) if compiler.name.startswith("gcc") else ()
-    whole = (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
-    return compiled_by(compiler, sources, _ALWAYS, whole, units=units, versions=versions)
+    return compiled_by(compiler, sources, _ALWAYS, _whole(compiler, flags), units=units, versions=versions)
+
+
+def _whole(compiler: Compiler, flags: Sequence[str]) -> tuple[str, ...]:
+    """Flags with those of gcc alone, and those that the user adds."""
+    own = (*_GNU.get(tuple(flags), ()), *_MINGW) if compiler.name.startswith("gcc") else ()
+    return (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
 
 
 def compiled_by(
@@ -375,6 +385,21 @@ def compiled_by(
     key = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
     about = f"{' '.join(chosen)} by {compiler.name}, {' '.join(flags)}"
     return find(key) or store(key, functools.partial(_build, sources, chosen, compiler, [*always, *flags]), about)
+
+
+def check_compiler(compiler: Compiler) -> None:
+    """Refuse a compiler that cannot make a library of one function, or whose library does not give what C says."""
+    flags = [*_ALWAYS, *_whole(compiler, SOON)]
+    source = {"check.c": "#include <math.h>\ndouble softcat_check(double x) { return 2.0 * sqrt(x); }\n"}
+    # A library that is loaded cannot be deleted on Windows.
+    with tempfile.TemporaryDirectory(prefix="softcat_sym-", ignore_cleanup_errors=True) as passing:
+        place = Path(passing) / "check"
+        place.mkdir()
+        _build(source, list(source), compiler, flags, place)
+        check = load(place / LIBRARY, "softcat_check").softcat_check
+    check.argtypes, check.restype = [ctypes.c_double], ctypes.c_double
+    if (found := check(9.0)) != 6.0:
+        raise SoftcatError(f"{compiler.path} ({compiler.version}) makes 2 sqrt(9) = {found!r}, which is 6")
 
 
 def load(path: Path, *symbols: str) -> ctypes.CDLL:

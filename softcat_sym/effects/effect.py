@@ -55,9 +55,9 @@ class Estimate:
     Attributes
     ----------
     value : float
-        Change of the midpoint, relative to the largest, that leaving the effect out would make.
+        Change of the midpoint, relative to its largest value, if the effect were left out.
     meaning, formula : str
-        What the number is in plain words, and how it is worked out in symbols.
+        The number in plain words, and its formula in symbols.
     """
 
     value: float
@@ -121,13 +121,13 @@ class EffectConstant:
     Attributes
     ----------
     name : str
-        Its key.
+        Key of the constant.
     symbol_name : str
         Name and LaTeX of its symbol in the equations.
     unit : str
-        Such as ``"Pa"``; ``"1"`` of a pure number.
+        Unit, such as ``"Pa"``; ``"1"`` for a pure number.
     meaning : str
-        In half a sentence.
+        Meaning, in half a sentence.
     """
 
     name: str
@@ -168,18 +168,18 @@ class Effect:
     Attributes
     ----------
     name : str
-        As in ``run.effects``.
+        Name, as in ``run.effects``.
     summary, source : str
-        What it adds, in half a sentence; equation numbers, or a paper.
+        What the effect adds, in half a sentence; its equation numbers, or a paper.
     estimate : callable
-        ``(scene, motion) -> Estimate``: how much leaving it out changes the midpoint of a scene that moves so; asked
-        before a run of the motion that is forecast, after it of the one that is observed.
+        ``(scene, motion) -> Estimate``: how much the midpoint of a scene that moves so changes if the effect is left
+        out; called before a run with the motion that is forecast, after it with the one that is observed.
     observable : str
-        By what a run shows it.
+        Quantity by which a run shows the effect.
     contribute : callable
-        Terms before to terms after.
+        ``(terms) -> terms``: the terms with the effect.
     adapt : callable
-        ``(scene, terms)`` to terms, of an effect whose law depends on the scene.
+        ``(scene, terms) -> terms``: the same, for an effect whose law depends on the scene.
     stored, dissipation, kinetic : sympy expression
         Densities [J/m], [W/m], [J/m].
     constants : tuple of EffectConstant
@@ -187,18 +187,18 @@ class Effect:
     applies : callable
         Whether a scene has the physics at all; for an effect with constants, where their table is given.
     without_it : str
-        Why it cannot be had where it does not apply.
+        Why a scene cannot have the effect where it does not apply.
     example, derivation : str
         Bundled scene in which it matters, notebook that derives its terms.
     needs : tuple of str
-        Effects without which it makes no sense.
+        Effects without which this one makes no sense.
     in_paper : bool
         Whether it is part of the published theory.
     eases, saved, indispensable : callable
-        Reason to enable it for speed only, to leave it out for speed, or why a scene cannot do without it; empty texts
-        where there is none.
+        Reason to enable the effect for speed only, to leave it out for speed, or why a scene cannot do without it; the
+        texts are empty where there is none.
     faults : callable
-        What no filament with it withstands.
+        Faults of scenes that no filament with the effect withstands.
     warnings : callable
         ``(scene, motion)`` to sentences on what the theory does not hold, whether the effect is in force or not.
     cures : str

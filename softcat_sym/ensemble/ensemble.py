@@ -249,7 +249,7 @@ class Ensemble:
     Attributes
     ----------
     scenes : tuple of Scene
-        What each member is.
+        Scene of each member.
     data : xarray.Dataset
         Dims ``member`` and ``time``. Variables ``midpoint`` (member, time) [m], NaN after the time that a member has
         reached; and for each member ``midpoint_final`` [m] and ``time_final`` [s] (the last frame reached),

@@ -348,7 +348,7 @@ def _execute(program: str, folder: Path, progress: Progress | None) -> None:
         finally:
             _end(child)
     if child.returncode:
-        raise SoftcatError(f"CalculiX gave up: {_message(folder, child.returncode)}")
+        raise SoftcatError(f"CalculiX failed: {_message(folder, child.returncode)}")
 
 
 def _end(child: subprocess.Popen[bytes]) -> None:

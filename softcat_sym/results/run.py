@@ -98,22 +98,23 @@ class Run:
     Attributes
     ----------
     scene : Scene
-        What was asked.
+        The scene that was run.
     fields : mapping of str to ndarray
-        What ``trajectory.nc`` holds, by name, coordinates too.
+        Arrays of ``trajectory.nc`` by name, coordinates among them.
     data : xarray.Dataset
-        The same; dims ``time``, ``node``, ``cell``; variables in SI units with ``units`` attributes.
+        The same arrays; dims ``time``, ``node``, ``cell``; variables in SI units with ``units`` attributes.
     summary : dict
         What ``summary.json`` holds.
     outcome : Outcome
-        Whether the answer may be used, and otherwise what to do.
+        Verdict: whether the answer may be used, and otherwise advice.
     missing_effect : dict of str to str
-        Effects that ``auto`` has left out and that the run shows to matter, and how; empty in what `simulate` returns
-        with success.
+        Effects that ``auto`` has left out although the run shows that they matter, with the reason; empty in a
+        successful run that `simulate` returns.
     heights : ndarray or None
         Midpoint at more times than the frames [m], evenly spaced, where these do not show its ringing.
     versions : str
-        Of this package and of those it calculates with, as JSON; those of the file, of a run that was read.
+        Versions of this package and of those that it calculates with, as JSON; a run that was read from a file has
+        the versions of that file.
     """
 
     scene: Scene
@@ -225,7 +226,7 @@ class Run:
         what : str
             ``midpoint``, ``shapes``, ``energy`` or ``space-time``.
         radius : float
-            By how much ``shapes`` draws the filament swollen, for the beads of a thin thread to be seen.
+            Factor by which ``shapes`` draws the filament thicker, to show the beads of a thin thread.
 
         Raises
         ------
@@ -426,7 +427,7 @@ def open_run(directory: str | os.PathLike[str]) -> Run:
     text = attrs.get("scene")
     if missing or not isinstance(text, str) or not len(fields["time"]):
         lacking = ", ".join(missing) or ("its scene" if not isinstance(text, str) else "frames")
-        raise SoftcatError(f"{path}: is no trajectory, it lacks {lacking}; {_ACCEPTED}")
+        raise SoftcatError(f"{path}: this is no trajectory, since it lacks {lacking}; {_ACCEPTED}")
     outcome = Outcome.__members__.get(str(attrs.get("outcome")))
     if outcome is None:
         raise SoftcatError(f"{path}: its outcome {attrs.get('outcome')!r} is not known; {_ACCEPTED}")

@@ -39,7 +39,7 @@ class GroupBlock(Part):
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
     law: Annotated[Law, Choice(Law)]
-    """How the material answers to stress."""
+    """Constitutive law: how the material answers to stress."""
     G: Positive = None
     """Gravity over yield stress, rho g L/sY."""
     V: Positive = None

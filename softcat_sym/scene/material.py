@@ -456,7 +456,7 @@ class Material(Part):
     table_name: ClassVar[str] = "material"
 
     law: Annotated[Law, Choice(Law)]
-    """How the material answers to stress."""
+    """Constitutive law: how the material answers to stress."""
     # Before the consistency, whose unit depends on it.
     index: Annotated[float, Number(above=0)] = 1.0
     """n of a law with an index: stress grows as the n-th power of the strain rate."""
@@ -507,7 +507,7 @@ class Material(Part):
     solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
     structure: Annotated[Structure | None, StructureTable()] = None
-    """How it builds up at rest and breaks down where it flows: a table [material.structure]."""
+    """How the material builds up at rest and breaks down in flow: a table [material.structure]."""
     hardening_modulus: Annotated[float | None, Quantity("stress", "2 kPa")] = None
     """C of a backstress C A (kinematic hardening), tensile: three times that of a rheometer in shear."""
     hardening_recovery: Annotated[float, Number(above=0, closed=True)] = 0.0
@@ -519,9 +519,9 @@ class Material(Part):
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
     natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
-    """Strain without stress, a mean over the thickness: negative of what shrinks; a history that starts from 0."""
+    """Strain without stress, mean over the thickness, negative where it shrinks; or a history that starts from 0."""
     natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
-    """That strain at the top less that at the bottom: negative where the top shrinks more; likewise."""
+    """Natural strain at the top less that at the bottom: negative where the top shrinks more; or a history of it."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)
     """Rate of strain phi(sigma) of a custom law, of the stress sigma and of material.parameters."""
     parameters: Annotated[tuple[Parameter, ...], Parameters()] = Field(default=(), validate_default=True)

@@ -133,11 +133,11 @@ class Filament(Part):
     diameter: Annotated[float | None, Quantity("length", "6 mm")] = Field(default=None, exclude=True, repr=False)
     """Diameter of a circle, which the section then is; instead of thickness."""
     thickness: Length = Field(default=None, validate_default=True)
-    """h0, in the plane of bending; the diameter of a circle."""
+    """Thickness h0 in the plane of bending; the diameter of a circle."""
     section: Annotated[Section, Choice(Section)] = "rectangle"
     """Shape of the cross-section."""
     width: Length = Field(default=None, validate_default=True)
-    """D0, across the plane of bending; the thickness unless given."""
+    """Width D0 across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
     profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
@@ -278,11 +278,11 @@ class Ends(Part):
     right: Annotated[End, _END] = "clamped"
     """How the right end is held."""
     drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
-    """Right support below the left one."""
+    """Depth of the right support below the left one."""
     left_angle: Angle = 0.0
-    """Of a left clamp: its tangent, counterclockwise from the horizontal; a symmetric pair is -a and a."""
+    """Angle of a left clamp, counterclockwise from the horizontal; a symmetric pair has -a and a."""
     right_angle: Angle = 0.0
-    """Of a right clamp, likewise."""
+    """Angle of a right clamp, counterclockwise from the horizontal."""
     motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
     """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
     right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
@@ -343,7 +343,7 @@ class Initial(Part):
     P: Annotated[tuple[float, ...], Numbers()] = ()
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
     C: Annotated[tuple[float, ...], Numbers()] = ()
-    """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""
+    """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), at equally spaced points, too."""
     centreline: Annotated[tuple[Point, ...], Points()] = ()
     """Places of equally spaced material points, from the left support: begins there, strained; in three dimensions."""
     surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
@@ -358,9 +358,9 @@ class Surroundings(Part):
     surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
     """Surface tension Gamma between the filament and what surrounds it."""
     density: Annotated[float, Quantity("density", "1.2 kg/m^3", "non-negative")] = 0.0
-    """Mass per volume of what surrounds it: it buoys the filament."""
+    """Mass per volume of the surroundings, which buoy the filament."""
     viscosity: Annotated[float, Quantity("viscosity", "18 uPa*s", "non-negative")] = 0.0
-    """Shear viscosity of what surrounds it: it drags at the filament."""
+    """Shear viscosity of the surroundings, which drag at the filament."""
 
 
 Until = Literal["duration", "settled"]

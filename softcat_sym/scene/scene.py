@@ -314,7 +314,7 @@ class Scene(Part):
     Attributes
     ----------
     title : str
-        For pictures and tables.
+        Title for pictures and tables.
     model : str
         ``"filament"``.
     filament, material, ends, load, initial, surroundings, temperature, run, numerics : Part
@@ -327,7 +327,7 @@ class Scene(Part):
     """
 
     title: Annotated[str, Text()] = ""
-    """For pictures and tables."""
+    """Title for pictures and tables."""
     model: Annotated[Model, Choice(Model)] = "filament"
     """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
     filament: Filament

@@ -218,7 +218,7 @@ class Temperature(Part):
     heated: Annotated[tuple[float, ...], Stretch()] = ()
     """Part of the filament that is in the furnace, from the left end along the rest length; all of it unless given."""
     outside: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
-    """Temperature around what is not in the furnace."""
+    """Temperature around the part that is not in the furnace."""
     heat_capacity: Annotated[float | None, Thermal("specific heat capacity", "J/(kg*K)", "1200 J/(kg*K)")] = None
     """Specific heat capacity."""
     heat_transfer: Annotated[
@@ -226,7 +226,7 @@ class Temperature(Part):
     ] = None
     """Heat transfer coefficient at the surface; neither it nor a correlation: nothing is exchanged."""
     correlation: Annotated[Correlation, Choice(Correlation)] = "none"
-    """Instead of the coefficient, that of natural convection around a cylinder in air (Churchill & Chu 1975)."""
+    """Coefficient in place of heat_transfer: natural convection around a cylinder in air (Churchill & Chu 1975)."""
     conductivity: Annotated[float | None, Thermal("thermal conductivity", "W/(m*K)", "1.2 W/(m*K)")] = None
     """Thermal conductivity: along the filament, and for the Biot number; without it nothing is conducted."""
     expansion: Annotated[float, Thermal("coefficient of expansion", "1/K", "9e-6 1/K", "any")] = 0.0
@@ -244,7 +244,7 @@ class Temperature(Part):
     C1: Annotated[float | None, Number(above=0)] = None
     """WLF: log10 of the viscosity over that at the reference is -C1 (T - T_r)/(C2 + T - T_r)."""
     C2: Annotated[float | None, Thermal("difference of temperature", "K", "51.6 K")] = None
-    """WLF: likewise."""
+    """WLF: C2 of the formula at C1."""
     activation_energy: Annotated[float | None, Thermal("molar energy", "J/mol", "50 kJ/mol")] = None
     """Arrhenius: log of the viscosity over that at the reference is E/R (1/T - 1/T_r)."""
     modulus: Annotated[History | None, Softening()] = None

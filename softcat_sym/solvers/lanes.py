@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ctypes as ct
+import sys
 from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
 
-from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.compiler import UNKNOWN, find_compiler, processor
 from softcat_sym.codegen.lanes import SYMBOL, lanes_sources, lanes_text
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.errors import SoftcatError
@@ -49,9 +50,15 @@ class Member(ct.Structure):
 
 
 def can_be_compiled() -> bool:
-    """Whether there is a compiler that knows vectors and this processor."""
+    """Whether there is a compiler that knows vectors and this processor.
+
+    On Windows gcc stores vectors of 32 bytes where the stack is aligned to 16 (GCC's bug 54412). Clang before 15 does
+    not know ``-march=native`` on ARM.
+    """
     found = find_compiler()
-    return found is not None and found.name.startswith(("gcc", "clang")) and found.path.name != "zig"
+    if sys.platform == "win32" or found is None or found.path.name == "zig":
+        return False
+    return found.name.startswith(("gcc", "clang")) and processor(found, _NATIVE) != UNKNOWN
 
 
 class LanesModel:

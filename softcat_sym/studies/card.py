@@ -141,27 +141,27 @@ class Card:
     Attributes
     ----------
     name : str
-        What was asked for: the name of a scene, or empty.
+        Name of the scene that was asked for; may be empty.
     scene : Scene
         The filament.
     run : Run
-        Its run, with an error estimate.
+        The run of the filament, with an error estimate.
     descent : Descent or None
-        None if the run has no frame to show.
+        The fall in time; None if the run has no frame to show.
     certificate : dict or None
-        Whether and why it is at rest; None likewise.
+        Whether and why the filament is at rest; None if the run has no frame to show.
     rules : tuple of Rule
-        The field's.
+        Rules of the field, each with its error.
     limit : str
-        What the filament may sag, as it was given.
+        Largest sag allowed, as it was given.
     span : CriticalSpan or None
         The longest span that sags less, and its exponents; None where none was found.
     span_text : str
-        Why not; empty otherwise.
+        Why no longest span was found; empty otherwise.
     surface : SurfaceHold or None
         What surface tension holds; None where there is none.
     notes : tuple of str
-        What was assumed or converted.
+        Sentences on what was assumed or converted.
     """
 
     name: str
@@ -268,17 +268,17 @@ def card(
 ) -> Card:
     """Make the sag card of a filament.
 
-    The filament is run with an error estimate. Each rule of the field is laid beside the run; where it is off by more
-    than 5 %, the run is repeated without what the rule leaves out, one effect after another, and what brings the two
-    together is named. Then the longest span that sags less than a limit is sought; of a filament with surface tension
-    that without it, too. Finished runs come from the store.
+    The filament is run with an error estimate. Each rule of the field is compared with the run; where a rule is off by
+    more than 5 %, the run is repeated without the effects that the rule leaves out, one after another, and the card
+    names those that bring the two together. Then the longest span that sags less than a limit is sought; for a filament
+    with surface tension also the one without it. Finished runs come from the store.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
         What is asked.
     sag : str or float, optional
-        What the filament may sag: a length with its unit, or a fraction of the span such as ``"5 %"``, the default.
+        Largest sag allowed: a length with its unit, or a fraction of the span such as ``"5 %"``, the default.
     name, notes : str, tuple of str
         Of the scene, and what was assumed, for the page.
     progress : Progress, optional

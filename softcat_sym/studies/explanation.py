@@ -88,33 +88,34 @@ class Explanation:
     Attributes
     ----------
     title, law, model, closure, accuracy : str or float
-        What is asked.
+        The scene's own, as it states them.
     dimensions : int
         2 where everything lies in one plane, or 3.
     dimensions_reason : str
-        Why.
+        Why the filament is followed in so many dimensions.
     groups : list of dict
-        Those that the law has: `name`, `value` (None where it is infinite), `meaning`.
+        Dimensionless groups of the law: `name`, `value` (None where it is infinite), `meaning`.
     regime : ExpectedRegime
-        What it should show.
+        Regime that a run should show.
     sag, strain : float
         Rough largest sag over span, and mean strain.
     effects : list of dict
-        All, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the midpoint
-        that leaving it out would make, `estimate` (None where it cannot be had), its `meaning` and `formula`.
+        All effects, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the
+        midpoint without it, `estimate` (None where there is no estimate), its `meaning` and `formula`.
     equations : tuple of Stated
-        In force.
+        Equations in force.
     unknowns : list of dict
-        By `kind`: `meaning`, `number`, and `algebraic`, whether it has no rate of its own.
+        Unknowns by `kind`: `meaning`, `number`, and `algebraic`, whether the unknown has no rate of its own.
     graph : dict
-        Its size: `cells` (of the half span where `half`), `differential`, `algebraic`, `instructions`, `parameters`.
+        Size of the graph: `cells` (of the half span where `half`), `differential`, `algebraic`, `instructions`,
+        `parameters`.
     integrator : dict
-        `solver`, `backend`, `rtol`, `atol`, `reason`.
+        Settings of the integrator: `solver`, `backend`, `rtol`, `atol`, `reason`.
     damping, ringing : str
-        First natural frequency and the loss below yield at it, and for how long it rings and what that costs; empty
+        First natural frequency with the loss below yield, and how long the filament rings and what that costs; empty
         where there is none.
     warnings : tuple of str
-        Where the theory itself ends.
+        Sentences on where the theory itself ends.
     """
 
     title: str
@@ -148,7 +149,7 @@ class Explanation:
 
 
 def explain(scene: SceneLike) -> Explanation:
-    """Work out what a scene calls for; its equations and graph are built, nothing is integrated.
+    """Work out what to expect of a scene; its equations and graph are built, nothing is integrated.
 
     Parameters
     ----------

@@ -191,19 +191,19 @@ class Pricing:
     Attributes
     ----------
     name : str
-        Of the scene, as it was asked for; may be empty.
+        Name of the scene, as it was asked for; may be empty.
     scene : Scene
-        What was asked.
+        The scene as it was given.
     base : PricedRun
-        Its run.
+        The run of that scene.
     cells : int
         Cells per half span of every run.
     grading : float
         Longest over shortest cell of every run.
     rows : tuple of PricingRow
-        One an effect that was asked for, in the order of the registry.
+        One row for each effect that was asked for, in the order of the registry.
     everything : PricingRow
-        All that the scene can have, against the base.
+        All effects that the scene can have at once, against the base.
     """
 
     name: str
@@ -278,7 +278,7 @@ def price_effects(
     progress : Progress, optional
         Listens to the runs; each begins a stage.
     name : str
-        Of the scene, for tables.
+        Name of the scene, for tables.
     only : collection of str, optional
         Price these effects and no others; all unless given.
 

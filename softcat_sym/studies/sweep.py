@@ -358,23 +358,23 @@ class Sweep:
     Attributes
     ----------
     plan : SweepPlan
-        What was run.
+        The members as they were planned.
     path : pathlib.Path
         The store, ``sweep.nc``.
     counts : Counts
-        Members by outcome and by regime.
+        Numbers of members by outcome and by regime.
     resumed : int
-        Members that were there from before.
+        Number of members that were taken from an earlier command.
     place : str
-        Where it ran.
+        Where the members ran: threads, or a cluster.
     wall_s : float
-        How long [s].
+        Time on the clock [s].
     peak_memory : float
         Largest memory of this process so far [MB].
     centre : Centre
-        The member in the middle, whose resolution all have at least: cells, fibres, rtol, and its estimated error.
+        The member in the middle, with its cells, fibres, rtol and estimated error; all others have at least these.
     loaded : xarray.Dataset or None
-        The store in memory, where it is no longer on disk.
+        The results in memory, where they are no longer on disk.
     """
 
     plan: SweepPlan

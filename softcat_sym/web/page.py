@@ -45,14 +45,14 @@ def live_page(
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What is asked. It is run once, for its effects and its resolution, which the page keeps.
+        The scene. It is run once, for its effects and its resolution, which the page keeps.
     directory : str or pathlib.Path
-        Where the page goes; made if missing.
+        Folder for the page, made if missing.
     sliders : sequence of str
         Further keys to move, or other ranges, as ``KEY=low:high[:log]``; span, diameter, density, duration, and what
         the law and the surface have, are there already.
     name : str
-        Of the file, without ``.html``, and of the scene in the page's links.
+        Name of the file, without ``.html``, and of the scene in the page's links.
     on_progress : callable
         Told which of the `STEPS` begins.
 

@@ -1,0 +1,217 @@
+"""``softcat doctor``: what is installed, and whether it works."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from shutil import get_terminal_size
+from textwrap import TextWrapper
+from typing import TYPE_CHECKING
+
+import typer
+
+from softcat_sym.cli.application import UNTRUSTED, QuietOption, commands, print_error
+from softcat_sym.errors import SoftcatError
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.solution import Progress
+
+_SCENE, _CELLS, _TOLERANCE = "beam-viscometer", 20, 2e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What one check found."""
+
+    name: str
+    text: str
+    remedy: str = ""  # What the user can do; empty where nothing is to be done
+    is_fault: bool = False  # Whether the package does not work without the remedy
+
+
+@commands.command()
+def doctor(quiet: QuietOption = False) -> None:
+    """Check the installation, the compiler and the cache, and run a test.
+
+    The test runs a bundled scene, interpreted and compiled, and compares its sag with the exact one of a viscous beam.
+    Exit status: 0 if all works, 1 if something that is needed does not. A missing extra or compiler is no fault: runs
+    without a compiler are interpreted, and slower. --quiet prints faults only.
+    """
+    faults = 0
+    for finding in _findings(quiet=quiet):
+        faults += finding.is_fault
+        if not quiet:
+            option = f"; to have it: {finding.remedy}" if finding.remedy and not finding.is_fault else ""
+            _say(finding.name, finding.text + option)
+            if finding.is_fault:
+                _say("", f"remedy: {finding.remedy}")
+        elif finding.is_fault:
+            print_error(f"{finding.name}: {finding.text}; {finding.remedy}")
+    if not quiet:
+        _say("result", f"faults: {faults}; each has its remedy above" if faults else "everything works")
+    if faults:
+        raise typer.Exit(UNTRUSTED)
+
+
+def _say(name: str, text: str) -> None:
+    width = max(get_terminal_size().columns, 60) - 2
+    wrapper = TextWrapper(width, initial_indent=f"{name:12}", subsequent_indent=" " * 12)
+    wrapper.break_long_words = wrapper.break_on_hyphens = False
+    typer.echo(wrapper.fill(text))
+
+
+def _findings(*, quiet: bool) -> Iterator[Finding]:
+    packages = list(_packages())
+    yield from (_python(), *packages)
+    if any(finding.is_fault for finding in packages):
+        yield Finding("self-test", "not run, since required packages are missing or too old")
+        return
+    compiler, cache = _compiler(), _cache()
+    yield from (compiler, cache)
+    if not cache.is_fault:
+        yield _results()
+    yield _terminal()
+    yield _tested("interpreted", quiet=quiet)
+    if compiler.remedy or cache.is_fault:
+        yield Finding("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")
+    else:
+        yield _tested("compiled", quiet=quiet)
+
+
+def _python() -> Finding:
+    import platform
+
+    from softcat_sym.ensemble.executor import worker_count
+
+    cores = f"{worker_count(None)} of {os.cpu_count()} processors"
+    system = f"{platform.system()} {platform.machine()}"
+    return Finding("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})")
+
+
+def _packages() -> Iterator[Finding]:
+    """The package, what it requires, and each extra; what is missing or too old, with the line that installs it."""
+    from importlib import metadata
+
+    from packaging.requirements import Requirement
+
+    about = metadata.metadata("softcat_sym")
+    required = [Requirement(text) for text in metadata.requires("softcat_sym") or ()]
+    yield Finding("softcat_sym", about["Version"])
+    for extra in ("", *about.get_all("Provides-Extra", ())):
+        found, lacking = [], []
+        for each in required:
+            always = each.marker is None or each.marker.evaluate({"extra": ""})
+            if always is bool(extra) or (each.marker is not None and not each.marker.evaluate({"extra": extra})):
+                continue
+            try:
+                version = metadata.version(each.name)
+            except metadata.PackageNotFoundError:
+                version = ""
+            fits = bool(version) and each.specifier.contains(version, prereleases=True)
+            found.append(f"{each.name} {version or 'missing'}{f' ({each.specifier})' if version and not fits else ''}")
+            lacking += [] if fits else [f"{each.name}{each.specifier}"]
+        line = f"pip install 'softcat_sym[{extra}]'" if extra else f"pip install {' '.join(map(repr, lacking))}"
+        name, is_fault = f"[{extra}]" if extra else "required", bool(lacking) and not extra
+        yield Finding(name, ", ".join(found), line if lacking else "", is_fault)
+
+
+def _compiler() -> Finding:
+    """The C compiler, tried on a function of one line with the flags of a run."""
+    from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
+    from softcat_sym.codegen.library import check_compiler
+
+    try:
+        found = find_compiler()
+        if found is None:
+            named = os.environ.get("CC", "")
+            text = f"CC is {named!r}, which is no C compiler that runs" if named else "none: runs are interpreted"
+            return Finding("compiler", text, TO_INSTALL, bool(named))
+        check_compiler(found)
+    except SoftcatError as error:
+        return Finding("compiler", str(error), "set CC to a compiler that works, or look at SOFTCAT_CFLAGS", True)
+    return Finding("compiler", f"{found.name}, which compiles ({' '.join(found.command)})")
+
+
+def _cache() -> Finding:
+    """The folder of the cache, its size, and whether it can be written."""
+    from softcat_sym.codegen.compiler import ADVICE, cache_folder, libraries, make
+    from softcat_sym.codegen.library import cache_limit, size_text
+    from softcat_sym.files import replace_atomically
+
+    try:
+        folder = cache_folder()
+        make(libraries())
+        replace_atomically(libraries() / f".doctor-{os.getpid()}", b"").unlink()
+        limit = size_text(cache_limit())
+    except SoftcatError as error:
+        return Finding("cache", str(error), "correct the variable", True)
+    except OSError as error:
+        return Finding("cache", f"{libraries()} cannot be written: {error.strerror or error}", ADVICE, True)
+    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+    return Finding("cache", f"{folder}, {size_text(size)}, can be written; compiled libraries take at most {limit}")
+
+
+def _results() -> Finding:
+    from softcat_sym import store
+    from softcat_sym.codegen.library import size_text
+
+    sizes = [size for _, size in store.entries()]
+    return Finding(
+        "results",
+        f"{store.folder()}, {len(sizes)} of studies, {size_text(sum(sizes))} of at most {size_text(store.LIMIT)}",
+    )
+
+
+def _terminal() -> Finding:
+    encoding = sys.stdout.encoding or "unknown"
+    try:
+        "µ±²→".encode(encoding)
+    except (UnicodeEncodeError, LookupError):
+        return Finding("terminal", f"{encoding}, which lacks signs such as µ: they are written as plain letters (um)")
+    return Finding("terminal", f"{encoding}, which has every sign that is printed")
+
+
+def _tested(backend: str, *, quiet: bool) -> Finding:
+    """A run of a bundled scene against the exact sag."""
+    from time import perf_counter
+
+    from softcat_sym.progress import StudyDisplay
+
+    began, advice = perf_counter(), "install softcat_sym again; if that does not help, report it with these lines"
+    try:
+        with StudyDisplay(quiet=quiet) as progress:
+            progress.stage(f"self-test, {backend}")
+            found, exact = _sags(backend, progress)
+    except (SoftcatError, ImportError, OSError, RuntimeError) as error:
+        return Finding("self-test", f"{backend}: {error}", advice, True)
+    text = f"{backend}: sag {1e6 * found:.3f} um, exact {1e6 * exact:.3f} um ({perf_counter() - began:.1f} s)"
+    is_fault = not abs(found / exact - 1) < _TOLERANCE
+    return Finding("self-test", text, advice if is_fault else "", is_fault)
+
+
+def _sags(backend: str, progress: Progress) -> tuple[float, float]:
+    from softcat_sym.scene.reading import load_scene
+    from softcat_sym.simulate import simulated
+
+    changes = {"numerics.cells": _CELLS, "numerics.estimate": False, "numerics.backend": backend}
+    scene = load_scene(_SCENE, changes)
+    return -float(simulated(scene, progress).data.midpoint.values[-1]), exact_sag(scene)
+
+
+def exact_sag(scene: Scene) -> float:
+    """Sag at the end [m] of a viscous bar between pins, with a weight at its middle.
+
+    The exact small deflection of a beam that bends and shears (Timoshenko's, with rates in place of deflections): the
+    bending part is the formula of ASTM C598.
+    """
+    part, gravity = scene.filament, scene.load.gravity
+    span, area, second_moment = part.span, part.thickness**2, part.thickness**4 / 12
+    viscosity = float(scene.material.viscosity or "nan")
+    bending, shear = viscosity * second_moment, 5 / 6 * viscosity / 3 * area
+    weight, hung = part.density * area * gravity, gravity * scene.load.point_mass
+    rate = hung * span**3 / (48 * bending) + 5 * weight * span**4 / (384 * bending)
+    rate += (hung * span / 4 + weight * span**2 / 8) / shear
+    return scene.run.duration * rate
