@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
+from scipy.interpolate import BarycentricInterpolator
 from scipy.linalg import eigh
 from scipy.optimize import brentq, least_squares
 
@@ -295,12 +296,17 @@ class HangingRod:
 
 
 def onset(lowest_at: Any, weights: Floats) -> float | None:
-    """First weight at which the lowest eigenvalue changes its sign."""
+    """First weight at which the lowest eigenvalue changes its sign: the root of a cubic around it.
+
+    Nearer to it no equilibrium is found by Newton's method, whose matrix is singular there.
+    """
     first, before = float(weights[0]), lowest_at(float(weights[0]))
     for weight in weights[1:].tolist():
         now = lowest_at(weight)
         if before > 0 > now:
-            return float(brentq(lowest_at, first, weight, xtol=1e-4))
+            inside = np.linspace(first, weight, 4)[1:3].tolist()
+            values = [before, *(lowest_at(one) for one in inside), now]
+            return float(brentq(BarycentricInterpolator([first, *inside, weight], values), first, weight))
         first, before = weight, now
     return None
 
