@@ -47,7 +47,7 @@ from softcat_sym.fitting.least_squares import (
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.fitting.problem import CAMERA, FilamentProblem
-from softcat_sym.fitting.resolution import SHARE, Moved, finer, first_look, moved, tighter
+from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved, tighter
 from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.parts import Numerics
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -791,7 +791,13 @@ def _settled(
         except TimeLimitError:
             break
         spent += best.evaluations
-    return problem, replace(best, evaluations=spent), resolution
+    best = replace(best, evaluations=spent)
+    if best.status != STUCK or best.offset >= 1:
+        return problem, best, resolution
+    # Nearer the values' own noise does not let it: how near that is becomes part of the error.
+    known = _information(problem, best, how["loss"])
+    near = beside_optimum(resolution or moved(problem, best, known), best.offset, known)
+    return problem, replace(best, converged=True), near
 
 
 def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:

@@ -140,6 +140,8 @@ OUT_OF_TIME = "Time_Limit_Exceeded"
 _GAIN = 1e-12
 # Of the residuals' variance for a step of one in q: directions that matter less hardly move.
 _DAMPING = 1e-6
+# Steps that together let twice the loss fall by less than this share of the residuals' variance lead nowhere.
+_PATIENCE, _LITTLE = 6, 0.25
 # Of SciPy: relative fall of the loss, and relative length of a step.
 _RELATIVE, _LEAST_STEP = 1e-14, 1e-8
 # Of the first value: less is rounding.
@@ -270,7 +272,7 @@ class _Search:
 
     def __init__(self, model: _Model) -> None:
         self._model, self._gain = model, model.gain
-        self.best, self.iterations = model.first, 0
+        self.best, self._accepted = model.first, list[float]()
 
     def residuals(self, q: Floats) -> Floats:
         """Residuals; NaN where the model has no answer or no derivatives, from where SciPy steps back."""
@@ -285,10 +287,20 @@ class _Search:
 
     def jacobian(self, q: Floats) -> Floats:
         """Derivatives at a point that was accepted, the best."""
-        self.iterations += 1
+        self._accepted.append(self.best.value)
+        if len(self._accepted) > _PATIENCE and self._gain is not None:
+            together = 2 * (self._accepted[-1 - _PATIENCE] - self.best.value)
+            if together < _LITTLE * self._variance:
+                # The noise of the model's own arithmetic leads about.
+                raise _FoundError
         if self._fall() <= (_GAIN * self._variance if self._gain is None else self._gain):
             raise _FoundError
         return self.best.jacobian
+
+    @property
+    def iterations(self) -> int:
+        """Points that were accepted."""
+        return len(self._accepted)
 
     @property
     def _variance(self) -> float:

@@ -75,6 +75,13 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
     return Moved(first, shifts, Differences(space, time, section if first.fibres else None, None, ()))
 
 
+def beside_optimum(found: Moved, offset: float, known: Information) -> Moved:
+    """The same for values so many standard errors beside the optimum, which noise of the time steps hides."""
+    shifts = found.shifts.copy()
+    shifts[1, known.identified] += offset * known.standard_errors[known.identified]
+    return replace(found, shifts=shifts, shares=replace(found.shares, time=(found.shares.time or 0.0) + offset))
+
+
 def first_look(scene: Scene) -> Scene:
     """The scene on half the cells of a run and with time steps for a hundredth of the sag: noise hides what they miss.
 
