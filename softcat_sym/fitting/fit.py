@@ -791,13 +791,18 @@ def _settled(
         except TimeLimitError:
             break
         spent += best.evaluations
-    best = replace(best, evaluations=spent)
+    return problem, *_near_enough(problem, replace(best, evaluations=spent), resolution, how["loss"])
+
+
+def _near_enough(
+    problem: FilamentProblem, best: Optimum, resolution: Moved | None, loss: Loss
+) -> tuple[Optimum, Moved | None]:
+    """Values within a standard error of an optimum that their own noise hides: how near becomes part of the error."""
     if best.status != STUCK or best.offset >= 1:
-        return problem, best, resolution
-    # Nearer the values' own noise does not let it: how near that is becomes part of the error.
-    known = _information(problem, best, how["loss"])
+        return best, resolution
+    known = _information(problem, best, loss)
     near = beside_optimum(resolution or moved(problem, best, known), best.offset, known)
-    return problem, replace(best, converged=True), near
+    return replace(best, converged=True), near
 
 
 def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:
