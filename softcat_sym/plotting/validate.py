@@ -18,11 +18,12 @@ from rich.text import Text
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page, write_results
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
+from softcat_sym.scene.csv_reader import counted
 from softcat_sym.studies.published.case import Kind, published_scene
 
 if TYPE_CHECKING:
     from softcat_sym.studies.published.case import Case, Row
-    from softcat_sym.studies.validate import Result, Validation
+from softcat_sym.studies.validate import Result, Validation
 
 HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
 _NUMBERS = (2, 3, 4)
@@ -86,7 +87,8 @@ def summary_of(validation: Validation) -> str:
     results = validation.results
     idle, failed = sum(bool(one.not_run) for one in results), len(validation.failures)
     assumed = sum(one.finding is not None and one.case.kind is Kind.ASSUMED for one in results)
-    parts = [f"{len(results) - idle - failed - assumed} cases compared", f"{assumed} assumed", f"{idle} not run"]
+    compared = counted(len(results) - idle - failed - assumed, "case")
+    parts = [f"{compared} compared", f"{assumed} assumed", f"{idle} not run"]
     return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
 
 
