@@ -183,6 +183,8 @@ def calibrated(scenes: Iterable[tuple[str, sc.Scene]], limits: tuple[float, floa
         return Calibrated(**kept(tuple(map(str, question)), sources, lambda: asdict(within_limits(ask, question))))
 
     found: list[Calibrated] = side_by_side(serve, answer, questions)
+    if not found:
+        pytest.skip("none of these scenes is named in SOFTCAT_CALIBRATED")
     table = pd.json_normalize([asdict(scene) | {"ratio": scene.ratio if scene.estimate else None} for scene in found])
     print(table.drop(columns=["why_not"]).to_string(), table.loc[table.why_not != "", ["name", "why_not"]].to_string())
     return found
