@@ -20,9 +20,10 @@ if TYPE_CHECKING:
     from softcat_sym.effects.registry import register_effect
     from softcat_sym.ensemble.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
-    from softcat_sym.fitting.fit import Fit, fit
+    from softcat_sym.fitting.fit import fit
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
+    from softcat_sym.fitting.result import Fit
     from softcat_sym.generation import generate
     from softcat_sym.results.run import Run, open_run
     from softcat_sym.scene.bundled import bundled_names
@@ -42,7 +43,8 @@ _HOMES = {
     "effects.registry": ("register_effect",),
     "ensemble.ensemble": ("Ensemble", "simulate_many"),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
-    "fitting.fit": ("Fit", "fit"),
+    "fitting.fit": ("fit",),
+    "fitting.result": ("Fit",),
     "fitting.flow_curve": ("fit_flow_curve",),
     "fitting.measurements": ("Measurements",),
     "generation": ("generate",),

@@ -16,6 +16,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting import fit as filament_fit
+from softcat_sym.fitting.result import FitOutcome
 from tests.common.filmed import CHEAP, TRUTH, write_film
 from tests.common.in_process import Softcat, sets
 
@@ -108,7 +109,7 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
 def test_a_fit_that_does_not_converge_is_not_trusted(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    outcome = filament_fit.FitOutcome.not_converged
+    outcome = FitOutcome.not_converged
     monkeypatch.setattr(filament_fit, "_outcome", lambda *_, **__: outcome)
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
     words = (

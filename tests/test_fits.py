@@ -20,11 +20,12 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.fit import Fit, FitOutcome, FittedParameter, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit, write_fit

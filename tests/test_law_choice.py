@@ -13,7 +13,6 @@ import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charge
-from softcat_sym.fitting.fit import FitOutcome
 from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.fitting.least_squares import Loss
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes
@@ -29,6 +28,7 @@ from softcat_sym.fitting.model_selection import (
     scene_of_law,
     widened,
 )
+from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.scene.material import CONSTANTS
 from tests.marks import few
 

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.fit import Fit, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes, read_measurements
 from softcat_sym.fitting.plausibility import checked, own_scene
+from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from tests.common.in_process import Softcat

@@ -10,7 +10,6 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.fit import FitOutcome
 from softcat_sym.fitting.flow_curve import FlowCurve
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
@@ -18,6 +17,7 @@ from softcat_sym.fitting.identifiability import information
 from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, read_measurements
 from softcat_sym.fitting.plausibility import checked
 from softcat_sym.fitting.problem import FilamentProblem
+from softcat_sym.fitting.result import FitOutcome
 from tests.common.filmed import NOISE, TRUTH, film, scene
 from tests.common.pulled import pulled, string
 from tests.common.written_films import written

@@ -25,10 +25,10 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.least_squares import Loss
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.fitting.model_selection import LawComparison
+    from softcat_sym.fitting.result import Fit
     from softcat_sym.scene.scene import Scene
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"

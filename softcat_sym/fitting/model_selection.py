@@ -15,12 +15,13 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import Fit, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
+from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, kind_of_constant
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean

@@ -27,7 +27,7 @@ from softcat_sym.solvers.solution import Progress, Silence
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from softcat_sym.fitting.fit import Fit
+    from softcat_sym.fitting.result import Fit
 
 DRAWS, TUNE, CHAINS, TIME_LIMIT = 500, 100, 2, 900.0
 """By default: draws and steps of tuning of each chain, chains, and seconds that they may take."""

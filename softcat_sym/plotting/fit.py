@@ -30,9 +30,9 @@ from softcat_sym.plotting.terminal import text_table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.posterior import Posterior
+    from softcat_sym.fitting.result import Fit
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 """Of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""

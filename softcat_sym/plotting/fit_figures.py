@@ -21,10 +21,10 @@ from softcat_sym.plotting.style import legend, sheet
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.fit import Fit, FittedFilm
     from softcat_sym.fitting.free_parameters import FreeParameter
     from softcat_sym.fitting.inference import Profile
     from softcat_sym.fitting.model_selection import LawComparison
+    from softcat_sym.fitting.result import Fit, FittedFilm
 
 LOGARITHMIC_FROM = 4.0
 """Ratio of an axis' ends from which on it is logarithmic."""

@@ -18,9 +18,9 @@ from softcat_sym.plotting.fit_figures import headed, parameter_axis, plain
 from softcat_sym.plotting.style import legend
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.posterior import Posterior
     from softcat_sym.fitting.priors import Prior
+    from softcat_sym.fitting.result import Fit
     from softcat_sym.plotting.units import Unit
 
 _GRID = 200

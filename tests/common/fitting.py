@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
-from softcat_sym.fitting.fit import FilamentProblem, Fit
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.problem import FilamentProblem
+from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.scene import Scene
 
 Floats = npt.NDArray[np.float64]

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from softcat_sym.fitting.discrepancy import Discrepancy, discrepancy
-from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.studies.compare import aligned
 from tests.common.element_films import HELD, KNOWN, film

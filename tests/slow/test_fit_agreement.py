@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.least_squares import Optimum, minimise
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.scene.scene import Scene
 from tests.common.fitting import CONSTANTS, beside, film, timed, values
 from tests.common.table import show

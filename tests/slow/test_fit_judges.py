@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.fitting.fit import Fit, FitOutcome, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.result import Fit, FitOutcome
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
 from tests.common import rk4_filament

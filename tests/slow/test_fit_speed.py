@@ -12,8 +12,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.least_squares import minimise
+from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.single_run import build
 from tests.common.fitting import CONSTANTS, WRONG, Floats, beside, film, timed
 from tests.common.radau_fit import RadauFit, Tolerances

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.fitting.fit import Fit, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.result import Fit
 from tests.common.fitting import WRONG, beside
 from tests.common.table import show
 

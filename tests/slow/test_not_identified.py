@@ -14,8 +14,9 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
-from softcat_sym.fitting.fit import Fit, FitOutcome, fit
+from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.result import Fit, FitOutcome
 from tests.common.table import show
 
 OVERDAMPED = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"]

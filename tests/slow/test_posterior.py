@@ -12,12 +12,12 @@ import pytest
 from scipy import stats
 
 import softcat_sym as sc
-from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.least_squares import multi_start
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.posterior import Posterior, PosteriorOutcome, sample
 from softcat_sym.fitting.priors import Prior, read_priors
+from softcat_sym.fitting.problem import FilamentProblem
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
