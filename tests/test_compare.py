@@ -367,7 +367,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         ("no-yield --set groups.gravity=0", "gravity"),
         ("no-yield --engine calculix", "calculix-ccx"),
         ("no-yield --write-input-only --set filament.section=circle", "filament.section"),
-        ("no-yield --engine calculix --vary groups.G=0.4,0.5", "our own elements"),
+        ("no-yield --engine calculix --vary groups.G=0.4,0.5", "the package's own elements"),
         ("continual-descent --vary groups.delta=0.03", "has one value"),
         ("continual-descent --vary groups.delta=0.03,0.06 --mesh 4x2", "half as many must be a mesh too"),
         ("continual-descent --vary groups.detla=0.03,0.06", "detla"),
