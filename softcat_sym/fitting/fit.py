@@ -481,20 +481,22 @@ def _features(series: Series, scene: Scene) -> Features | None:
 
 def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
     """What is in tune with a film that rings, the closed form's values where it has one, and the scene's own."""
-    starts = [np.clip(problem.typical, problem.lower, problem.upper)]
+    own, starts = np.clip(problem.typical, problem.lower, problem.upper), list[Floats]()
+    tuned = _in_tune(problem, scene, features, own)
+    if tuned is not None:
+        starts.append(tuned)
     for one in features:
         if one is None or scene.material.law not in ("maxwell", "newtonian"):
             continue
         guess = closed_form(one, scene.filament.density).first_guess
         if guess is None:
             continue
-        q = starts[0].copy()
+        q = own.copy()
         for k, free in enumerate(problem.free):
             if free.name in ("youngs_modulus", "viscosity"):
                 q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
         starts.append(q)
-    tuned = _in_tune(problem, scene, features, starts[0])
-    return [*([] if tuned is None else [tuned]), *starts[:0:-1], starts[0]]
+    return [*starts, own]
 
 
 def _in_tune(

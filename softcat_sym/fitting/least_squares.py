@@ -310,12 +310,12 @@ class _Search:
         return _step(self._model, self.best, self._variance)[1]
 
 
-def _step(model: _Model, point: _Point, variance: float, radius: float = 1.0) -> tuple[Floats, float]:
+def _step(model: _Model, point: _Point, variance: float) -> tuple[Floats, float]:
     """A step inside the box, of one at the most, and by how much twice the loss would fall to second order."""
     columns, values = model.system(point)
     damped = np.vstack([columns, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
-    low = np.maximum(model.problem.lower - point.q, -radius)
-    high = np.minimum(model.problem.upper - point.q, radius)
+    low = np.maximum(model.problem.lower - point.q, -1.0)
+    high = np.minimum(model.problem.upper - point.q, 1.0)
     step = lsq_linear(damped, np.append(-values, np.zeros(point.q.size)), (low, high), method="bvls").x
     moved = columns @ step
     return step, -float(2 * values @ moved + moved @ moved)
@@ -497,9 +497,9 @@ def multi_start(
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
-    No other is tried once the best is good enough; one that is drawn and still far above the best after some steps is
-    hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand, begin where they
-    are expected.
+    No other is tried once the best has converged and is good enough; one that is drawn and still far above the best
+    after some steps is hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand,
+    begin where they are expected.
     """
     starts = [check_in_box(problem, start) for start in given]
     if count:
@@ -515,7 +515,8 @@ def multi_start(
         reached = (one for _, one in ended if one.converged or one.status == STUCK)
         best = min(reached, key=lambda one: one.value, default=None)
         late = late or any(one.status == OUT_OF_TIME for _, one in ended)
-        if late or (best is not None and enough(best)):
+        # A search that is stuck may be in the valley beside: the other given starts are tried then.
+        if late or (best is not None and (best.converged or number >= len(given)) and enough(best)):
             starts = starts[:number]
             break
         try:

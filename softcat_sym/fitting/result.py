@@ -469,7 +469,9 @@ def far_out(residuals: Floats) -> NDArray[np.bool_]:
     """Which residuals lie so far outside the others that noise would hardly do it once in a thousand films."""
     count = residuals.size
     limit = float(stats.norm.isf(0.5e-3 / max(count, 1)))
-    found: NDArray[np.bool_] = (np.abs(residuals) > limit * noise_scale(residuals)) & (count >= MIN_READINGS)
+    # By the median, which outliers hardly move.
+    scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
+    found: NDArray[np.bool_] = (np.abs(residuals) > limit * scale) & (count >= MIN_READINGS)
     return found
 
 
@@ -494,8 +496,3 @@ def fitted_parameter(
         bounds=free.bounds,
         discretization=abs(free.slope(verdict.best)) * shift,
     )
-
-
-def noise_scale(residuals: Floats) -> float:
-    """Standard deviation of residuals by the median of their magnitudes, which outliers hardly move."""
-    return max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
