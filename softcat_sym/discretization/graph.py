@@ -31,7 +31,7 @@ class RecordedProgram(Protocol):
         ...
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Graph:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures.
 

@@ -41,7 +41,7 @@ class End(Enum):
         return self in (End.CLAMPED, End.PINNED, End.SLIDING)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Grid:
     """Nodes in units of the rest length, with what holds the first and the last."""
 

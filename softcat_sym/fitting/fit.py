@@ -118,16 +118,21 @@ class _Request:
     progress: Progress
 
     def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
-        """The problem; with all physics that applies where a parameter needs more than the scene's values call for."""
+        """The problem; with more physics where a parameter needs more than a film's own values call for.
+
+        First what any of the films calls for, then all that applies.
+        """
         try:
             return self._made(scene, films)
-        except SceneError as refusal:
+        except SceneError:
             if scene.run.effects != "auto":
                 raise
-            try:
-                return self._made(_with_effects(scene, everything(scene, ())), films)
-            except SceneError:
-                raise refusal from None
+            for names in (_of_all_films(scene, films), everything(scene, ())):
+                try:
+                    return self._made(_with_effects(scene, names), films)
+                except SceneError:
+                    continue
+            raise
 
     def _made(self, scene: Scene, films: Measurements) -> FilamentProblem:
         how = (self.free, self.bounds, self.backend, self.rtol)
@@ -282,7 +287,8 @@ def _fit(
     left = parts
     if loss.kind == "linear":
         left = [part / unit for part in problem.innovations(best.residuals, best.jacobian)]
-    least = not problem.noise_known and problem.noise.deviation <= problem.least_noise
+    # Residuals below what cameras tell need no cause, unless the theory is taken for exact.
+    least = request.theory and not problem.noise_known and problem.noise.deviation <= problem.least_noise
     checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
     fitted = []
     for number, curve in enumerate(curves):
@@ -461,6 +467,11 @@ def _correlated_for_long(problem: FilamentProblem) -> bool:
 
 def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
     return scene.replace({"run.effects": list(names)})
+
+
+def _of_all_films(scene: Scene, films: Measurements) -> list[str]:
+    """Effects that at least one film's filament calls for."""
+    return sorted({name for film in films.series for name in choose_effects(own_scene(film, scene)).names})
 
 
 def _called_for(found: Fit) -> list[str]:

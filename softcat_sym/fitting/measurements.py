@@ -330,6 +330,7 @@ class Shapes:
     x: Floats
     y: Floats
     std: Floats | None = None  # shape (points,); Standard errors of y [m]; None if they are not known
+    level_std: float = 0.0  # Standard error of the supports' level, where that was read from the same picture [m]
 
     def __post_init__(self) -> None:
         faults = _adopt(self, ("time", "x", "y", "std"))
@@ -378,6 +379,7 @@ class Series:
     path: Path | None = None  # The file they come from
     notes: tuple[str, ...] = ()  # What was corrected, a sentence each
     forces: tuple[Forces, ...] = ()  # Forces of a support besides, or instead; at times of their own
+    label: str = ""  # What to call it, where that is not the name of its file
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "overrides", dict(self.overrides))

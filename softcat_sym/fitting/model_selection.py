@@ -18,7 +18,7 @@ from softcat_sym.fitting.defaults import STARTS
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
-from softcat_sym.fitting.least_squares import LINEAR, Loss
+from softcat_sym.fitting.least_squares import LINEAR, STUCK, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.result import Fit
@@ -344,12 +344,24 @@ def compared(
     """Rank fits of the same films."""
     if not fits:
         raise SoftcatError("none of the laws can be fitted:\n" + "\n".join(f"  {k}: {v}" for k, v in failures.items()))
-    best = _ranked(laws, fits, failures, loss, besides).table[0].law.name
-    # An optimum that was not reached would lie lower still: of the best law that is no objection.
-    unreached = {law: one.outcome.value for law, one in fits.items() if not one.outcome.converged and law != best}
+    table = _ranked(laws, fits, failures, loss, besides).table
+    best, above = table[0].law.name, {row.law.name: row.difference for row in table}
+    # An optimum that was not reached would lie lower still: no objection to the best law, nor where even the step that
+    # the derivatives promise would leave a law ruled out.
+    unreached = {
+        law: one.outcome.value
+        for law, one in fits.items()
+        if not one.outcome.converged and law != best and above[law] < CLOSE + _promised(one)
+    }
     failed = {**failures, **unreached}
     reached = {law: one for law, one in fits.items() if law not in unreached}
     return LawComparison(reached, failed, _ranked(laws, reached, failed, loss, besides, judge=fits[best]))
+
+
+def _promised(one: Fit) -> float:
+    """Fall of the criterion in the next step to first order, where the search was stuck; infinite where it was not."""
+    best = one.starts.best
+    return best.offset**2 if best.status == STUCK else math.inf
 
 
 def _ranked(

@@ -108,8 +108,8 @@ class Filmed:
 
     @property
     def name(self) -> str:
-        """Its file; empty if it has none."""
-        return self.series.path.name if self.series.path else ""
+        """Its label, or its file; empty if it has neither."""
+        return self.series.label or (self.series.path.name if self.series.path else "")
 
     def heights(self, q: Floats) -> Floats:
         """What the model says at every reading [m], [N], shape (n,), of the unknowns of the whole problem."""
@@ -599,6 +599,8 @@ def _of_camera(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParamet
     found = []
     for one in free_parameters(scene, names) if names else ():
         spread = CAMERA[one.path] * units.get(one.path, 1.0)
+        if one.path == INITIAL_SAG and film.shapes is not None:
+            spread = math.hypot(spread, film.shapes.level_std)
         if not spread > 0:
             continue
         prior = spread if one.logarithmic else spread / one.scale

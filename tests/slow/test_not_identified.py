@@ -75,7 +75,7 @@ CASES = {
 
 @cache
 def _scene(name: str, effects: tuple[str, ...]) -> sc.Scene:
-    return sc.load_scene(name, {"run.effects": list(effects), "numerics.cells": 6, "run.frames": 401})
+    return sc.load_scene(name, {"run.effects": list(effects), "run.frames": 401})
 
 
 @cache
@@ -118,7 +118,9 @@ def test_the_combination_that_is_identified(name: str) -> None:
         assert combined == ()
         return
     assert len(combined) == 1
-    assert dict(zip(combined[0].names, combined[0].exponents, strict=True)) == case.combination
+    # Beside the flow there is still some elasticity, a thousandth.
+    exponents = dict(zip(combined[0].names, combined[0].exponents, strict=True))
+    assert exponents == pytest.approx(case.combination, abs=2e-3)
     typical = {one.name: one.typical for one in found.parameters.values()}
     truth = np.prod([typical[key] ** power for key, power in case.combination.items()])
     value, low, high = combined[0].product([typical[key] for key in combined[0].names])

@@ -11,11 +11,11 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import LawComparison, fit_laws
+from softcat_sym.fitting.result import FitOutcome
 from tests.common.table import show
 
 LAWS = ("maxwell", "bingham", "newtonian")
 PAPER = {"run.effects": "paper", "numerics.cells": 6}
-RTOL = 1e-3
 
 pytestmark = pytest.mark.slow
 
@@ -42,8 +42,8 @@ FILMS = (
     Film("newtonian", 0.2, 60, ("newtonian", CANNOT)),
     Film("maxwell", 0.2, 20, ("maxwell", CANNOT)),
     Film("bingham", 0.2, 20, ("bingham", CANNOT)),
-    Film("maxwell", 0.01, 5, ("maxwell", CANNOT)),
-    Film("bingham", 0.01, 5, ("bingham", CANNOT)),
+    Film("maxwell", 0.01, 8, ("maxwell", CANNOT)),
+    Film("bingham", 0.01, 8, ("bingham", CANNOT)),
 )
 
 
@@ -66,7 +66,7 @@ def _compared(film: Film) -> LawComparison:
     height = run.midpoint.values[1:]
     noise = film.noise * float(np.max(np.abs(height)))
     readings = Measurements.of(run.time.values[1:], height + noise * random.standard_normal(height.size))
-    return fit_laws(readings, scene, LAWS, starts=0, rtol=RTOL)
+    return fit_laws(readings, scene, LAWS, starts=0)
 
 
 @pytest.mark.parametrize("film", FILMS, ids=lambda film: f"{film.law}, {film.noise:g} noise, {film.frames} frames")
@@ -90,7 +90,7 @@ def test_the_right_law_wins_or_it_cannot_be_told(film: Film) -> None:
     if found.choice.verdict == CANNOT:
         assert found.sentence.startswith("cannot tell: ")
         return
-    assert found.fits[film.law].checks.verdict != "not white"
+    assert found.fits[film.law].outcome is not FitOutcome.model_error
     if film.noise <= 0.01:
         far = [row.law.name for row in found.choice.table if row.difference > FAR]
         assert all(found.fits[name].checks.verdict == "not white" for name in far)

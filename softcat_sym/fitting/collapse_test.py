@@ -1,0 +1,520 @@
+"""The collapse test: from the contour of a strand that has come to rest on pillars to its yield stress and modulus.
+
+Ribeiro et al., "Assessing bioink shape fidelity to aid material development in 3D bioprinting", Biofabrication 10,
+014102 (2018), print a strand over pillars with gaps of 1 to 16 mm and photograph it. Here every gap is a filament of
+its own; all share the material, and one fit has its constants.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.fitting.fit import fit
+from softcat_sym.fitting.free_parameters import candidates
+from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
+from softcat_sym.fitting.result import Fit
+from softcat_sym.fitting.trackers import camera_in
+from softcat_sym.scene.csv_reader import (
+    Column,
+    CsvTable,
+    absent,
+    counted,
+    header_pattern,
+    is_pixels,
+    missing_rows,
+    named,
+    number_in,
+    numbers_in,
+    refusal,
+    table_in,
+    text_of,
+    unit_of,
+)
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import NotAQuantity, shown, to_si
+
+Floats = NDArray[np.float64]
+
+_KIND = "contour"
+_NAME = header_pattern(("x", "y"))
+_ACCEPTED = {one: f"{one}_mm, {one}_m, {one}_um, or {one}_px with a line # camera.pixel = 0.05 mm" for one in "xy"}
+_LINE = re.compile(r"#\s*pillars\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
+_FORMS = {
+    "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
+    "height": "pillars.height = 6 mm",
+    "time": "pillars.time = 30 s, from when the strand was laid to the photograph",
+}
+_SIGNIFICANT, _LEAST_DROP = 3.0, 0.01
+"""Standard errors, and share of the span, from which on a difference of the supports' heights is a drop."""
+_WINDOW = 8
+"""A strand's slope is that of a line through an eighth of the gap."""
+_NEAR, _FEWEST_NEAR = 12, 6
+"""The height of an edge is read from points within a twelfth of the gap, six at least."""
+_RESTING = 0.95
+"""Share of the pillars' height at which a strand has come to lie on the bed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contour:
+    """A strand on its pillars, in the frame of the photograph."""
+
+    x: Floats  # shape (points,); [m], to the right; in the order of the file
+    y: Floats  # shape (points,); [m], upwards
+    gaps: tuple[tuple[float, float], ...]  # x of the left and right edge of each gap [m], from left to right
+    pillar_height: float | None = None  # Of the pillars above the bed [m]
+    time: float | None = None  # Since the strand was laid [s]; None for the scene's duration
+    overrides: tuple[tuple[str, str], ...] = ()  # Values of the scene that stand in the file
+    path: Path | None = None
+    notes: tuple[str, ...] = ()  # What was left out, a sentence each
+
+
+@dataclass(frozen=True, eq=False)
+class Gap:
+    """The centre line over one gap, level."""
+
+    number: int  # Counted from the left, from 1
+    span: float  # Distance of the pillars' edges [m]
+    drop: float  # By which the right edge is below the left one [m]; 0 if that is not significant
+    level_std: float  # Standard error of the supports' level [m]
+    x: Floats  # shape (points,); [m] from halfway between the edges
+    y: Floats  # shape (points,); [m] above the left edge
+    left_x: float  # Of the left edge and its height in the levelled photograph [m]
+    left_y: float
+
+    @property
+    def below_chord(self) -> Floats:
+        """Depth below the straight line from edge to edge [m], shape (points,)."""
+        return np.asarray(-self.drop * (self.x / self.span + 0.5) - self.y)
+
+    @property
+    def sag(self) -> float:
+        """Largest depth below the chord, of a running mean [m]."""
+        return float(_running_lines(self.x, self.below_chord)[0].max())
+
+    @property
+    def area(self) -> float:
+        """Area between the chord and the strand [m^2]."""
+        x = np.concatenate([[-self.span / 2], self.x, [self.span / 2]])
+        return float(np.trapezoid(np.concatenate([[0.0], self.below_chord, [0.0]]), x))
+
+    @property
+    def angle(self) -> float:
+        """Steepest inclination to the chord, mean of both sides [rad]."""
+        slope = np.abs(_running_lines(self.x, self.below_chord)[1])
+        middle = slope.size // 2
+        return float(np.arctan([slope[:middle].max(), slope[middle:].max()]).mean())
+
+
+@dataclass(frozen=True)
+class GapResult:
+    """What one gap shows beside the fit.
+
+    Attributes
+    ----------
+    number : int
+        Of the gap, from the left.
+    span, drop, sag : float
+        Distance of the edges, height of the left above the right one, largest depth below their chord [m].
+    collapsed, remaining : float or None
+        Collapse factor in both published senses: the share of the open area below a straight strand that the sagging
+        one takes (0 for a straight strand), and the share that it leaves (1 for a straight strand); None without
+        ``pillars.height``.
+    angle : float
+        Steepest inclination of the strand [rad].
+    closed_form : float
+        Tensile yield stress by the closed formula rho g span/(2 sin(angle)) [Pa]: half of the weight is carried by the
+        yield stress along the strand where it is steepest.
+    ratio : float
+        That over the fitted yield stress.
+    """
+
+    number: int
+    span: float
+    drop: float
+    sag: float
+    collapsed: float | None
+    remaining: float | None
+    angle: float
+    closed_form: float
+    ratio: float
+
+
+@dataclass(frozen=True, eq=False)
+class CollapseTest:
+    """A strand's constants, by all gaps together, and what each gap shows."""
+
+    fit: Fit  # Of all gaps
+    contour: Contour  # As read
+    gaps: tuple[Gap, ...]  # Levelled
+    tilt: float  # Of the photograph, by which it was turned back [rad]
+    results: tuple[GapResult, ...]  # One for each gap
+
+    def to_dict(self) -> dict[str, Any]:
+        """Entry ``collapse_test`` of ``fit.json``, in SI."""
+        names = {"span": "span_m", "drop": "drop_m", "sag": "sag_m", "angle": "angle_rad"}
+        names |= {"closed_form": "closed_form_yield_stress_Pa", "ratio": "closed_form_over_fit"}
+        rows = [{names.get(key, key): value for key, value in vars(one).items()} for one in self.results]
+        return {"tilt_rad": self.tilt, "pillar_height_m": self.contour.pillar_height, "gaps": rows}
+
+
+def read_contour(path: str | os.PathLike[str]) -> Contour:
+    """Read the contour of a strand on pillars.
+
+    Parameters
+    ----------
+    path : path
+        CSV file with columns ``x`` and ``y`` in any unit (``x_mm``, ``y [um]``, or ``x_px`` with a line
+        ``# camera.pixel = 0.05 mm``; pixels count downwards): the strand's centre line from left to right, or its
+        outline, both edges in one go around. Lines ``# pillars.gap = 2.0, 6.0`` have the x of both edges of each gap,
+        ``# pillars.height = 6 mm`` is optional, and ``# pillars.time = 30 s`` is the age of the photograph, the
+        scene's duration by default. ``# filament.thickness = 0.41 mm`` and other values of the scene may stand there
+        too.
+
+    Returns
+    -------
+    Contour
+        In SI, in the frame of the photograph.
+
+    Raises
+    ------
+    SoftcatError
+        With every fault and its line.
+    """
+    file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
+    text = text_of(file, _KIND, accepted)
+    overrides, faults = overrides_in(text)
+    (camera, wrong), cells = camera_in(text), table_in(text)
+    faults += wrong
+    if cells is None:
+        raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", accepted)])
+    columns, wrong = _columns(cells, camera.pixel)
+    if faults or wrong:
+        raise refusal(_KIND, file, faults + wrong)
+    pillars, wrong = _pillars(text, columns["x"].unit)
+    table, more = numbers_in(cells, columns, lambda _, value: what_is_wrong(value))
+    if wrong or more:
+        raise refusal(_KIND, file, wrong + more)
+    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
+    if fault:
+        raise refusal(_KIND, file, [fault])
+    x, y = table["x"][~missing], table["y"][~missing]
+    if camera.pixel is not None and columns["y"].unit == camera.pixel:
+        y = -y
+    gaps = tuple(sorted(pillars["gap"]))
+    faults = [
+        Fault("pillars.gap", f"{left:g} m to {right:g} m has {counted(inside, 'point')}", f"at least {FEWEST} between")
+        for left, right in gaps
+        if (inside := int(np.sum((x > left) & (x < right)))) < FEWEST
+    ]
+    faults += [
+        Fault("pillars.gap", f"gaps overlap at {one[1]:g} m", "edges from left to right, a line for each gap")
+        for one, other in pairwise(gaps)
+        if other[0] < one[1]
+    ]
+    if faults:
+        raise refusal(_KIND, file, faults)
+    single = {key: pillars[key][0] if pillars[key] else None for key in ("height", "time")}
+    notes = (said,) if said else ()
+    return Contour(x, y, gaps, single["height"], single["time"], tuple(overrides.items()), file, notes)
+
+
+def _columns(table: CsvTable, pixel: float | None) -> tuple[dict[str, Column], list[Fault]]:
+    """Columns of x and y and their units."""
+    where, faults = f"line {table.line}", list[Fault]()
+    found: dict[str, list[Column]] = {"x": [], "y": []}
+    for place, name in enumerate(table.header):
+        match = _NAME.fullmatch(name.strip())
+        if match is None:
+            continue
+        axis, unit, _ = named(match)
+        try:
+            si = pixel if pixel is not None and (is_pixels(unit) or not unit) else unit_of(unit, "length", "m")
+        except NotAQuantity as error:
+            faults.append(Fault(where, f"column {shown(name)}: {error}", _ACCEPTED[axis]))
+            si = math.nan
+        found[axis].append(Column(name, place, si))
+    for axis, several in found.items():
+        if not several:
+            faults.append(absent(f"column {axis}", f"{axis}_mm", _ACCEPTED[axis], table, _NAME))
+        elif len(several) > 1:
+            names = ", ".join(column.name for column in several)
+            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
+    return {axis: several[0] for axis, several in found.items() if several}, faults
+
+
+def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]:
+    """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
+    found: dict[str, list[Any]] = {key: [] for key in _FORMS}
+    faults = list[Fault]()
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = _LINE.match(line.strip())
+        if match is None:
+            continue
+        key, value = match["key"], match["value"].strip().rstrip(",;\t ")
+        where = f"line {number}, pillars.{key}"
+        if key not in _FORMS:
+            faults.append(Fault(where, "unknown key", "; ".join(_FORMS.values())))
+            continue
+        try:
+            if key == "gap":
+                edges = [_edge(part, unit) for part in value.replace(";", ",").split(",")]
+                valid = len(edges) == 2 and all(map(math.isfinite, edges)) and edges[0] < edges[1]
+                read: Any = tuple(edges)
+            else:
+                read = to_si(value, *(("length", "m") if key == "height" else ("time", "s")))
+                valid = 0 < read < math.inf and not found[key]
+        except NotAQuantity as error:
+            faults.append(Fault(where, str(error), _FORMS[key]))
+            continue
+        if valid:
+            found[key].append(read)
+        else:
+            faults.append(Fault(where, shown(value) if not found[key] or key == "gap" else "set again", _FORMS[key]))
+    if not found["gap"] and not faults:
+        faults.append(Fault("pillars.gap", "no gap is named", f"# {_FORMS['gap']}; a line for each gap"))
+    return found, faults
+
+
+def _edge(text: str, unit: float) -> float:
+    value = number_in(text.strip())
+    return to_si(text.strip(), "length", "m") if value is None else value * unit
+
+
+def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
+    """Turn the photograph level and cut the centre line into its gaps.
+
+    Parameters
+    ----------
+    contour : Contour
+        In the frame of the photograph.
+
+    Returns
+    -------
+    gaps : tuple of Gap
+        From left to right.
+    tilt : float
+        Angle of the line through all edges, by which the photograph is turned back [rad]; of what the edges are then
+        off by, only what is significant is a drop of a support.
+    """
+    lines = [_centre_line(contour, *edges) for edges in contour.gaps]
+    noise = float(np.median([_noise(*line) for line in lines]))
+    edges = np.array(contour.gaps)
+    ends = np.array([_edge_heights(contour, line, pair, noise) for line, pair in zip(lines, edges, strict=True)])
+    heights, errors = ends[:, :2], np.maximum(ends[:, 2:], 1e-12)
+    slope = np.polyfit(edges.ravel(), heights.ravel(), 1, w=1 / errors.ravel())[0]
+    tilt = float(np.arctan(slope))
+    cos, sin = math.cos(tilt), math.sin(tilt)
+
+    def turned(x: Floats, y: Floats) -> tuple[Floats, Floats]:
+        return cos * x + sin * y, cos * y - sin * x
+
+    gaps = []
+    for number, (x, y) in enumerate(lines, start=1):
+        x_edges, y_edges, error = edges[number - 1], heights[number - 1], errors[number - 1]
+        (left, right), (y_left, y_right) = turned(x_edges, y_edges)
+        x, y = turned(x, y)
+        drop, level_std = float(y_left - y_right), float(np.sqrt(np.sum(error**2)) / 2)
+        place = x - (left + right) / 2
+        if abs(drop) < max(_SIGNIFICANT * 2 * level_std, _LEAST_DROP * (right - left)):
+            y, drop = y + drop * (place / (right - left) + 0.5), 0.0
+        gap = Gap(number, float(right - left), drop, level_std, place, y - y_left, float(left), float(y_left))
+        gaps.append(gap)
+    return tuple(gaps), tilt
+
+
+def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, Floats]:
+    """Points over one gap, x increasing; of an outline the middle between its edges."""
+    x, y = contour.x, contour.y
+    inside = (x > left) & (x < right)
+    # An outline goes forth on one edge and back on the other: two long pieces of opposite ways.
+    first, last = int(np.argmin(x)), int(np.argmax(x))
+    forth = np.zeros(x.size, dtype=bool)
+    forth[min(first, last) : max(first, last) + 1] = True
+    edges = [inside & forth, inside & ~forth]
+    if min(int(one.sum()) for one in edges) < FEWEST:
+        order = np.argsort(x[inside], kind="stable")
+        return x[inside][order], y[inside][order]
+    sorted_edges = [(x[one][order], y[one][order]) for one in edges for order in (np.argsort(x[one], kind="stable"),)]
+    places = sorted_edges[0][0]
+    both = (places >= sorted_edges[1][0][0]) & (places <= sorted_edges[1][0][-1])
+    places = places[both]
+    return places, np.asarray(sum(np.interp(places, *one) for one in sorted_edges) / 2)
+
+
+def _noise(x: Floats, y: Floats) -> float:
+    """Standard deviation of a height, by second differences of a centre line."""
+    ahead = (x[1:-1] - x[:-2]) / np.where(x[2:] > x[:-2], x[2:] - x[:-2], 1.0)
+    off = y[1:-1] - (1 - ahead) * y[:-2] - ahead * y[2:]
+    return float(np.sqrt(np.mean(off**2 / (1 + ahead**2 + (1 - ahead) ** 2))))
+
+
+def _edge_heights(
+    contour: Contour, line: tuple[Floats, Floats], edges: tuple[float, float], noise: float
+) -> tuple[float, float, float, float]:
+    """Heights of both edges and their standard errors.
+
+    By a straight line through the points on the pillar, where a centre line shows it. Otherwise by a parabola through
+    the nearest points of the gap, which a hinge may bend: its error is at least by how much it differs from a line.
+    """
+    reach = (edges[1] - edges[0]) / _NEAR
+    seen = np.all(np.diff(contour.x) >= 0)
+    heights, errors = list[float](), list[float]()
+    for edge, outwards, others in (
+        (edges[0], -1.0, [right for _, right in contour.gaps if right < edges[1]]),
+        (edges[1], 1.0, [left for left, _ in contour.gaps if left > edges[0]]),
+    ):
+        # Half of a pillar is this gap's, the other half that of the next.
+        half = min(
+            (abs(edge - other) / 2 for other in others if other != edges[0] and other != edges[1]), default=reach
+        )
+        beyond = outwards * (contour.x - edge)
+        on_pillar = (beyond >= 0) & (beyond <= max(half, reach))
+        if seen and on_pillar.sum() >= _FEWEST_NEAR:
+            height, error = _intercept(contour.x[on_pillar] - edge, contour.y[on_pillar], 1)
+            errors.append(noise * error)
+        else:
+            near = np.argsort(np.abs(line[0] - edge))[: max(_FEWEST_NEAR, int(np.sum(np.abs(line[0] - edge) < reach)))]
+            x, y = line[0][near] - edge, line[1][near]
+            height, error = _intercept(x, y, 2)
+            errors.append(math.hypot(noise * error, height - _intercept(x, y, 1)[0]))
+        heights.append(height)
+    return heights[0], heights[1], errors[0], errors[1]
+
+
+def _intercept(x: Floats, y: Floats, degree: int) -> tuple[float, float]:
+    """Value at 0 of the polynomial through some points, and its standard error for points of standard error one."""
+    row = np.linalg.pinv(np.vander(x / np.abs(x).max(), degree + 1, increasing=True))[0]
+    return float(row @ y), float(np.linalg.norm(row))
+
+
+def _running_lines(x: Floats, y: Floats) -> tuple[Floats, Floats]:
+    """Height and slope at every point of the line through its neighbours within a sixteenth of the gap."""
+    reach = (x[-1] - x[0]) / (2 * _WINDOW)
+    lines = []
+    for place in x:
+        near = np.argsort(np.abs(x - place))[: max(3, int(np.sum(np.abs(x - place) <= reach)))]
+        lines.append(np.polyfit(x[near] - place, y[near], 1))
+    slope, height = np.array(lines).T
+    return height, slope
+
+
+def yield_stress_name(scene: Scene) -> str:
+    """Name of the yield stress by which the scene states it.
+
+    Raises
+    ------
+    SceneError
+        If the law has none: nothing then holds a strand but its modulus.
+    """
+    names = {one.path.rpartition(".")[2] for one in candidates(scene)}
+    found = next((name for name in ("yield_stress", "shear_yield_stress") if name in names), None)
+    if found is None:
+        accepted = "a law with a yield stress: bingham or herschel-bulkley"
+        raise SceneError([Fault("material.law", f"'{scene.material.law}' has no yield stress to measure", accepted)])
+    return found
+
+
+def measurements_of(contour: Contour, gaps: Sequence[Gap], scene: Scene) -> Measurements:
+    """Whole shapes, one film for each gap, of which the only frame is the photograph."""
+    when = scene.run.duration if contour.time is None else contour.time
+    return Measurements(
+        tuple(
+            Series(
+                np.empty(0),
+                np.empty(0),
+                shapes=Shapes(np.full(one.x.size, when), one.x, one.y, level_std=one.level_std),
+                overrides={
+                    **dict(contour.overrides),
+                    "filament.span": f"{one.span!r} m",
+                    "ends.drop": f"{one.drop!r} m",
+                },
+                path=contour.path,
+                label=f"gap {one.number}, {1e3 * one.span:.3g} mm",
+            )
+            for one in gaps
+        )
+    )
+
+
+def collapse_test(
+    contour: Contour | str | os.PathLike[str], scene: SceneLike, also_free: Sequence[str] = (), **how: Any
+) -> CollapseTest:
+    """Find the yield stress and the modulus of a strand from its contour over gaps between pillars.
+
+    Parameters
+    ----------
+    contour : Contour or path
+        As :func:`read_contour` takes it.
+    scene : Scene (or its name, path or dict)
+        The strand on one gap: thickness, section, density, surface tension, how it is held; rough values of its
+        constants. Its span is replaced by that of each gap.
+    also_free : sequence of str, optional
+        What is to be fitted besides, such as ``["viscosity"]``.
+    **how
+        As :func:`softcat_sym.fit` takes it.
+
+    Returns
+    -------
+    CollapseTest
+        The fit of all gaps, and of each its sag, its collapse factor in both published senses, and what the closed
+        formula says.
+
+    Raises
+    ------
+    SoftcatError
+        If the contour cannot be used, a strand lies on the bed, or the scene's law has no yield stress.
+    """
+    seen = contour if isinstance(contour, Contour) else read_contour(contour)
+    scene = as_scene(scene)
+    names = [yield_stress_name(scene), "youngs_modulus"]
+    gaps, tilt = level(seen)
+    if seen.pillar_height is not None:
+        resting = [one for one in gaps if one.sag > _RESTING * seen.pillar_height]
+        if resting:
+            faults = [
+                Fault(f"gap {one.number}", f"a sag of {one.sag:.3g} m reaches the bed", "no such gap among pillars.gap")
+                for one in resting
+            ]
+            raise refusal(_KIND, seen.path, faults)
+    free = [*names, *(one for one in also_free if one not in names)]
+    # The closed formula lies above the yield stress, where a strand stops; below it long ones may fall without end.
+    deepest = max(gaps, key=lambda one: one.sag)
+    closed = closed_form(deepest, scene) / (math.sqrt(3) if names[0].startswith("shear") else 1.0)
+    begin = scene.replace({f"material.{names[0]}": f"{closed!r} Pa"})
+    found = fit(measurements_of(seen, gaps, scene), begin, free, **how)
+    stress = found.fitted_scene.material.yield_stress or math.nan
+    results = tuple(_result(one, seen, found.fitted_scene, stress) for one in gaps)
+    return CollapseTest(found, seen, gaps, tilt, results)
+
+
+def closed_form(gap: Gap, scene: Scene) -> float:
+    """Tensile yield stress [Pa] that alone carries half of the strand where it is steepest: rho g L/(2 sin(angle))."""
+    return scene.filament.density * scene.load.gravity * gap.span / (2 * math.sin(gap.angle))
+
+
+def _result(gap: Gap, contour: Contour, scene: Scene, stress: float) -> GapResult:
+    closed, share = closed_form(gap, scene), gap.area / (gap.span * (contour.pillar_height or math.nan))
+    known = math.isfinite(share)
+    return GapResult(
+        number=gap.number,
+        span=gap.span,
+        drop=gap.drop,
+        sag=gap.sag,
+        collapsed=share if known else None,
+        remaining=1 - share if known else None,
+        angle=gap.angle,
+        closed_form=closed,
+        ratio=closed / stress,
+    )
