@@ -261,7 +261,7 @@ BAD_LAWS = {
     "misspelt": (_laws("maxwel", "bingham"), "did you mean 'maxwell'"),
     "misspelt alone": (_laws("maxwel"), "did you mean 'maxwell'"),
     "twice": (_laws("maxwell", "maxwell"), "one is named twice"),
-    "without constants": (_laws("custom", "maxwell"), "none that can be fitted"),
+    "without constants": (_laws("custom", "maxwell"), "cannot be fitted"),
     "free by itself": ([*_laws("maxwell", "bingham"), "--free", "viscosity"], "free without being named"),
     "free by its path": ([*_laws("maxwell"), "--free", "material.viscosity"], "free without being named"),
     "unknown besides": ([*_laws("maxwell"), "--free", "tmie_offset"], "tmie_offset"),
