@@ -9,16 +9,16 @@ import numpy as np
 from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, answers_of, published_scene
 
 _GENTLEST = 2 ** (1 / 3)
-"""Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) is least, sqrt(32)."""
+"""Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) has its minimum sqrt(32)."""
 
 _RATIOS = (1.0, 2.0, 3.0, 3.5)
 """gamma/(G R) of the runs, all below every threshold."""
 
 
 def _threshold(stretch: float) -> tuple[float, Curve, Curve]:
-    """gamma/(G R) at which undulations grow without limit, from how much of them there is below it.
+    """gamma/(G R) at which undulations grow without limit, from their amplitude below it.
 
-    The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there, which three runs determine.
+    The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there; three runs determine it.
     """
     scene = published_scene("undulation")
     radius, modulus = scene.filament.thickness / 2, float(scene.material.youngs_modulus or 0) / 3
@@ -60,7 +60,7 @@ _SOLID = {
 }
 """Tip displacements [mm] the stiff and the soft way, by load [N]: 4 x 12 x 500 solid elements."""
 _BEAMS = {8.896: ((10.61328706, 8.837226265, 3.538889001), (42.08232124, 108.987937, 142.19437))}
-"""The same of 199 beam elements."""
+"""The same for 199 beam elements."""
 
 
 def _newtons(*force: float) -> list[str]:
@@ -98,7 +98,7 @@ def _curved_beam() -> Finding:
         published_scene("curved-beam"), [{"load.tip_force": _newtons(0.0, 0.0, force)} for force in _BENDS]
     )
     for (force, theirs), run in zip(_BENDS.items(), runs, strict=True):
-        # Along the chord and across it here; there along the tangent at the clamp and towards the centre.
+        # Our axes are along the chord and across it; theirs along the tangent at the clamp and towards the centre.
         tip = [float(run.fields[axis][-1, -1] - run.fields[axis][-1, 0]) for axis in "xyz"]
         rows += [
             Row(f"{axis} of the tip, force {force:g}", "", b, a) for axis, a, b in zip("xyz", tip, theirs, strict=True)
@@ -107,7 +107,7 @@ def _curved_beam() -> Finding:
 
 
 _LIMIT = 0.05
-"""Sag in diameters that the rule allows."""
+"""Largest sag in diameters by the rule."""
 
 
 def _spanning() -> Finding:

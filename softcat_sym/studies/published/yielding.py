@@ -1,4 +1,4 @@
-"""Yield stresses: what is taken over from shear, and the flow curves of others."""
+"""Yield stresses: conversion from shear to tension, and published flow curves."""
 
 from __future__ import annotations
 
