@@ -137,7 +137,7 @@ def test_an_interrupted_fit_writes_nothing(softcat: Softcat, tmp_path: Path, mon
     monkeypatch.setattr(filament_fit, "multi_start", stopped)
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
     done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
-    assert done.status == 130 and "the same command goes on" in done.err
+    assert done.status == 130 and "the same command resumes" in done.err
     assert not output.exists()
 
 
