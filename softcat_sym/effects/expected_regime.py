@@ -164,7 +164,7 @@ def _arrested(
         springs = _swing(scene, effects, gravity_number)
     depth = past * (numbers.stopping_depth_exact or 0.0)
     clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
-    # Of the tension that turns the hinge, over sigma_Y/eta.
+    # The tension that rotates the hinge includes that of the surface; the rate is over sigma_Y/eta.
     pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
     pace /= scales.share_of_yield(scene)
     named = functools.partial(found, overshoot=past, rebound=springs, hinge_pace=pace)

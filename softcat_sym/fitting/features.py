@@ -22,7 +22,7 @@ SLACKEST = 8.9868
 """w sqrt(8 H/g) of an inextensible cable: 2x where tan x = x."""
 
 TAUTEST = math.pi
-"""The same of a taut string."""
+"""w sqrt(8 H/g) of a taut string."""
 
 
 class CableModulus(NamedTuple):
@@ -343,7 +343,7 @@ class LateLaw:
     slope: float  # k [m^3/s]
     slope_error: float  # Its standard error
     shift: float  # t_0 [s], from earlier motion: elastic sag, bending, a clock that was started late
-    exponent: float  # Of the bare power law over the same frames
+    exponent: float  # Exponent of a power law with t_0 = 0, fitted to the same frames
     exponent_error: float
     first: float  # Times of the frames that are fitted [s]
     last: float
@@ -483,7 +483,7 @@ def start_of_third_law(
     high = float(centres[k - 1] * (centres[k] / centres[k - 1]) ** fraction)
     if ringing is not None and ringing.amplitude(high) * ringing.frequency**2 > wanted:
         return unread("at that time the oscillation hides how the descent slows down")
-    # On the 1/3 law the deceleration goes as t^(-5/3).
+    # On the 1/3 law the deceleration is proportional to t^(-5/3).
     error = float(errors[k]) / wanted * 3 / 5
     if error > _NOISY:
         return unread("the deceleration of the descent is lost in the noise")

@@ -29,7 +29,7 @@ class Estimate:
     standard_error: float | None
     # 95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
     interval: tuple[float, float] | None
-    half_width: float | None  # Of the 95 % interval before it is cut at the bounds; None with the standard error
+    half_width: float | None  # Of the 95 % interval, without the bounds; None if there is no standard error
     # ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
     verdict: Determination
 
@@ -374,7 +374,7 @@ class Statistic:
 
 @dataclass(frozen=True)
 class ResidualChecks:
-    """What the residuals of a fit say about its model."""
+    """Tests of the residuals of a fit."""
 
     # ``"white"``; ``"not white"``: the model misses something that the data show, and intervals are too narrow; or
     # ``"cannot tell"``: fewer than `FEWEST` in every series.

@@ -154,7 +154,7 @@ class Begin:
     d_z: Floats
 
     def moved(self, unknown: int, step: float) -> Begin:
-        """The same with one unknown moved, to first order."""
+        """The start of a run with one unknown changed, to first order."""
         start = Start(self.start.x + step * self.d_x[unknown], self.start.z + step * self.d_z[unknown])
         return replace(self, start=start, parameters=self.parameters + step * self.d_parameters[unknown])
 
@@ -324,7 +324,7 @@ class CompiledForward:
 
     filament: CompiledFilament  # The compiled filament
     settings: Settings  # Tolerances
-    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
+    kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
     controls_work: bool  # Whether the error of the work limits the steps, as it must where little else does
     # Whether the discrete solution is a discontinuous function of its parameters, with jumps of about the tolerance:
     # fibres that begin to yield change the Jacobian of a linearly implicit step discontinuously.

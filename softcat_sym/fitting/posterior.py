@@ -253,11 +253,11 @@ def sample(
     for chain in range(chains):
         until = time.perf_counter() + left / (chains - chain)
 
-        def heard(done: int, chain: int = chain) -> None:
+        def report(done: int, chain: int = chain) -> None:
             share = (chain + done / (tune + draws)) / chains
             listener.reach(share, f"chain {chain + 1} of {chains}, {done} of {tune + draws} draws")
 
-        parts.append(_chain(nutpie, density, heard, draws=draws, tune=tune, seed=[seed, chain], until=until))
+        parts.append(_chain(nutpie, density, report, draws=draws, tune=tune, seed=[seed, chain], until=until))
         left = begin + time_limit - time.perf_counter()
     least = min(part.posterior.sizes["draw"] for part in parts)
     if least < 4:
@@ -374,7 +374,7 @@ def _second(prior: Prior, q: float, step: float = 1e-3) -> float:
     return (prior.slope(high) - prior.slope(low)) / (high - low)
 
 
-def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
+def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
     """Draw one chain, until a given time at the latest; return ArviZ's data."""
     names = [one.free.name for one in density._priors]
     failure, done = list[BaseException](), 0
@@ -414,7 +414,7 @@ def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int,
             try:
                 return run.wait(timeout=_POLL)
             except TimeoutError:
-                heard(done)
+                report(done)
                 if failure:
                     raise failure[0] from None
                 if time.perf_counter() > until:

@@ -125,7 +125,7 @@ class Filmed:
         return self.model.forces(own, one.time, WAYS.index(one.way))
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """The same with derivatives by the unknowns of the whole problem, shape (n, k)."""
+        """Values of the model, with derivatives by the unknowns of the whole problem, shape (n, k)."""
         own, shapes = q[list(self.columns)], self.series.shapes
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
@@ -500,7 +500,7 @@ class FilamentProblem(Unknowns):
         return found
 
     def _correlation_at(self, innovations: Sequence[Floats], loss: Loss) -> float:
-        """Updated correlation of neighbouring readings; the present one unless the innovations differ significantly."""
+        """Updated correlation of neighbouring readings; the present one if the innovations are not correlated."""
         rows = [part[: film.series.time.size] for film, part in zip(self.films, innovations, strict=True)]
         rows = [row for row in rows if row.size >= _FEWEST and np.any(row)]
         if loss.kind != "linear" or not rows:
@@ -715,7 +715,7 @@ class Marginal(Unknowns):
         return self.linearised(q)[0]
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Those and their derivatives, shape (m, k)."""
+        """Residuals with the others projected out, and their derivatives, shape (m, k)."""
         count = q.size
         around = self._best[count:] + self._follow @ (q - self._best[:count])
         whole = np.clip(np.append(q, around), self._problem.lower, self._problem.upper)

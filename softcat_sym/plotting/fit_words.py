@@ -19,7 +19,7 @@ NONE = "–"
 
 
 def rounded(value: float, error: float | None) -> str:
-    """Write a number to the second significant digit of its error; with three of its own without one."""
+    """Write a number to the second significant digit of its error; without an error, with three digits."""
     if error is None or not 0 < error < math.inf or not math.isfinite(value):
         return significant(value)
     places = 1 - math.floor(math.log10(float(f"{error:.1e}")))
@@ -94,7 +94,7 @@ def residuals_text(fit: Fit) -> str:
 
 
 def starts_text(fit: Fit) -> str:
-    """How many starts reached the best fit."""
+    """Number of starts that reached the best fit."""
     text = f"{fit.starts.reached_best} of {len(fit.starts.results)} reached the best fit"
     return f"{text}; at {fit.starts.rejected} more the model has no answer" if fit.starts.rejected else text
 

@@ -415,7 +415,7 @@ class CompiledIntegration:
     settings: Settings
     filament: CompiledFilament
     frames: int  # Output times, t = 0 included
-    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
+    kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""

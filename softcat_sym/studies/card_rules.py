@@ -47,7 +47,7 @@ HOLDS = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Descent:
-    """How far and how fast a filament sagged; lengths in m, times in s."""
+    """Sag of a filament and its time course; lengths in m, times in s."""
 
     final: float  # Sag of the midpoint at the end of the run
     largest: float  # Largest sag of the midpoint

@@ -116,7 +116,7 @@ def modulus_number(scene: Scene) -> float:
 def _slow_yield(scene: Scene, section: CrossSection) -> Callable[[Place], float]:
     """G of first yield under a slow load, from eps_Y G E* = 1 along the curve of psi; NaN beyond its end.
 
-    eps_Y goes as delta^2 and G as delta at a given psi: one table of their product serves every filament.
+    At a given psi, eps_Y is proportional to delta^2 and G to delta: one table of their product serves every filament.
     """
     product, gravity = _yield_curve(section)
     modulus = modulus_number(scene)

@@ -100,7 +100,7 @@ def refuse_scene(scene: Scene) -> None:
     if scene.load.gravity == 0:
         faults.append(Fault("load.gravity", "zero, but the groups are measured by it", "a positive gravity"))
     if scene.load.shake > 0:
-        faults.append(Fault("load.shake", "shaken gravity has regimes of its own", "0"))
+        faults.append(Fault("load.shake", "shaken gravity has other regimes", "0"))
     if not is_held(scene) or is_slack(scene):
         faults.append(Fault("ends", "the filament is not held straight at both ends", "both ends held, no slack"))
     if scene.ends.motion or scene.ends.drop != 0:

@@ -424,7 +424,7 @@ class Sweep:
         return html(repr(self), self.plot())
 
     def in_memory(self) -> Sweep:
-        """The same with its data loaded, independent of the file."""
+        """The sweep with its data loaded into memory, independent of the file."""
         import xarray as xr
 
         return replace(self, loaded=xr.load_dataset(self.path, engine="h5netcdf"))

@@ -133,8 +133,8 @@ CASES = (
         "Mora et al., Phys. Rev. Lett. (2010), 214301",
         Kind.MEASURED,
         "Filaments of agar gel undulate once their radius is a sixth of gamma/G (authors' summary of the paper).",
-        "the measured threshold; their G is a rheometer's",
-        "nothing needs to: what is left is the length of the wave, (2 pi R/L)^2",
+        "the measured threshold; their G was measured with a rheometer",
+        "no large difference is expected; the finite wavelength changes the threshold by about (2 pi R/L)^2",
         _mora,
         ("undulation",),
     ),
@@ -159,8 +159,8 @@ CASES = (
         "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS by load and loading angle, "
         "as tabulated in the tests of Exudyn. The measured displacements themselves could not be had as numbers.",
         "solid elements of another program",
-        "a flat section held at its root curls across less than a beam's does (anticlastic bending): the beam elements "
-        "of the same authors are as far from their solid ones",
+        "a flat section held at its root has less anticlastic bending than a beam: the beam elements of the same "
+        "authors differ as much from their solid ones",
         _princeton,
         ("princeton",),
     ),
@@ -171,7 +171,7 @@ CASES = (
         Kind.COMPUTED,
         "Place of the tip of Bathe & Bolourchi's bend under forces of 300 and 600, eight elements.",
         "elements of others",
-        "eight elements are not converged: as many of ours lie as far from the limit",
+        "eight elements are not converged: as many of ours are as far from the limit",
         _curved_beam,
         ("curved-beam",),
     ),
@@ -183,7 +183,7 @@ CASES = (
         "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). "
         "Their measured deflections could not be had.",
         "their rule, stated to two digits",
-        "a beam that bends alone gives 1.39; clamps need a fifth of it, and surface tension helps",
+        "a beam with bending alone gives 1.39; clamps need a fifth of it, and surface tension reduces it further",
         _spanning,
         ("spanning-strand",),
     ),

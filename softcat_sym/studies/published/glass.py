@@ -149,7 +149,7 @@ _SOFTENS = (
 )
 _COLDER = (
     "a furnace that is some 50 K colder at its ends than at its thermocouple, or heats half the length; twice the "
-    "surface tension would be half of it, 10 % of density 2.7 K, the lag of the fibre is 0.2 K"
+    "surface tension would explain half of it, 10 % of density 2.7 K; the lag of the fibre is 0.2 K"
 )
 
 CASES = (
@@ -159,7 +159,7 @@ CASES = (
         f"ASTM C338; NBS Standard Sample 710: {_NBS}",
         Kind.MEASURED,
         f"{_SOFTENS} Published: 724 C, and the constants of its viscosity.",
-        "the softening point, measured apart from the viscosity that the run is given",
+        "the softening point, measured independently of the viscosity in the run",
         _COLDER,
         _softens_710,
         ("softening-fibre",),
@@ -170,7 +170,7 @@ CASES = (
         "ASTM C338; NIST Standard Reference Material 717a",
         Kind.MEASURED,
         f"{_SOFTENS} Published: 720 C, and the constants of its viscosity.",
-        "the softening point, measured apart from the viscosity that the run is given",
+        "the softening point, measured independently of the viscosity in the run",
         _COLDER,
         _softens_717a,
         ("softening-fibre",),
@@ -182,7 +182,7 @@ CASES = (
         Kind.COMPUTED,
         "The shear viscosity is g L^3/(2.4 I v) (M + rho A L/1.6), v the midpoint's speed per minute.",
         "the standard's two constants",
-        "the grid: it tends to both as its square",
+        "the grid, whose error is quadratic in the cell length",
         _beam,
         ("glass-beam",),
     ),
@@ -193,7 +193,7 @@ CASES = (
         Kind.MEASURED,
         "A fibre of 0.65 mm grows by 0.14 mm/min under 1 kg while it cools by 4 K/min, and at 0.0316 of that at the "
         "strain point (a laboratory's page); 10^13 and 10^14.5 poise.",
-        reason="the heated length of the fibre and the certified points of the glasses are not in what could be had",
+        reason="the heated length of the fibre and the certified points of the glasses were not available",
     ),
 )
 """In the order of the table."""
