@@ -35,7 +35,7 @@ def accuracy(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Measure computing time over accuracy, against IDAS and SciPy's Radau.
+    """Measure time over accuracy, against IDAS and SciPy's Radau.
 
     DIR gets accuracy.csv, accuracy.json and accuracy.png.
     The error is that of grid and time steps together, against an answer that is extrapolated from the finest grids and

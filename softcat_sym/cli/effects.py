@@ -1,4 +1,4 @@
-"""``softcat effects``: contribution of each effect to the answer, and its cost."""
+"""``softcat effects``: share of each effect in the answer, and its cost."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def effects(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Measure the contribution of each effect to the answer, and its cost.
+    """Measure each effect's share of the answer, and its cost.
 
     Each effect is put in or left out in turn; DIR gets effects.csv, effects.json and effects.png.
     After Ctrl-C the same command takes finished answers from the store; times are always measured again. With

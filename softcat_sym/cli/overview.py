@@ -38,8 +38,8 @@ COMMANDS: Final = {
     "Validation": {
         "validate": "Compare the package with published experiments and computations.",
         "compare": "Compare a filament with finite elements.",
-        "accuracy": "Measure computing time over accuracy, against IDAS and SciPy's Radau.",
-        "effects": "Measure the contribution of each effect to the answer, and its cost.",
+        "accuracy": "Measure time over accuracy, against IDAS and SciPy's Radau.",
+        "effects": "Measure each effect's share of the answer, and its cost.",
         "phase": "Map the regimes over planes of dimensionless groups.",
         "figures": "Draw the paper's figures 2, 3(a), 3(b) and 4.",
     },

@@ -222,7 +222,7 @@ class TheoryEnd:
     variation: Variation
     measured: tuple[Measured, ...]  # By increasing value
     unmeasured: tuple[Unmeasured, ...]  # By increasing value
-    # By theory, at the moments of :class:`RelativeError`; empty unless the variable is the thickness.
+    # By theory, for each error of :func:`relative_error`; empty unless the variable is the thickness.
     limits: dict[str, list[dict[str, Any] | None]]
 
     @property

@@ -118,7 +118,7 @@ CASES = (
         "Zylstra & Mitescu, EPL (2009); Koulakis et al., J. Fluid Mech. 609, 87 (2008)",
         Kind.MEASURED,
         "A clear transition as the catenary number, of radius and length, passes a certain value (abstract).",
-        reason="neither the number and its value nor the measured curves were available; and thin threads of this "
+        reason="neither the number nor its value was available, nor the measured curves; and thin threads of this "
         "theory form beads, which need thousands of cells",
     ),
     Case(
