@@ -149,7 +149,7 @@ def test_new_refuses_values_like_a_scene_and_never_overwrites_by_itself(softcat:
     assert "ends in .toml" in softcat("new", "ink").err
     Path("ink.toml").write_text("mine")
     done = softcat("new", "ink.toml")
-    assert (done.status, Path("ink.toml").read_text()) == (2, "mine") and "there already" in done.err
+    assert (done.status, Path("ink.toml").read_text()) == (2, "mine") and "already exist" in done.err
     assert softcat("new", "ink.toml", "--force").status == 0
     assert sc.load_scene("ink.toml").title == "Ink"
 

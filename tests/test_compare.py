@@ -327,9 +327,9 @@ def test_the_command_resumes_and_writes_the_same(
     with monkeypatch.context() as patch:
         patch.setattr(IntegrationProgress, "update", stop)
         done = softcat(*arguments, "-o", str(broken))
-    assert done.status == 130 and "interrupted; the same command goes on" in done.err
+    assert done.status == 130 and "interrupted; the same command resumes" in done.err
     assert [path.name for path in broken.iterdir()] == ["elements.npz"]
-    assert "go on from" in softcat(*arguments, "-o", str(broken)).out
+    assert "resume from" in softcat(*arguments, "-o", str(broken)).out
     for name in ("compare_midpoint.csv", "compare_clamp_strain.csv", "compare_plastic_rate.csv"):
         assert (straight / name).read_bytes() == (broken / name).read_bytes()
     # A checkpoint of something else is refused, and stays.
@@ -399,7 +399,7 @@ def test_a_varied_study_resumes(softcat: Softcat, tmp_path: Path, monkeypatch: p
     with monkeypatch.context() as patch:
         patch.setattr(IntegrationProgress, "update", stop)
         done = softcat(*arguments, "-o", str(output))
-    assert done.status == 130 and "interrupted; the same command goes on from" in done.err
+    assert done.status == 130 and "interrupted; the same command resumes from" in done.err
     # Two meshes of the first value, and what there was of the second.
     assert [path.name for path in output.iterdir()] == ["elements"]
     assert len(list((output / "elements").iterdir())) == 3

@@ -128,7 +128,7 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
     with started(*asked, ignoring=ignoring) as process:
         until(note.exists, process)
         assert not is_gone(note, 0.0)
-        said = "softcat: interrupted; the same command goes on from what was finished\n"
+        said = "softcat: interrupted; the same command resumes from what was finished\n"
         assert ended(process, signal.SIGTERM) == (143, "", said)
     assert is_gone(note)
     assert not output.exists()

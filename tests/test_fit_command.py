@@ -137,7 +137,7 @@ def test_an_interrupted_fit_writes_nothing(softcat: Softcat, tmp_path: Path, mon
     monkeypatch.setattr(filament_fit, "multi_start", stopped)
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
     done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
-    assert done.status == 130 and "the same command goes on" in done.err
+    assert done.status == 130 and "the same command resumes" in done.err
     assert not output.exists()
 
 
@@ -261,7 +261,7 @@ BAD_LAWS = {
     "misspelt": (_laws("maxwel", "bingham"), "did you mean 'maxwell'"),
     "misspelt alone": (_laws("maxwel"), "did you mean 'maxwell'"),
     "twice": (_laws("maxwell", "maxwell"), "one is named twice"),
-    "without constants": (_laws("custom", "maxwell"), "none that can be fitted"),
+    "without constants": (_laws("custom", "maxwell"), "cannot be fitted"),
     "free by itself": ([*_laws("maxwell", "bingham"), "--free", "viscosity"], "free without being named"),
     "free by its path": ([*_laws("maxwell"), "--free", "material.viscosity"], "free without being named"),
     "unknown besides": ([*_laws("maxwell"), "--free", "tmie_offset"], "tmie_offset"),

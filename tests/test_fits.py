@@ -378,6 +378,6 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
     try:
         found = sc.fit(Measurements.of(*film()), scene(), ["viscosity", "yield_stress"], time_limit=seconds)
     except SoftcatError as error:
-        assert "the time limit came before the first start" in str(error)
+        assert "the time limit passed before the first start" in str(error)
     else:
         assert found.late

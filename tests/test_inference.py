@@ -447,7 +447,7 @@ def test_one_sided(seed: int) -> None:
     assert rate.value is None
     assert rate.lower < 5.0
     assert rate.upper is None
-    assert "only the least possible value" in rate.reason
+    assert "only its lower limit" in rate.reason
 
 
 @pytest.mark.parametrize("profiled", [True, False])

@@ -98,7 +98,7 @@ def test_few_data_rank_by_what_chance_gains() -> None:
     assert choice.reason == "good ranks first, but poor not ruled out"
     assert choose_model(laws, 50, noise_known=False).verdict == "good"
     crowded = choose_model(laws, 3, noise_known=False)
-    assert crowded.reason == "poor ranks first, but 3 data too few to weigh good"
+    assert crowded.reason == "poor ranks first, but 3 data are too few for good"
     assert [row.weight for row in crowded.table] == [1.0, 0.0]
 
 
@@ -213,9 +213,9 @@ def test_without_weight_or_midpoints_there_are_rough_constants_too() -> None:
         ([], "nothing to compare"),
         (["maxwell"], "nothing to compare"),
         (["maxwell", "maxwell"], "one is named twice"),
-        (["maxwell", "maxwel"], "law maxwel: none that can be fitted.*did you mean 'maxwell'"),
-        (["maxwell", "custom"], "law custom: none that can be fitted"),
-        (["maxwell", "multimode-maxwell"], "law multimode-maxwell: none that can be fitted"),
+        (["maxwell", "maxwel"], "law maxwel: cannot be fitted.*did you mean 'maxwell'"),
+        (["maxwell", "custom"], "law custom: cannot be fitted"),
+        (["maxwell", "multimode-maxwell"], "law multimode-maxwell: cannot be fitted"),
         (["Bingham"], "(?s)2 faults.*law Bingham.*nothing to compare"),
     ],
 )
@@ -255,7 +255,7 @@ def test_the_sentence() -> None:
     )
     alike = "the films speak for newtonian; nothing gained by the further constants of maxwell"
     assert said(maxwell, replace(newtonian, squares=1.001)) == alike
-    assert "2 data too few to weigh maxwell" in said(maxwell, newtonian, points=2)
+    assert "2 data are too few for maxwell" in said(maxwell, newtonian, points=2)
     assert (
         said(maxwell, replace(newtonian, failure="no")) == "cannot tell: maxwell ranks first, but no fit of newtonian"
     )

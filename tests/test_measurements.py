@@ -134,7 +134,7 @@ REFUSED = [
     ("time,midpoint\n" + ROWS, "2 faults.*'time': no unit.*'midpoint': no unit in its name; accepted: midpoint_m"),
     ("tiem_s,midpiont_m\n" + ROWS, "is it what is called 'tiem_s'.*is it what is called 'midpiont_m'"),
     ("time_s midpoint_m\n", "separated by commas, semicolons or tabs"),
-    ("frame,midpoint_px\n" + ROWS, "'midpoint_px': pixels, which.*frames, which only"),
+    ("frame,midpoint_px\n" + ROWS, "'midpoint_px': pixels, which.*frames without a frame rate"),
     ("time_m,midpoint_s\n" + ROWS, "'m' is a length, not a time.*'s' is a time, not a length"),
     ("time_s,midpoint_bananas\n" + ROWS, "unknown unit 'bananas'"),
     ("time_s,midpoint_m,sag [bananas]\n" + ROWS, r"column 'sag \[bananas\]': unknown unit 'bananas'"),
@@ -271,16 +271,16 @@ def test_wrong_units_are_named_and_what_is_odd_is_remarked_on(scene: Scene) -> N
         (
             1000.0,
             1.0,
-            r"time: the last is 1000 s, long after the scene.*1 s would do, as of ms in a column named for s",
+            r"time: the last time is 1000 s, long after the end .*1 s would do, as of ms in a column named for s",
         ),
-        (1e-3, 1.0, r"time: the last is 0.001 s, before anything.*1 s would do, as of s in a column named for ms"),
+        (1e-3, 1.0, r"time: the last time is 0.001 s, before any .*1 s would do, as of s in a column named for ms"),
         (5e-3, 1.0, r"moves by 0.01995 m within 0.005 s, in which a free body falls 0.000123 m.*as of s in a col"),
     ):
         with pytest.raises(SoftcatError, match=message):
             of_checked(time * TIME, length * FALL, scene)
     for clock, height, remark in (
-        (TIME, 1e-6 * FALL, "less than is ever seen: right unit"),
-        (TIME, 30 * FALL, "gets to -0.6 m, 3 times the length of the filament: right unit"),
+        (TIME, 1e-6 * FALL, "less than a camera can resolve: is the unit right"),
+        (TIME, 30 * FALL, "reaches -0.6 m, 3 times the length of the filament: is the unit right"),
         (TIME + 50, FALL, "begins at 50.05 s and is shorter than that: is time 0 the release"),
         (TIME / 40, FALL, "is time 0 the release, and the supports' level the zero"),
     ):

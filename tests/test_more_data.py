@@ -183,11 +183,11 @@ def test_shapes_as_trackers_write_them(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (tables()["long"].replace("# camera.fps", "# fps"), "frames, which only their rate.*camera.fps = 240"),
+        (tables()["long"].replace("# camera.fps", "# fps"), "frames without a frame rate.*camera.fps = 240"),
         (tables()["long"].replace("# camera.pixel", "# pixel"), "pixels, which only.*camera.pixel = 0.05 mm"),
         (tables()["long"].replace("0.1 mm", "0.1 s"), r"camera.pixel: 's' is a time"),
         (tables()["long"].replace("1000 200", "1000"), "camera.origin: '1000'; accepted: camera.origin = 640 212"),
-        ("time_s,force_N\n0.1,1\n", "a force without its way; accepted: horizontal_force_N"),
+        ("time_s,force_N\n0.1,1\n", "a force without its direction; accepted: horizontal_force_N"),
         ("time_s,vertical_force_kg\n0.1,1\n", "'kg' is a mass, not a force"),
         (
             "time_s,vertical_force_N\n" + "".join(f"{k}e-1,{67 + k}\n" for k in range(9)),
@@ -214,5 +214,5 @@ def test_a_load_cell_has_times_and_a_sign_of_its_own(tmp_path: Path) -> None:
 
 
 def test_a_tilt_of_midpoints_alone_is_refused() -> None:
-    with pytest.raises(SceneError, match="free tilt: of a camera turns whole shapes"):
+    with pytest.raises(SceneError, match="free tilt: of a camera rotates whole shapes"):
         FilamentProblem(scene(), Measurements.of(*film()), ["viscosity", "tilt"])

@@ -178,5 +178,5 @@ def test_a_figure_that_there_is_none_of_is_refused_and_an_interruption_says_how_
     monkeypatch.setattr(paper_figures, "film_scene", lambda *given: whole(*given, mesh=Mesh(12, 2)))
     monkeypatch.setattr(IntegrationProgress, "update", lambda *given: signal.raise_signal(signal.SIGINT))
     done = softcat("figures", "--only", "4", "-o", str(output))
-    assert done.status == 130 and "the same command goes on" in done.err
+    assert done.status == 130 and "the same command resumes" in done.err
     assert [path.name.split("-")[0] for path in output.iterdir()] == ["elements"]

@@ -285,5 +285,5 @@ def test_interrupted_before_anything_is_finished_nothing_is_written(
     monkeypatch.setattr("softcat_sym.studies.pricing.simulated", lambda *_: signal.raise_signal(signal.SIGINT))
     done = softcat("effects", "cold-honey", "--fresh", "-o", str(tmp_path / "out"), *sets(*BARE))
     assert (done.status, done.out) == (130, "")
-    assert "interrupted; the same command goes on" in done.err
+    assert "interrupted; the same command resumes" in done.err
     assert not (tmp_path / "out").exists()

@@ -61,7 +61,7 @@ def test_bounds_are_cut_to_where_there_is_density() -> None:
 
 FAULTS = {
     "lognrm(0.5, scale=3 Pa*s)": "no distribution 'lognrm' (did you mean 'lognorm'?)",
-    "lognorm": "'lognorm' is no distribution with its arguments; accepted: NAME=DISTRIBUTION",
+    "lognorm": "'lognorm' is not a distribution with arguments; accepted: NAME=DISTRIBUTION",
     "lognorm(0.5, scale=3)": "'3' has no unit; accepted: lognorm(s, loc, scale); loc and scale in Pa*s",
     "lognorm(0.5, scale=3 Pa)": "'Pa' is a stress",
     "lognorm(0.5 Pa*s, scale=3 Pa*s)": "'0.5 Pa*s' is not a number without a unit",

@@ -230,7 +230,7 @@ def test_what_is_no_effect_is_refused():
         (effect(name="bending"), "belongs to the package"),
         (effect(name="My effect"), "lower-case words"),
         (effect(stored=0), "adds nothing"),
-        (effect(needs=("magnetism",)), "needs magnetism, which there is not"),
+        (effect(needs=("magnetism",)), "needs magnetism, which is not registered"),
         (effect(stored=sp.Symbol("B")), "hold B, which no filament has"),
         (effect(stored=sy.y_t**2), "depends on rates"),
     ):

@@ -472,7 +472,7 @@ def test_the_backend_is_compiled_where_that_can_be_and_the_summary_says_why() ->
     np.testing.assert_allclose(*midpoints, rtol=0, atol=accuracy * np.max(np.abs(midpoints[1])))
     equilibria = without(short_scene("elastic"), "inertia")
     small = short_scene("elastic").replace({"model": "small-deflection", "run.effects": "auto"})
-    for scene, why in [(small, "one number for all cells"), (equilibria, "nothing to integrate, only a row of")]:
+    for scene, why in [(small, "one number for all cells"), (equilibria, "nothing to integrate, only a sequence of")]:
         assert not chosen(scene).compiled and why in chosen(scene).reason
         refused(scene, why)
 

@@ -387,7 +387,7 @@ def test_how_a_sweep_without_answers_or_interrupted_ends(
     monkeypatch.setattr(work, "judged", stopping)
     done = softcat(*asked, *many)
     assert (done.status, done.out) == (130, "")
-    assert "the same command goes on from what was finished" in done.err
+    assert "the same command resumes from what was finished" in done.err
     assert not (tmp_path / "out").exists()
     ran.extend([1] * 100)
     for options, runs in (((), 15), ((), 0), (("--fresh",), 25)):

@@ -26,7 +26,7 @@ from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.start import Start
 from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run, without_gaps
 
-pytestmark = pytest.mark.filterwarnings("ignore:the section is taken as of one temperature")
+pytestmark = pytest.mark.filterwarnings("ignore:the section is assumed to have one temperature")
 AIR = {"ambient": 300.0, "heat_transfer": 80.0}
 VFT = {"law": "vft", "B": 4236.1, "T_0": 265.5 + 273.15}
 SOFTER = {"law": "arrhenius", "activation_energy": 40e3, "reference": 350.0}

@@ -1,8 +1,8 @@
 """The ``softcat`` command; a file for each of its commands.
 
-Exit status: 0 a sound answer, 1 an answer not to be trusted, 2 bad input, a place that cannot be written or too little
-memory, 130 interrupted by Ctrl-C, 143 ended by SIGTERM, 129 by a terminal that was closed, 141 (without a word) where
-nobody reads on, as in ``softcat scenes | head -1``.
+Exit status: 0 for a sound answer, 1 for an answer not to be trusted, 2 for bad input, a folder that cannot be written
+or too little memory, 130 after Ctrl-C, 143 after SIGTERM, 129 after the terminal was closed, 141 (without a message)
+if the output is no longer read, as in ``softcat scenes | head -1``.
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ from softcat_sym.cli.overview import HELP, overview
 __all__ = ["main"]
 
 _BROKEN_PIPE = 141
-"""Exit status that a shell gives a program that SIGPIPE has ended."""
+"""Exit status of a program that SIGPIPE has ended."""
 
 
 def main() -> NoReturn:
-    """Entry point: every refusal is one clear message and an exit status; SIGTERM ends a command as Ctrl-C does."""
+    """Entry point: an error is one message and an exit status; SIGTERM ends a command as Ctrl-C does."""
     print_whatever_the_terminal_takes()
     if sys.argv[1:] in ([word] for word in HELP):
-        # Where nobody reads it, typer below knows how to leave.
+        # Typer below handles output that is no longer read.
         with contextlib.suppress(BrokenPipeError):
             print(overview(Path(sys.argv[0]).name), flush=True)
             sys.exit()
     from softcat_sym.cli.application import INTERRUPTED
     from softcat_sym.interrupts import ended_like_ctrl_c
 
-    # Commands draw into files: a name of a window system that is not there would only keep matplotlib from loading.
+    # Commands draw into files; the backend of a missing window system would prevent matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
-    # Scenes need no plugin, and pydantic would look for one in all that is installed.
+    # Scenes need no plugins, and pydantic would search all installed packages for them.
     os.environ["PYDANTIC_DISABLE_PLUGINS"] = "1"
-    # No matrix of ours is large enough for the threads of OpenBLAS, which only wait beside a command's own.
+    # The matrices of this package are too small for the threads of OpenBLAS, which would compete with a command's own.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     with ended_like_ctrl_c() as ending:
         status = _status()
@@ -48,36 +48,36 @@ def main() -> NoReturn:
 
 
 def _status() -> int | str | None:
-    """Run the command that was asked for; its exit status."""
+    """Run the command, and return its exit status."""
     from softcat_sym.cli.application import BAD_INPUT, app, print_error
     from softcat_sym.errors import SoftcatError
 
     try:
         app()
     except SystemExit as left:
-        # Typer turns Ctrl-C where no command expects it into this status, and says nothing.
+        # If a command does not handle Ctrl-C, typer exits without a message.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
             print_error("interrupted; every file is whole, the old one or the new")
-        # Typer and rich exit with 1 where nobody reads the output any more.
+        # Typer and rich exit with 1 if the output is no longer read.
         unread = isinstance(left.__context__, OSError) and left.__context__.errno == errno.EPIPE
         return _BROKEN_PIPE if unread else left.code
     except SoftcatError as error:
         print_error(str(error))
     except OSError as error:
-        # What went wrong with a file, without the numbers and passing names of the system.
+        # The message has neither error numbers nor names of temporary files.
         where = f" ({Path(error.filename).parent})" if isinstance(error.filename, str) and error.filename else ""
         print_error(f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}")
     except MemoryError:
         print_error("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
     except ImportError as error:
-        reason = str(error).strip().rpartition("\n")[2]  # numpy explains itself in its last line
+        reason = str(error).strip().rpartition("\n")[2]  # NumPy has the reason in the last line
         print_error(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
     else:
         return 0
     return BAD_INPUT
 
 
-# What has no plain letter for its base, or another one than its look suggests.
+# Signs whose Unicode decomposition has no ASCII base, or a misleading one.
 _PLAIN = str.maketrans(
     {**dict(zip("−–—×·÷~µμ█━│⁄≈‘’“”", "---x*/~uu#-|/~''\"\"", strict=True))}
     | {"±": "+-", "≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "←": "<-", "…": "...", "°": " deg", "√": "sqrt"}
@@ -88,14 +88,14 @@ _PLAIN = str.maketrans(
 
 
 def plain(text: str) -> str:
-    """Write a text in ASCII: signs by what they mean, letters without their accents, and ``?`` for what is left."""
+    """Write a text in ASCII: signs by their meaning, letters without accents, and ``?`` for other characters."""
     parts = unicodedata.normalize("NFKD", text.translate(_PLAIN))
     bare = "".join(letter for letter in parts if not unicodedata.combining(letter))
     return bare.translate(_PLAIN).encode("ascii", "replace").decode()
 
 
 def print_whatever_the_terminal_takes() -> None:
-    """Let standard output and error write :func:`plain` text where their encoding lacks a letter, and never fail."""
+    """Let standard output and error write :func:`plain` text for characters that their encoding lacks."""
     codecs.register_error("softcat-plain", _replaced)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -103,7 +103,7 @@ def print_whatever_the_terminal_takes() -> None:
 
 
 def _replaced(error: UnicodeError) -> tuple[str | bytes, int]:
-    """Replace what cannot be encoded; the bytes of a file's name that is no text are written as they are."""
+    """Replace a character that cannot be encoded; undecodable bytes of a file's name are written unchanged."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     letter = error.object[error.start]

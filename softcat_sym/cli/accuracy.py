@@ -1,4 +1,4 @@
-"""``softcat accuracy``: what accuracy costs in time, on this machine."""
+"""``softcat accuracy``: computing time over accuracy, on this machine."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _ALL = typer.Option("--all", help="Measure every integrator of the package, and 
 _LIMIT = typer.Option(
     metavar="SECONDS",
     min=0.1,
-    help="Time for all measurements; those that are not done by then are left out.",
+    help="Time for all measurements; those that do not finish in this time are left out.",
     show_default="45, with --all 600",
 )
 
@@ -35,12 +35,12 @@ def accuracy(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Measure what accuracy costs, beside IDAS and SciPy's Radau.
+    """Measure time over accuracy, against IDAS and SciPy's Radau.
 
     DIR gets accuracy.csv, accuracy.json and accuracy.png.
-    An error is that of grid and time steps together, against an answer that is extrapolated from the finest grids and
-    that a rival confirms. The programs share the time; measurements that are cut off are listed. Nothing is taken from
-    the store.
+    The error is that of grid and time steps together, against an answer that is extrapolated from the finest grids and
+    confirmed by a rival. The programs share the time; measurements that are cut off are listed. Nothing comes from the
+    store.
     """
     from softcat_sym.plotting.accuracy import print_accuracy, write_accuracy
     from softcat_sym.progress import Display

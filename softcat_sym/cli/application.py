@@ -33,11 +33,11 @@ _LOOK: dict[str, Any] = {
 }
 
 commands = typer.Typer(**_LOOK)
-"""What every command registers with."""
+"""Application with which every command registers."""
 
 
-class _MadeWhenAsked(Mapping[str, Any]):
-    """Commands by name. Python takes milliseconds to load one and typer to make it, and a call needs one of twenty."""
+class _LazyCommands(Mapping[str, Any]):
+    """Commands by name, each made on first use: loading one takes milliseconds, and a call needs one of twenty."""
 
     def __init__(self) -> None:
         self._names = [name for group in COMMANDS.values() for name in group]
@@ -62,14 +62,14 @@ class _MadeWhenAsked(Mapping[str, Any]):
 
 
 class _Softcat(TyperGroup):
-    """Loads a command where it is called, and lists all under the names of their groups."""
+    """Loads a command when it is called, and lists all commands under the names of their groups."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
-        self.commands: Any = _MadeWhenAsked()
+        self.commands: Any = _LazyCommands()
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Answer a call for the help of a command at once: typer loads pydantic to read the first option, even this."""
+        """Answer a call for the help of a command early, as typer would load pydantic to read the option."""
         name, *others = args or [""]
         if name in self.commands and not ctx.resilient_parsing and not {*HELP}.isdisjoint(others):
             command = self.commands[name]
@@ -100,7 +100,7 @@ SetOption = Annotated[
 
 
 def directory(text: str) -> Path:
-    """Read the name of a folder; an empty one, as of a variable that is not set, does not mean this folder."""
+    """Read the name of a folder; an empty name, such as that of an unset variable, is refused."""
     if not text.strip():
         raise typer.BadParameter("an empty name is no folder; accepted: the name of a folder, or . for the present one")
     return Path(text)
@@ -152,7 +152,7 @@ def scene_of(name: str, changes: list[str] | None) -> Scene:
 
 
 def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
-    """Return the DIR of a command, which can be written: ``-o``, or a folder of its own for each scene and command."""
+    """Return the writable DIR of a command: that of ``-o``, or a separate folder for each scene and command."""
     if output is None:
         parts = ([] if scene is None else [Path(scene).name.removesuffix(".toml")]) + [command] * (command != "run")
         output = Path("softcat-out") / "-".join(parts)
@@ -170,7 +170,7 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
 def scene_and_directory(
     name: str, changes: list[str] | None, output: Path | None, command: str, settings: Sequence[str] = ()
 ) -> tuple[Scene, Path]:
-    """Return the scene and the DIR of a command; the faults of the scene, its effects with it, are told first."""
+    """Return the scene and the DIR of a command; faults of the scene and of its effects are reported first."""
     asked = scene_of(name, [*settings, *(changes or [])])
     return asked, output_directory(output, command, name, asked)
 
@@ -197,7 +197,7 @@ def check_directory(directory: Path) -> None:
 
 @contextlib.contextmanager
 def study(output: Path, *, fresh: bool) -> Iterator[None]:
-    """Make DIR, and take finished runs from the store unless fresh ones are asked for; Ctrl-C says how to go on."""
+    """Make DIR, and use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
     from softcat_sym import store
     from softcat_sym.files import made
 
@@ -205,12 +205,12 @@ def study(output: Path, *, fresh: bool) -> Iterator[None]:
         try:
             yield
         except KeyboardInterrupt:
-            print_error("interrupted; the same command goes on from what was finished")
+            print_error("interrupted; the same command resumes from what was finished")
             raise typer.Exit(INTERRUPTED) from None
 
 
 def read_pair(text: str) -> tuple[str, str] | None:
-    """Split ``low:high unit``; a lower value without a unit has that of the upper one. None if it is no pair."""
+    """Split ``low:high unit``; a lower value without a unit has that of the upper one. None if the text is no pair."""
     ends = [end.strip() for end in text.split(":")]
     if len(ends) != 2 or not all(ends):
         return None
@@ -220,6 +220,6 @@ def read_pair(text: str) -> tuple[str, str] | None:
 
 
 def print_error(text: str) -> None:
-    """Say what is wrong, where errors go."""
-    with contextlib.suppress(BrokenPipeError):  # nobody reads them: the exit status tells
+    """Print a message on standard error."""
+    with contextlib.suppress(BrokenPipeError):  # If nobody reads the message, the exit status remains
         typer.echo(f"softcat: {text}", err=True)

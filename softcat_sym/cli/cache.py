@@ -1,4 +1,4 @@
-"""``softcat cache``: what is stored between runs, and its deletion."""
+"""``softcat cache``: libraries and results that are stored between runs, and their deletion."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def cache(
     """Show the libraries and results that are kept, or clear them.
 
     The folder is SOFTCAT_CACHE, by default softcat_sym in the user's folder of caches. Libraries take at most
-    SOFTCAT_CACHE_LIMIT (512 MB); beyond that, those that were not used for longest are deleted. Results of studies take
-    at most 1 GB beside them.
+    SOFTCAT_CACHE_LIMIT (512 MB); beyond that, the least recently used ones are deleted. Results of studies take at most
+    1 GB in addition.
     """
     from softcat_sym import store
     from softcat_sym.codegen.compiler import cache_folder, compiler_name
@@ -52,9 +52,9 @@ def cache(
             used = f"{datetime.fromtimestamp(entry.used).astimezone():%Y-%m-%d %H:%M}"
             typer.echo(f"{entry.key[:12]}  {size_text(entry.size):>9}  {used:16}  {entry.about}")
         if len(entries) > _SHOWN:
-            typer.echo(f"... and {len(entries) - _SHOWN} that were used before")
+            typer.echo(f"... and {len(entries) - _SHOWN} with an earlier use")
     for name, what in _BESIDE.items():
         files = [path for path in (folder / name).rglob("*") if path.is_file()]
         if files:
             size = size_text(sum(path.stat().st_size for path in files))
-            typer.echo(f"{name}: {what}, {len(files)} files, {size}; not cleared: delete the folder to be rid of it")
+            typer.echo(f"{name}: {what}, {len(files)} files, {size}; not cleared: to remove them, delete the folder")

@@ -1,4 +1,4 @@
-"""``softcat card``: everything a printer asks of a spanning filament, on one page."""
+"""``softcat card``: one page on a spanning filament, for people who print such filaments."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 _CURVE = typer.Option(metavar="CSV", help="Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
 _SAG = typer.Option(metavar="LENGTH", help="Largest sag allowed: '1 mm', or '5 %' of the span (default).")
-_NO_SPAN = typer.Option("--no-span", help="Leave out the longest span, which takes a good part of the time.")
+_NO_SPAN = typer.Option("--no-span", help="Leave out the longest span, which takes a large part of the time.")
 
 
 def _value(help_text: str) -> Any:
@@ -70,9 +70,9 @@ def card(
 ) -> None:
     """Find how far, when and over which gap a filament sags.
 
-    One page has sag, arrest, longest span and the field's rules beside the solver; DIR gets card.html, card.json,
+    One page has sag, arrest, longest span and the field's rules against the solver; DIR gets card.html, card.json,
     card.csv and card.png.
-    After Ctrl-C the same command goes on from the runs that were finished, to the same card.
+    After Ctrl-C the same command resumes from the finished runs, and gives the same card.
     """
     if no_span and sag is not None:
         raise typer.BadParameter(
@@ -117,7 +117,7 @@ def card(
 
 
 def _live_page(found: Card, progress: Progress) -> tuple[str, str]:
-    """The text of the card's live page, or why there is none; nothing where no compiler for it is installed."""
+    """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
     from softcat_sym.web.module import find_wasm_compiler
 
     if not found.run.outcome.is_success or find_wasm_compiler() is None:

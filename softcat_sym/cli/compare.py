@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Engine(StrEnum):
-    """What the filament is held against."""
+    """Reference of the comparison."""
 
     ELEMENTS = "elements"
     CALCULIX = "calculix"
@@ -49,7 +49,7 @@ def _compare_once(
     if checkpoint is not None and fresh:
         checkpoint.unlink(missing_ok=True)
     if checkpoint is not None and checkpoint.is_file() and not quiet:
-        typer.echo(f"the elements go on from {checkpoint}")
+        typer.echo(f"the elements resume from {checkpoint}")
     with study(output, fresh=fresh):
         comparison = run_comparison(
             scene,
@@ -96,9 +96,9 @@ def _compare_varied(
     fresh: bool,
     quiet: bool,
 ) -> None:
-    """Measure the theories at every value; compare.json, a chart and tables in DIR.
+    """Measure the theories at every value; write compare.json, a chart and tables into DIR.
 
-    The elements keep their states in DIR/elements: what is finished there is not run again.
+    The elements keep their states in DIR/elements; finished ones are not run again.
     """
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.theory_end import print_theory_end, write_theory_end
@@ -177,15 +177,15 @@ def compare(
 ) -> None:
     """Compare a filament with finite elements.
 
-    DIR gets compare.json, pictures and tables. The elements know surface tension, but no density or viscosity of the
-    surroundings; CalculiX knows none of the three.
-    Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
-    their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
-    and fields go to DIR/vtk for ParaView. With --engine calculix the solver
-    CalculiX takes the elements' place; its finished run goes to the store, and an interrupted one begins again.
+    DIR gets compare.json, pictures and tables. The elements include surface tension, but no density or viscosity of the
+    surroundings; CalculiX includes none of the three.
+    If the scene's effects are auto, the published theory is compared too, in both closures. The elements keep their
+    state in DIR/elements.npz: after Ctrl-C the same command resumes from there. If meshio is installed, meshes and
+    fields go to DIR/vtk for ParaView. With --engine calculix the solver CalculiX replaces the elements; its finished
+    run goes to the store, and an interrupted one starts again.
 
-    With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
-    each run costs; where the filament gets thinner, the slender limit is extrapolated.
+    With --vary the command gives the errors of the theories over one variable, the errors of half as many elements and
+    the cost of each run; if the thickness varies, it extrapolates to the slender limit.
     """
     from softcat_sym.reference.element_loop import Clamp
 
@@ -207,7 +207,7 @@ def compare(
 
 
 def _mesh(text: str) -> Mesh:
-    """Read ``64x4``; what is no mesh of this kind is refused by the mesh itself."""
+    """Read ``64x4``; the mesh itself refuses unsuitable numbers."""
     from softcat_sym.reference.element_loop import Mesh
 
     found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)

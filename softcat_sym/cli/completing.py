@@ -1,6 +1,6 @@
-"""What the shell is offered after a Tab: bundled scenes, scene files, and the keys of a scene.
+"""Completions for the shell: bundled scenes, scene files, and the keys of a scene.
 
-Called by the shell at every Tab: nothing heavy is imported, and whatever goes wrong offers nothing.
+The shell calls these functions at every Tab: they import nothing heavy, and return nothing after an error.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import os
 
 def complete_scene(incomplete: str) -> list[str]:
     """Offer bundled scenes by name, and TOML files and folders by path."""
-    from importlib.resources import files  # only a Tab needs it
+    from importlib.resources import files  # Only completion needs it
 
     folder = files("softcat_sym") / "scene" / "bundled"
     names = sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
@@ -29,7 +29,7 @@ def complete_change(incomplete: str) -> list[str]:
 
 
 def _paths(incomplete: str) -> list[str]:
-    """TOML files and folders that begin so."""
+    """TOML files and folders whose path begins like this."""
     head, tail = os.path.split(incomplete)
     before = incomplete.removesuffix(tail)
     try:
@@ -37,6 +37,6 @@ def _paths(incomplete: str) -> list[str]:
             found = sorted((each.name, each.is_dir()) for each in entries if each.name.startswith(tail))
     except OSError:
         return []
-    # Hidden ones only where a dot was typed; with nothing typed, scenes by name are enough to choose from.
+    # Hidden files only after a dot; without any input, only scenes by name.
     shown = [(name, folder) for name, folder in found if incomplete and (tail[:1] == "." or name[0] != ".")]
     return [before + name + "/" * folder for name, folder in shown if folder or name.endswith(".toml")]

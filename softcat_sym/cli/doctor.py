@@ -1,4 +1,4 @@
-"""``softcat doctor``: what is installed, and whether it works."""
+"""``softcat doctor``: installed packages, and a test of the installation."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _SCENE, _CELLS, _TOLERANCE = "beam-viscometer", 20, 2e-3
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What one check found."""
+    """Result of one check."""
 
     name: str
     text: str
-    remedy: str = ""  # What the user can do; empty where nothing is to be done
+    remedy: str = ""  # Advice to the user; empty if none is needed
     is_fault: bool = False  # Whether the package does not work without the remedy
 
 
@@ -92,7 +92,7 @@ def _python() -> Finding:
 
 
 def _packages() -> Iterator[Finding]:
-    """The package, what it requires, and each extra; what is missing or too old, with the line that installs it."""
+    """The package, its requirements, and each extra; missing or old packages have the command that installs them."""
     from importlib import metadata
 
     from packaging.requirements import Requirement
@@ -119,7 +119,7 @@ def _packages() -> Iterator[Finding]:
 
 
 def _compiler() -> Finding:
-    """The C compiler, tried on a function of one line with the flags of a run."""
+    """The C compiler, tested on a short function with the flags of a run."""
     from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
     from softcat_sym.codegen.library import check_compiler
 
@@ -204,8 +204,8 @@ def _sags(backend: str, progress: Progress) -> tuple[float, float]:
 def exact_sag(scene: Scene) -> float:
     """Sag at the end [m] of a viscous bar between pins, with a weight at its middle.
 
-    The exact small deflection of a beam that bends and shears (Timoshenko's, with rates in place of deflections): the
-    bending part is the formula of ASTM C598.
+    It is the exact small deflection of a Timoshenko beam, with rates in place of deflections; the bending part is the
+    formula of ASTM C598.
     """
     part, gravity = scene.filament, scene.load.gravity
     span, area, second_moment = part.span, part.thickness**2, part.thickness**4 / 12

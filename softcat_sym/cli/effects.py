@@ -1,4 +1,4 @@
-"""``softcat effects``: what each effect is worth, and what it costs."""
+"""``softcat effects``: share of each effect in the answer, and its cost."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ def effects(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Measure what each effect is worth, and what it costs.
+    """Measure each effect's share of the answer, and its cost.
 
     Each effect is put in or left out in turn; DIR gets effects.csv, effects.json and effects.png.
-    After Ctrl-C the same command takes finished answers from the store; times are always measured anew. With --bundled,
-    --set changes every scene, and a scene that cannot be run is a line of the table; that takes many minutes.
+    After Ctrl-C the same command takes finished answers from the store; times are always measured again. With
+    --bundled, --set changes every scene, and a scene that cannot be run is a row of the table; this takes many minutes.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
@@ -93,7 +93,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
                     f"effects_{name}.json": pricing.to_dict(),
                     f"effects_{name}.png": pricing.figures()["effects"],
                 }
-            # RuntimeError is CasADi's own: an integrator that cannot even begin.
+            # CasADi raises RuntimeError for an integrator that cannot start.
             except (SoftcatError, RuntimeError) as error:
                 done[name] = " ".join(str(error).split())
             write_results(output, {"pricing.md": pricing_table(done), **contents})

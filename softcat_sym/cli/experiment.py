@@ -1,4 +1,4 @@
-"""``softcat experiment``: what to film, before it is filmed."""
+"""``softcat experiment``: design of a film that determines a material."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def experiment(
 
     DIR gets experiment.json, scene.toml, a picture and a table.
     The scene holds rough values. Among the experiments allowed, the command chooses the one whose largest relative
-    error is least; quantities without a range stay as in the scene. After Ctrl-C the same command goes on from the
+    error is smallest; quantities without a range stay as in the scene. After Ctrl-C the same command resumes from the
     experiments that were tried.
     """
     asked, output = scene_and_directory(scene, changes, output, "experiment")
@@ -110,7 +110,7 @@ def experiment(
     how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
     with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
-        # The quicker of the two first.
+        # The faster of the two comes first.
         critical = None if sag is None else _critical(asked, sag, progress)
         design = design_experiment(asked, free, noise, within, **how, progress=progress)
         progress.stage("drawing")
@@ -121,7 +121,7 @@ def experiment(
 
 
 class _How(TypedDict):
-    """What a design is asked for besides."""
+    """Further options of a design."""
 
     nuisance: list[str]
     max_frames: int | None
@@ -130,7 +130,7 @@ class _How(TypedDict):
 
 
 def _within(given: dict[str, str | None]) -> dict[str, object]:
-    """Read what may be chosen; what is no pair of values is one, or refused by the design."""
+    """Read the ranges; a text that is no pair is passed on, as one value or for the design to refuse."""
     return {name: read_pair(text) or text for name, text in given.items() if text is not None}
 
 

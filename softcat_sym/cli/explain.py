@@ -1,4 +1,4 @@
-"""``softcat explain``: what a scene calls for, before it is run."""
+"""``softcat explain``: expected regime, effects and cost of a scene, before it is run."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ _HEAD = r"""\documentclass[a4paper]{article}
 
 
 def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> str:
-    """A LaTeX article of one section: the effects in force, and each equation with its name and source."""
+    """A LaTeX article of one section, with the effects in force, and each equation with its name and source."""
     lines = [
         _HEAD,
         rf"\section*{{{(title or 'Filament').translate(_ESCAPED)}}}",
@@ -107,7 +107,7 @@ def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> 
 
 
 def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
-    """Print what a scene calls for; `verbose`, in tables."""
+    """Print an explanation in short; with `verbose`, print all of it in tables."""
     from rich.console import Console
     from rich.text import Text
 
@@ -129,11 +129,11 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
         formula = f" [{each['formula']}]" if estimate and each["formula"] else ""
         effects.append((each["effect"], "on" if each["in_force"] else "off", each["reason"], estimate + formula))
     equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
-    accuracy = f"Effects; the accuracy asked is {significant(explanation.accuracy)}"
+    accuracy = f"Effects; the requested accuracy is {significant(explanation.accuracy)}"
     tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
         ("Groups", ("group", "value", "meaning"), groups, 1),
         ("Expected", ("", ""), _regime_rows(explanation), 1),
-        (accuracy, ("effect", "", "why", "what the estimate is"), effects, 1),
+        (accuracy, ("effect", "", "why", "estimate and its meaning"), effects, 1),
         ("Equations in force", ("equation", "", "source"), equations, 0),
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
@@ -145,7 +145,7 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
 
 
 def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
-    """What a user asks first: what it will do, which physics that takes, what it costs, and where the theory ends."""
+    """The most important rows: expected behaviour, effects, cost, and limits of the theory."""
     from softcat_sym.plotting.terminal import left_out_words
     from softcat_sym.plotting.units import regime_words
 
@@ -171,7 +171,7 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
 
 
 def _regime_rows(explanation: Explanation) -> Rows:
-    """Regime, why, stopping depth and the thresholds that decide."""
+    """Regime with its reason, thresholds and stopping depths."""
     from softcat_sym.plotting.units import regime_words, significant
 
     regime = explanation.regime
@@ -199,13 +199,13 @@ def _regime_rows(explanation: Explanation) -> Rows:
 
 
 def _remarks(regime: ExpectedRegime) -> Iterator[str]:
-    """What stands beside the stopping depths."""
+    """Remarks on the stopping depths."""
     from softcat_sym.plotting.units import significant
 
     if regime.stopping_depth_paper is None and regime.stopping_depth_exact is None:
         yield "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
     elif regime.name == "no-yield":
-        yield "not called on, since no fibre yields"
+        yield "not reached, since no fibre yields"
     elif (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
         yield "the beam itself holds it"
     elif regime.overshoot and regime.stopping_depth_exact is not None:
@@ -232,5 +232,5 @@ def _numeric_rows(explanation: Explanation) -> Rows:
         ("parameters", f"{parameters} (SI)"),
         ("integrator", f"{integrator['solver']}, rtol {significant(integrator['rtol'])}: {integrator['reason']}"),
         ("backend", integrator["backend"]),
-        ("closure", f"{explanation.closure}; accuracy asked {significant(explanation.accuracy)}"),
+        ("closure", f"{explanation.closure}; requested accuracy {significant(explanation.accuracy)}"),
     ]

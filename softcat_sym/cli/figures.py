@@ -36,9 +36,9 @@ def figures(
     """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
     Each figure is written as PNG and PDF, its data as CSV, facts and caption as JSON.
-    Figure 3(a) runs a thousand filaments, a minute or two. Figures 3(b) and 4 run finite elements, a minute or so a
-    scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command goes on from what was finished;
-    figures that are there need not be asked for again.
+    Figure 3(a) runs a thousand filaments in a minute or two. Figures 3(b) and 4 run finite elements, about a minute for
+    each scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command resumes from what was
+    finished; finished figures can be left out with --only.
     """
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
@@ -59,11 +59,11 @@ def figures(
                 typer.echo(caption)
                 typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     except KeyboardInterrupt:
-        text = "the same command goes on from what was finished"
+        text = "the same command resumes from what was finished"
         if waiting != asked:
             done = " and ".join(number for number in asked if number not in waiting)
             again = " ".join(f"--only {number}" for number in waiting)
-            text = f"figure {done} is written; softcat figures -o {output} {again} goes on from {output}"
+            text = f"figure {done} is written; softcat figures -o {output} {again} resumes from {output}"
         print_error(f"interrupted; {text}")
         raise typer.Exit(INTERRUPTED) from None
 

@@ -1,4 +1,4 @@
-"""``softcat fit``: films of falling filaments become a material, with error bars."""
+"""``softcat fit``: fit of a material to films of falling filaments, with intervals."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
 _SCALE = 2.0
-"""Standard errors from which on a robust loss takes a reading for an outlier, by default."""
+"""Default scale of a robust loss: standard errors beyond which a reading counts as an outlier."""
 
 
 DataArgument = Annotated[
@@ -48,7 +48,7 @@ SceneOption = Annotated[
     typer.Option(
         "--scene",
         metavar="SCENE",
-        help="Scene that holds what is known: the name of a bundled one, or the path of a TOML file.",
+        help="Scene with the known values: the name of a bundled scene, or the path of a TOML file.",
         autocompletion=complete_scene,
     ),
 ]
@@ -105,7 +105,7 @@ CalibratedOption = Annotated[
     bool,
     typer.Option(
         "--calibrated",
-        help="Take the camera's scale, clock, zero and tilt for exact; else to 2 %, one frame, 2 % and 1 deg.",
+        help="Assume exact scale, clock, zero and tilt of the camera; else 2 %, one frame, 2 % and 1 deg.",
     ),
 ]
 NoDiscrepancyOption = Annotated[
@@ -113,10 +113,10 @@ NoDiscrepancyOption = Annotated[
 ]
 TimeLimitOption = Annotated[
     float | None,
-    typer.Option("--time-limit", metavar="SECONDS", help="Time after which the fit ends with what it has."),
+    typer.Option("--time-limit", metavar="SECONDS", help="Time after which the fit ends with the best result so far."),
 ]
 PosteriorOption = Annotated[
-    bool, typer.Option("--posterior", help="Draw from the posterior too; this needs the extra bayes.")
+    bool, typer.Option("--posterior", help="Also draw from the posterior; this needs the extra bayes.")
 ]
 PriorOption = Annotated[
     list[str] | None,
@@ -156,8 +156,8 @@ def fit(
 
     DIR gets fit.json, fit.html, scene.toml, pictures and a table.
     With several --law the best is written as the fit; laws.csv, laws.png, fit.json and fit.html rank them all. Exit
-    status 0 if an optimum was found. What the data do not tell is said, not answered. After Ctrl-C the same command
-    goes on from what was evaluated, to the same numbers.
+    status 0 if an optimum was found. A parameter that the data do not determine has a verdict instead of a value. After
+    Ctrl-C the same command resumes from the finished evaluations, and gives the same numbers.
     """
     if not free and not law:
         raise typer.BadParameter("name at least one parameter, or a law with --law", param_hint="--free")
@@ -175,7 +175,7 @@ def fit(
     from softcat_sym.progress import StudyDisplay
 
     if posterior:
-        # Said before the fit, not after it.
+        # A missing package is reported before the fit.
         packages()
     films, also = read_measurements(data), free or []
     with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
@@ -205,7 +205,7 @@ def fit(
 def _fitted(
     films: Measurements, known: Scene, also: list[str], law: list[str], how: dict[str, Any]
 ) -> tuple[Fit, LawComparison | None]:
-    """The fit, or of several laws the best one and how all compare."""
+    """The fit, or, of several laws, the best fit with the comparison."""
     from softcat_sym.fitting.fit import fit as fit_filament
     from softcat_sym.fitting.model_selection import fit_law, fit_laws
 

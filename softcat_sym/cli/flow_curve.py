@@ -1,4 +1,4 @@
-"""``softcat flow-curve``: a rheometer's measurements become a material."""
+"""``softcat flow-curve``: fit of a material to a rheometer's flow curve."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def flow_curve(
 ) -> None:
     """Fit a law to a rheometer's flow curve.
 
-    DIR gets flow_curve.json, a picture and a table; with --scene that scene with the material, scene.toml.
+    DIR gets flow_curve.json, a picture and a table; with --scene also scene.toml, that scene with the fitted material.
     """
     if changes and scene is None:
         raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")

@@ -1,4 +1,4 @@
-"""``softcat generate``: the compiled solver of a scene as files to take away."""
+"""``softcat generate``: the solver of a scene as C sources or as a web page."""
 
 from __future__ import annotations
 
@@ -62,10 +62,10 @@ def generate(
 ) -> None:
     """Write the solver of a scene as C99, or as a web page with sliders.
 
-    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README. The scene is run before: cells,
-    fibres and tolerances are those that `softcat run` ends with; --set numerics.estimate=false goes without.
-    With --web DIR gets one HTML file that needs no server and no network. The page needs a compiler for WebAssembly:
-    pip install "softcat_sym[web]".
+    DIR gets sources that need no Python, a program, parameters.txt, a Makefile and a README. The command first runs the
+    scene: cells, fibres and tolerances are the final ones of `softcat run`; --set numerics.estimate=false skips this
+    run. With --web DIR gets one HTML file that needs no server and no network. Making it needs a compiler for
+    WebAssembly: pip install "softcat_sym[web]".
     """
     _refuse_together(scene, bundled=bundled, own=bool(changes or rhs or sliders or name != _NAME), web=web, rhs=rhs)
     if sliders and not web:
@@ -87,7 +87,7 @@ def generate(
                 with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
                     written = generation.generate(asked, output, rhs, name, progress)
     except KeyboardInterrupt:
-        print_error("interrupted; nothing was written; C texts that were made by then are kept in the cache")
+        print_error("interrupted; nothing was written; finished C texts are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None
     if quiet:
         return
@@ -111,7 +111,7 @@ def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, 
 
 
 def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:
-    """Write the products or the pages of all bundled scenes; why some have none."""
+    """Write sources or pages of all bundled scenes; return the files, and the reasons of scenes without any."""
     from softcat_sym.plotting.terminal import StepProgress
     from softcat_sym.scene.bundled import bundled_names
 

@@ -1,4 +1,4 @@
-"""``softcat new`` and ``softcat samples``: a first scene of one's own, and files to try the commands with."""
+"""``softcat new`` and ``softcat samples``: a first scene of the user, and sample files for the commands."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def _flag(name: str, help_text: str) -> object:
     return typer.Option(f"--{name}", metavar="VALUE", help=help_text)
 
 
-ForceOption = Annotated[bool, typer.Option("--force", help="Replace a file that is there.")]
+ForceOption = Annotated[bool, typer.Option("--force", help="Replace an existing file.")]
 
 
 @commands.command()
@@ -81,7 +81,7 @@ def new(
 
 
 def _asked() -> dict[str, str]:
-    """Ask for one value after the other, each again until it is one."""
+    """Ask for one value after the other, each until it is valid."""
     from softcat_sym.scene.keys import example_values, scene_keys, scene_template
 
     meaning = {key.path: key.meaning for key in scene_keys()}
@@ -91,7 +91,7 @@ def _asked() -> dict[str, str]:
         try:
             scene_template("", {**answers, path: text})
         except SceneError as error:
-            # Those of the values that are asked for later are none yet.
+            # Faults of values that are asked for later do not count yet.
             here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == path]
             if here:
                 raise typer.BadParameter("; ".join(here)) from None
@@ -112,8 +112,8 @@ def samples(
 ) -> None:
     """Copy sample files: a scene, a film, a flow curve.
 
-    my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve, both made by
-    this package and made noisy, as their first lines say.
+    my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve. This package
+    computed film and curve, with added noise, as their first lines say.
     """
     output = output_directory(output, "samples")
     folder = files("softcat_sym") / "samples"
@@ -124,7 +124,7 @@ def samples(
 
 
 def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
-    """Write files where there are none yet, all or none."""
+    """Write all files, or none if some exist already with other content."""
     from softcat_sym.files import write_all
 
     paths = {folder / name: content for name, content in contents.items()}
@@ -134,5 +134,5 @@ def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> N
         if path.exists() and not (path.is_file() and path.read_bytes() == content)
     ]
     if there and not force:
-        raise SoftcatError(f"there already, and not replaced without --force: {', '.join(there)}")
+        raise SoftcatError(f"already exist, and not replaced without --force: {', '.join(there)}")
     write_all(folder, contents)

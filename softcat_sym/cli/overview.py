@@ -1,4 +1,4 @@
-"""Which commands there are, and the page that lists them, without loading any of them or what reads their options."""
+"""The commands and the page that lists them, without loading the commands or the parser of their options."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ COMMANDS: Final = {
         "experiment": "Design the film that determines a material best.",
     },
     "Validation": {
-        "validate": "Hold the package against published experiments and computations.",
+        "validate": "Compare the package with published experiments and computations.",
         "compare": "Compare a filament with finite elements.",
-        "accuracy": "Measure what accuracy costs, beside IDAS and SciPy's Radau.",
-        "effects": "Measure what each effect is worth, and what it costs.",
+        "accuracy": "Measure time over accuracy, against IDAS and SciPy's Radau.",
+        "effects": "Measure each effect's share of the answer, and its cost.",
         "phase": "Map the regimes over planes of dimensionless groups.",
         "figures": "Draw the paper's figures 2, 3(a), 3(b) and 4.",
     },
@@ -60,7 +60,7 @@ def home_of(command: str) -> str:
 
 
 def overview(program: str) -> str:
-    """What ``softcat -h`` prints, as wide as the terminal, up to 80 columns."""
+    """Text of ``softcat -h``, as wide as the terminal, up to 80 columns."""
     width = max(min(get_terminal_size().columns, 80) - 2, 50)
     lines = [f"Usage: {program} [OPTIONS] COMMAND [ARGS]...", "", f"  {SUMMARY}"]
     for title, rows in {"Options": _OPTIONS, **COMMANDS}.items():
@@ -69,4 +69,4 @@ def overview(program: str) -> str:
         for name, words in rows.items():
             first, *more = wrap(words, width - column - 4)
             lines += [f"  {name:{column}}  {first}", *(" " * (column + 4) + line for line in more)]
-    return "\n".join([*lines, "", "  softcat COMMAND -h tells more of each; begin with: softcat run ink-bridge"])
+    return "\n".join([*lines, "", "  softcat COMMAND -h describes each command; begin with: softcat run ink-bridge"])

@@ -44,9 +44,9 @@ def phase(
     """Map the regimes over planes of dimensionless groups.
 
     Filaments are run over (G, delta) and (G, V); DIR gets phase.json, pictures and tables.
-    The lattice is refined along boundaries only. A regime is that which a run shows; a run without a sound answer is a
+    The lattice is refined along boundaries only. The regimes are those of the runs; a run without a sound answer has a
     row and a mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy is 1e-2 and the
-    filament has 40 graded cells. After Ctrl-C the same command goes on from the runs that were finished.
+    filament has 40 graded cells. After Ctrl-C the same command resumes from the finished runs.
     """
     from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting.phase import print_phase_diagram, write_phase_diagram

@@ -1,4 +1,4 @@
-"""``softcat run`` and ``softcat draw``: one filament, and its pictures again without solving."""
+"""``softcat run`` and ``softcat draw``: one filament, and new pictures of a finished run."""
 
 from __future__ import annotations
 
@@ -29,7 +29,12 @@ if TYPE_CHECKING:
 RunOutputOption = Annotated[
     Path | None,
     typer.Option(
-        "--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE", parser=directory
+        "--output",
+        "-o",
+        metavar="DIR",
+        help="Folder for the files.",
+        show_default="softcat-out/SCENE",
+        parser=directory,
     ),
 ]
 AnimateOption = Annotated[
@@ -89,7 +94,7 @@ def run(
             progress.doing("reading")
             trajectory = simulated(asked, progress)
             progress.stage("writing")
-            # The numbers first: whoever stops it while it draws has them.
+            # The numbers are written first, so that they remain after Ctrl-C during the drawing.
             written = trajectory.written(output)
             if not no_pictures:
                 progress.stage("drawing pictures")
@@ -158,7 +163,7 @@ def draw(
 
 
 def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
-    """What the options of films and pictures ask for, refused before anything is computed."""
+    """Read the options of films and pictures; faults are refused before anything is computed."""
     from softcat_sym.plotting.style import drawn_radius, picture_style
 
     drawn_radius(radius)
@@ -171,7 +176,7 @@ def _requested_pictures(animate: str | None, seconds: float, style: str, radius:
 
 
 def _film(order: FilmOrder, output: Path, run: Run, *, quiet: bool) -> Path:
-    """Draw a film, with a bar on the terminal."""
+    """Draw a film, with a progress bar on the terminal."""
     from softcat_sym.plotting.animation import write_film
     from softcat_sym.plotting.terminal import StepProgress
 

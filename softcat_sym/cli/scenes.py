@@ -1,4 +1,4 @@
-"""``softcat scenes``, ``show`` and ``keys``: the bundled scenes, a scene in full, and what it may hold."""
+"""``softcat scenes``, ``show`` and ``keys``: the bundled scenes, a scene in full, and the keys of scenes."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def scenes(
 ) -> None:
     """List the bundled scenes, with the lesson of each.
 
-    With -o they are all run, and a gallery is written into DIR.
+    With -o the command runs all scenes, and writes a gallery into DIR.
     The gallery is gallery.html and gallery.png, a picture and a TOML file of each scene, gallery.csv and gallery.json.
-    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on
-    from what was finished.
+    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command resumes
+    from the finished scenes.
     """
     from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
 
@@ -82,7 +82,7 @@ def scenes(
 def show(scene: SceneArgument, changes: SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
-    The output is TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
+    The output is TOML in SI units, and a valid scene itself: softcat show ink-bridge > my-ink.toml
     """
     from softcat_sym.scene.toml import toml_of
 
@@ -96,7 +96,7 @@ def keys(
 ) -> None:
     """List the keys of a scene: unit, default and meaning.
 
-    With PART, the command lists the keys whose names hold it, and what each accepts.
+    With PART, the command lists the keys whose names contain it, and the values that each accepts.
     """
     from softcat_sym.scene.keys import keys_in_markdown, scene_keys
 

@@ -86,10 +86,10 @@ def sweep(
 
     DIR gets sweep.nc, sweep.csv, sweep.json, scene.toml and a picture.
     The member in the middle of the ranges is run as by `softcat run`: its error is estimated and its grid refined. All
-    others run once, in threads, with at least its cells, fibres and tolerance. --estimate estimates the error of each
-    member, --set numerics.estimate=false that of none. A member that cannot be run, or that has no sound answer, is a
-    row like the others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster:
-    --set run.frames=41. After Ctrl-C the same command goes on from the members that were finished.
+    others run once, in threads, at least as finely. --estimate estimates the error of each member, --set
+    numerics.estimate=false that of none. A member that cannot be run, or that has no sound answer, is a row like the
+    others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster: --set
+    run.frames=41. After Ctrl-C the same command resumes from the finished members.
     """
     from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.ensemble.executor import check_executor

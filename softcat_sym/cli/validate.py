@@ -1,4 +1,4 @@
-"""``softcat validate``: what others have measured or computed, beside what comes out here."""
+"""``softcat validate``: published experiments and computations, compared with results of this package."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from softcat_sym.cli.application import (
 )
 
 _NAMES = typer.Argument(
-    metavar="CASE", help="Only these, such as mora or princeton; a wrong name lists all.", show_default="all of them"
+    metavar="CASE", help="Only these cases: mora, princeton, ...; a wrong name lists all.", show_default="all of them"
 )
 
 
@@ -30,14 +30,15 @@ def validate(
     fresh: FreshOption = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Hold the package against published experiments and computations.
+    """Compare the package with published experiments and computations.
 
-    One table: source, what was published, what comes out here, the difference, what may explain it. Nothing is fitted.
-    DIR gets validation.html, .json, .csv and .png, and the picture and the scenes of each case, as TOML to run again.
-    A case that cannot be run stands in the table with the reason; flow curves want pip install softcat_sym[peers].
+    One table has the source, the published result, that of this package, the difference and a possible explanation.
+    Nothing is fitted. DIR gets validation.html, .json, .csv and .png, and the picture and the scenes of each case as
+    TOML files that can be run.
+    A case that cannot be run is in the table with the reason; flow curves need pip install softcat_sym[peers].
     """
     from softcat_sym.studies.validate import chosen_cases
-    from softcat_sym.studies.validate import validate as hold_against
+    from softcat_sym.studies.validate import validate as compare_with_published
 
     names = list(cases or ())
     chosen = chosen_cases(names)
@@ -46,7 +47,7 @@ def validate(
     from softcat_sym.plotting.validate import print_validation, write_validation
 
     with study(output, fresh=fresh), StepProgress(len(chosen), "cases", quiet=quiet) as progress:
-        validation = hold_against(names, progress)
+        validation = compare_with_published(names, progress)
         progress.stage("drawing")
         written = write_validation(validation, output, shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
     if not quiet:

@@ -1,1 +1,1 @@
-"""Which physics a run holds: one effect a file, each picking its terms from the equations."""
+"""Effects, the physics of a run: one file for each effect, which selects its terms of the equations."""

@@ -1,4 +1,4 @@
-"""Added mass: what surrounds the filament moves with it across its tangent (Lighthill 1960)."""
+"""Added mass: the surrounding fluid moves with the filament across its tangent (Lighthill 1960)."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ def _applies(scene: Scene) -> bool:
 
 
 def mass_ratio(scene: Scene) -> float:
-    """Added mass over the filament's own."""
+    """Added mass over the filament's own mass."""
     filament = scene.filament
     coefficient = math.pi / 4 * filament.width / filament.thickness if filament.section == "rectangle" else 1.0
     return coefficient * scene.surroundings.density / filament.density
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    # A ringing loses step by that in every radian; without it, inertia matters as far as the motion lags.
+    # It changes the phase of a ringing by this share; without ringing, it matters as much as inertia does.
     slower = math.sqrt(1 + mass_ratio(scene)) - 1
     value = slower * max(motion.missed, motion.swings)
     return Estimate(
-        min(1.0, value), "change of every period, times what inertia matters", "sqrt(1 + C_m rho_b/rho) - 1"
+        min(1.0, value), "change of every period, times the estimate of inertia", "sqrt(1 + C_m rho_b/rho) - 1"
     )
 
 
 ADDED_MASS = Effect(
     name="added-mass",
-    summary="inertia of what surrounds the filament, across its tangent",
+    summary="inertia of the surrounding fluid, across the tangent of the filament",
     source="Lighthill 1960",
     contribute=partial(replace, added_mass=True),
     applies=_applies,
-    without_it="surroundings.density is zero, or the section is a sheet, around which no flow is local",
+    without_it="surroundings.density is zero, or the section is a sheet, for which there is no local flow",
     estimate=_estimate,
     observable="change of every period, times the lag behind the balanced sag",
     example="embedded-strand",

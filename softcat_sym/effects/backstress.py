@@ -1,6 +1,6 @@
-"""Backstress: flow one way makes a yield-stress material flow sooner the other way (Bauschinger effect).
+"""Backstress: flow in one direction lowers the yield stress in the other direction (Bauschinger effect).
 
-Kinematic hardening of every fibre with dynamic recovery; beside the effect structure it is the MIKH model.
+Every fibre has kinematic hardening with dynamic recovery; together with the effect structure it is the MIKH model.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ def _applies(scene: Scene) -> bool:
 
 
 def _hardened(scene: Scene, strain: float) -> float:
-    """Backstress after flow to this strain [Pa]."""
+    """Backstress after flow by this strain [Pa]."""
     material = scene.material
     decay = material.hardening_recovery * strain
     return (material.hardening_modulus or 0.0) * strain * (-math.expm1(-decay) / decay if decay else 1.0)
@@ -29,19 +29,19 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     stress = _hardened(scene, motion.strain)
     limit = scene.material.threshold
     change = stress / (stress + limit) if stress else 0.0
-    meaning = "backstress over all that holds against flow, where flow takes the stress away"
+    meaning = "backstress over backstress and yield stress, times the stress that flow relaxes"
     return Estimate(motion.amplified(change * motion.relaxed), meaning, "relaxed chi/(chi + sigma_Y)")
 
 
 BACKSTRESS = Effect(
     name="backstress",
-    summary="kinematic hardening with dynamic recovery, fibre by fibre: flow is driven by the stress less C A",
+    summary="kinematic hardening with dynamic recovery, fibre by fibre: the stress minus C A drives the flow",
     source="Armstrong & Frederick 1966; Dimitriou & McKinley 2014",
     contribute=partial(replace, hardens=True),
     applies=_applies,
     without_it=f"the scene has no material.hardening_modulus, asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,
-    observable="the same, of the strain and the share of flow that a run shows",
+    observable="the same, from the strain and the share of flow in a run",
     example="modelling-clay",
     derivation="19_structure",
     needs=("fibres", "yielding"),

@@ -11,7 +11,7 @@ from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, chord_angle, groups_of
 
 _LAYER, _PINNED = 0.5, 0.1
-"""Length over which a clamp bends a string, and sag below which a string is a beam, in h0/H: clamped, and pinned."""
+"""Smallest share of the load in bending, over h0/H, of a string in clamps, and between pins."""
 
 _LEVEL = 1e-9
 
@@ -28,7 +28,7 @@ def _indispensable(scene: Scene) -> str:
 
 
 def bending_share(scene: Scene, motion: Motion) -> float:
-    """Share of the load carried in bending, at least h0/(2 H): the bent ends of a string, and its first thickness."""
+    """Share of the load carried in bending, at least h0/(2 H) for the bent ends of a string."""
     pinned = "clamped" not in (scene.ends.left, scene.ends.right)
     layer = (_PINNED if pinned else _LAYER) * groups_of(scene).delta / motion.sag
     return min(1.0, max(1 - motion.tension_share, layer))
@@ -47,7 +47,7 @@ BENDING = Effect(
     applies=always,
     without_it="",
     estimate=_estimate,
-    observable="share of the load that tension leaves to bending at the largest sag",
+    observable="share of the load in bending at the largest sag",
     example="glass-rod",
     derivation="01_balance",
     causes=("bending",),

@@ -1,6 +1,6 @@
-"""Buoyancy: what surrounds the filament carries a part of its weight (Archimedes).
+"""Buoyancy: the surrounding fluid carries a part of the weight (Archimedes).
 
-The hydrostatic pressure drops out of the section: what the law gives is the effective tension A (sigma_xx + p).
+The hydrostatic pressure cancels in the section: the law gives the effective tension A (sigma_xx + p).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from softcat_sym.errors import Fault
 from softcat_sym.scene.scene import Scene
 
 _MAX_DENSITY = 22_600.0
-"""That of osmium [kg/m^3]: what is beyond is a slip in the unit."""
+"""Density of osmium [kg/m^3]: a larger density has a wrong unit."""
 
 
 def _applies(scene: Scene) -> bool:
@@ -22,9 +22,9 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     share = scene.surroundings.density / scene.filament.density
-    # The pull that weight makes sets the pace of a ringing string; a beam's pace knows no weight.
+    # The frequency of a string depends on the tension by its weight; that of a beam does not.
     change = share * motion.sag / motion.scale * (1 + motion.tension_share * motion.swings)
-    meaning = "share of the weight that what surrounds the filament carries, times what a string's ringing makes of it"
+    meaning = "share of the weight that the surrounding fluid carries, amplified by the ringing of a string"
     return Estimate(min(1.0, change), meaning, "rho_b/rho (1 + phase of the ringing)")
 
 
@@ -37,13 +37,13 @@ def _faults(scene: Scene) -> list[Fault]:
 
 BUOYANCY = Effect(
     name="buoyancy",
-    summary="weight less that of what the filament displaces, g (1 - rho_b/rho)",
+    summary="weight minus that of the displaced fluid, g (1 - rho_b/rho)",
     source="Archimedes",
     contribute=partial(replace, buoyant=True),
     applies=_applies,
     without_it="surroundings.density is zero",
     estimate=_estimate,
-    observable="share of the weight that is carried, times the phase of the ringing seen",
+    observable="share of the weight that the fluid carries, times the observed phase of the ringing",
     example="embedded-strand",
     derivation="17_surroundings",
     faults=_faults,

@@ -1,4 +1,4 @@
-"""Which effects are in force for a scene, and why; and lists of effects that make no sense."""
+"""Choice of the effects in force for a scene, with reasons; refusal of invalid lists of effects."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from softcat_sym.scene.units import same_dimension, si_unit
 
 
 def refuse_law(scene: Scene) -> None:
-    """The small-deflection model has one plastic stretch for the whole filament, which only a linear law allows."""
+    """Refuse a yield stress in the small-deflection model, whose single plastic stretch needs a linear law."""
     if scene.model == "small-deflection" and YIELDING.applies(scene):
         raise SceneError(
             [Fault("material.law", f"{scene.material.law!r} with model 'small-deflection'", "elastic or maxwell")]
@@ -36,7 +36,7 @@ def refuse_law(scene: Scene) -> None:
 
 
 def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """The printed closure is a plastic state linear through the thickness of a filament that does not shear."""
+    """Refuse the printed closure, a plastic state linear through the thickness, with effects beyond the paper."""
     beyond = [effect.name for effect in chosen if not effect.in_paper]
     if scene.run.closure == "printed" and beyond:
         key = "fibres" if scene.numerics.fibres is not None else "order"
@@ -47,7 +47,7 @@ def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 
 def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """The stress of polymer chains is not linear through a section that bends: it is resolved, by either closure."""
+    """Refuse polymer chains without fibres in bending, as their stress is not linear through the thickness."""
     if not has_chains(scene):
         return
     law = f"the law {scene.material.law!r}"
@@ -60,7 +60,7 @@ def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 
 def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """A scene may not leave out what it cannot do without: one fault a reason."""
+    """Refuse a scene that leaves out indispensable effects: one fault for each reason."""
     left_out, names = dict[str, list[str]](), {effect.name for effect in chosen}
     for effect in REGISTRY:
         if effect.name not in names and effect.applies(scene) and (why := effect.indispensable(scene)):
@@ -71,7 +71,7 @@ def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 
 def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
-    """Why a list that does not name extensibility has it all the same; empty if it has not."""
+    """Why a list that does not name extensibility includes it anyway; empty if it does not."""
     name = EXTENSIBILITY.name
     if name in asked or not EXTENSIBILITY.applies(scene):
         return {}
@@ -82,13 +82,13 @@ def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str
 
 
 def refuse_unsound(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """Refuse what no filament withstands with these effects."""
+    """Refuse scenes in which a filament with these effects is unstable."""
     if faults := [fault for effect in chosen for fault in effect.faults(scene)]:
         raise SceneError(faults)
 
 
 def refuse_tables(scene: Scene) -> None:
-    """Refuse tables ``[effects.NAME]`` of no effect, and constants that are missing, unknown or of another unit."""
+    """Refuse tables ``[effects.NAME]`` without such an effect, and missing, unknown or wrongly measured constants."""
     known = {effect.name: effect for effect in REGISTRY if effect.constants}
     faults = []
     for name, table in scene.effects:
@@ -115,7 +115,7 @@ def refuse_tables(scene: Scene) -> None:
 
 
 def why_not(effect: Effect, scene: Scene) -> str:
-    """Why a scene cannot have an effect: the model where that is what keeps it out, else the law or the load."""
+    """Why a scene cannot have an effect: the model if it excludes the effect, otherwise the law or the load."""
     if SMALL_MODEL not in effect.without_it:
         return effect.without_it
     small = scene.model == "small-deflection"
@@ -123,11 +123,11 @@ def why_not(effect: Effect, scene: Scene) -> str:
 
 
 def refuse(scene: Scene, asked: Iterable[str]) -> None:
-    """Refuse names that are unknown, that the scene cannot have, or that miss another one: one fault each."""
+    """Refuse names that are unknown, that the scene cannot have, or that need another effect: one fault each."""
     known, named = {effect.name: effect for effect in REGISTRY}, tuple(asked)
     whole = [name for name in ("auto", "paper") if name in named]
     if whole:
-        # What the rest would miss is not known: it may be what the word stands for.
+        # Needs of the other names are not checked, as the word may stand for them.
         accepted = f"{whole[0]!r} by itself, or a list of {', '.join(known)}"
         raise SceneError([Fault("run.effects", f"{whole[0]!r} within a list", accepted)])
     faults: list[Fault] = []
@@ -146,13 +146,13 @@ def refuse(scene: Scene, asked: Iterable[str]) -> None:
 
 
 def _missing(scene: Scene, effect: Effect, named: Collection[str], known: Mapping[str, Effect]) -> list[str]:
-    """What an effect needs that the scene can have and does not name, and what that needs; in the registry's order."""
+    """Unnamed effects that an effect needs, directly or not, and that the scene can have; in the registry's order."""
     found: set[str] = set()
     wanted = set(effect.needs)
     while wanted := wanted - {*named, *found}:
         found |= wanted
         wanted = {need for one in wanted for need in known[one].needs}
-    # Extensibility comes by itself with whatever needs it.
+    # Extensibility is added automatically.
     able = {name for name in found if known[name].applies(scene)} - {EXTENSIBILITY.name}
     return [name for name in known if name in able]
 
@@ -171,24 +171,24 @@ def _incomplete(scene: Scene, name: str, missing: str) -> Fault:
 
 
 SHARE = 1 / 3
-"""Share of the accuracy asked above which an effect is called for: several that are left out add up."""
+"""Share of the requested accuracy above which an estimate calls for its effect: several omitted effects add up."""
 
 BY_ESTIMATE = ""
-"""What is in force for no other reason than what it is worth."""
+"""Reason of an effect that is in force only because of its estimate."""
 
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """What was decided about one effect."""
+    """Decision about one effect."""
 
     effect: Effect  # The effect
-    in_force: bool  # Whether the run holds it
-    estimate: Estimate | None  # How much it should matter; None where the scene cannot have it
-    reason: str  # Why it is in force or not, where that is not its estimate
+    in_force: bool  # Whether the run includes it
+    estimate: Estimate | None  # Expected change without it; None if the scene cannot have it
+    reason: str  # Why it is in force or not; empty if the estimate decides
 
     @property
     def why(self) -> str:
-        """Why, with the estimate: ``worth about 90 % of the sag``."""
+        """Reason with the estimate: ``worth about 90 % of the sag``."""
         if self.estimate is None or (self.reason and self.estimate.value == 0):
             return self.reason
         return f"{self.reason} ({self.estimate})" if self.reason else f"worth {self.estimate}"
@@ -200,7 +200,7 @@ class Effects:
 
     decisions: tuple[Decision, ...]  # One for every effect, in the order of the registry
     bare: Terms  # The filament of this material and shape without any effect
-    scene: Scene  # Whose they are
+    scene: Scene  # The scene of the run
 
     @property
     def in_force(self) -> tuple[Effect, ...]:
@@ -214,12 +214,12 @@ class Effects:
 
     @property
     def reasons(self) -> dict[str, str]:
-        """Why each effect in force is, with its estimate."""
+        """Reason of each effect in force, with its estimate."""
         return {decision.effect.name: decision.why for decision in self.decisions if decision.in_force}
 
     @property
     def left_out(self) -> dict[str, float]:
-        """Estimate of each effect that the scene has but the run does not."""
+        """Estimate of each effect that the scene can have but the run does not include."""
         return {
             decision.effect.name: decision.estimate.value
             for decision in self.decisions
@@ -227,7 +227,7 @@ class Effects:
         }
 
     def terms(self) -> Terms:
-        """The terms that these effects pick."""
+        """The terms that these effects select."""
         return self._terms
 
     @cached_property
@@ -238,7 +238,7 @@ class Effects:
         return terms
 
     def at_rest(self) -> Terms:
-        """The terms of the same filament at rest under its whole weight: nothing that depends on a rate."""
+        """The terms of the filament at rest under its whole weight, without those that depend on a rate."""
         found = self.terms()
         return replace(
             found,
@@ -255,7 +255,7 @@ class Effects:
 
 
 def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effects:
-    """Choose the effects of a scene: those it names, the paper's list, or what its estimates call for.
+    """Choose the effects of a scene: those it names, the paper's list, or those that its estimates call for.
 
     The printed closure and the small-deflection model belong to the published theory: with them ``auto`` is the paper's
     list.
@@ -280,9 +280,9 @@ def bare(scene: Scene) -> Terms:
 
 
 def _estimates(scene: Scene) -> dict[str, Estimate]:
-    """How much each effect that applies should matter, by its name.
+    """Estimate of each effect that applies, by its name.
 
-    Of a material that changes the most of its beginning, middle and end.
+    For a material that changes in time, the largest of its beginning, middle and end.
     """
     stages = [(one, forecast(one)) for one in scene.stages()]
     return {
@@ -307,12 +307,12 @@ def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
     if _is_published(scene):
         return "not in the paper's list"
     if estimate.value <= SHARE * scene.run.accuracy:
-        return "worth less than a third of the accuracy asked"
+        return "worth less than a third of the requested accuracy"
     return effect.saved(scene)
 
 
 def _reasons(scene: Scene, estimates: Mapping[str, Estimate], shown: Mapping[str, str]) -> dict[str, str]:
-    """Why each effect in force is; what is not in force is not among the keys."""
+    """Reasons of the effects in force, by name."""
     asked = scene.run.effects
     if not isinstance(asked, str):
         implied = _implied(scene, asked)
@@ -322,7 +322,7 @@ def _reasons(scene: Scene, estimates: Mapping[str, Estimate], shown: Mapping[str
     if _is_published(scene):
         reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
         if asked == "auto" and scene.run.closure != "printed":
-            # The small-deflection model takes the pull of the surface as one more tension.
+            # The small-deflection model includes the pull of the surface as an additional tension.
             reasons |= _called_for(scene, estimates, (SURFACE_TENSION,))
         reasons |= {e.name: why for e in (GRAVITY_SHAKING,) if e.applies(scene) and (why := e.indispensable(scene))}
         return _implied(scene, reasons) | reasons
@@ -334,7 +334,7 @@ def _is_published(scene: Scene) -> bool:
 
 
 def _called_for(scene: Scene, estimates: Mapping[str, Estimate], among: Iterable[Effect] = REGISTRY) -> dict[str, str]:
-    """What ``auto`` takes in: what the scene cannot do without, and what its estimate calls for."""
+    """Effects that ``auto`` chooses: indispensable ones, and those that their estimates call for; with reasons."""
     reasons = {}
     for effect in among:
         if effect.name not in estimates:
@@ -348,10 +348,10 @@ def _called_for(scene: Scene, estimates: Mapping[str, Estimate], among: Iterable
 
 
 def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
-    """The effects with whatever makes the run easier, and with whatever they need."""
+    """The effects, with those that speed up the run and those that other effects need; with reasons."""
     complete = dict(reasons)
     for effect in REGISTRY:
-        # Nothing is eased by inertia that is not there otherwise.
+        # An effect that would add inertia does not speed up the run.
         dear = INERTIA.name in effect.needs and INERTIA.name not in complete
         if effect.name not in complete and not dear and effect.applies(scene) and (why := effect.eases(scene)):
             complete[effect.name] = why
@@ -365,12 +365,12 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
                 complete.setdefault(need, f"needed by {effect.name}")
     flow = complete.get(VISCOUS_FLOW.name, BY_ESTIMATE)
     if flow != BY_ESTIMATE and YIELDING.applies(scene):
-        complete.setdefault(YIELDING.name, "what does not flow is held by its yield stress")
+        complete.setdefault(YIELDING.name, "the yield stress holds sections that do not flow")
     return complete
 
 
 def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
-    """Effects that another key asks for: a number of fibres, or an order beyond the paper's, wants them resolved."""
+    """Effects that another key requires: numerics.fibres, or an order beyond the paper's, requires fibres."""
     numerics = scene.numerics
     if numerics.fibres is None and (numerics.order or 0) <= 1:
         return {}

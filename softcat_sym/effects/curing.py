@@ -1,8 +1,8 @@
-"""Curing: constants of the material are tables or formulas of time, as of an ink that dries or a concrete that sets.
+"""Curing: constants of the material are tables or formulas of time, as for an ink that dries or a concrete that sets.
 
-A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t, as the strands of
-a transient network (Castonguay et al. 2025): what hangs is not pulled up by it. One that falls loses springs with the
-stress that they carry, sigma = E(t) eps.
+New springs of a growing modulus are free of stress, sigma_t = E(t) eps_t, like the strands of a transient network
+(Castonguay et al. 2025): they do not lift a filament. A falling modulus loses springs with their stress,
+sigma = E(t) eps.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    meaning = "largest change of the sag by constants that stay as they are at the beginning"
+    meaning = "largest change of the sag if the constants keep their initial values"
     if not scene.material.histories():
         return Estimate(0.0, meaning)
     changing, constant = (followed_sag(one)[1] for one in (scene, scene.at(0.0)))
@@ -42,7 +42,7 @@ CURING = Effect(
     applies=_applies,
     without_it="no constant of the material is a table or a formula of time",
     estimate=_estimate,
-    observable="the same, of the sag and the ringing that a run shows",
+    observable="the same, from the sag and the ringing of a run",
     example="solvent-cast-strand",
     derivation="21_curing",
     in_paper=False,

@@ -1,6 +1,6 @@
-"""Drag: what surrounds the filament resists its motion, as a slender body or, of a bath with inertia, in cross-flow.
+"""Drag: the surrounding fluid resists the motion of a slender body, or, with a density, of a cylinder in cross-flow.
 
-The second holds the first as its limit: no speed has to be foreseen, and a fit may move across it.
+The second law contains the first as its limit, so that no speed is needed beforehand, and a fit can pass between them.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 
 _FASTEST = 2e5
-"""Reynolds number up to which White's law holds."""
+"""Largest Reynolds number of White's law."""
 
 
 def reynolds_number(scene: Scene, motion: Motion) -> float:
-    """Re = rho_b d U/mu_b of the largest speed of the midpoint."""
+    """Re = rho_b d U/mu_b at the largest speed of the midpoint."""
     bath = scene.surroundings
     return bath.density * _diameter(scene) * motion.speed / bath.viscosity
 
@@ -49,15 +49,15 @@ def resistance(scene: Scene, speed: float) -> float:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     weight = weight_stress(scene) * undeformed_area(scene) / scene.filament.span
     taken = resistance(scene, motion.speed) / weight if weight > 0 else 1.0
-    # A swing of that speed loses zeta/(2 m) of its amplitude in a unit of time.
+    # An oscillation with that speed decays at the rate zeta/(2 m).
     mass = scene.filament.density * undeformed_area(scene)
     decay = resistance(scene, motion.speed) / motion.speed / (2 * mass) if motion.speed > 0 else 0.0
     lost = motion.swings * -math.expm1(-decay * scene.run.duration)
-    # It matters to the sag for as long as the fall goes on.
+    # It changes the sag only during the fall.
     fall = motion.sag * scene.filament.span / motion.speed if motion.speed > 0 else 0.0
     falling = min(1.0, fall / scene.run.duration)
     law = "a cylinder in cross-flow (White)" if scene.surroundings.density > 0 else "a slender body (Cox)"
-    meaning = f"share of the weight that the bath resists by, as of {law}, or ringing that it takes away"
+    meaning = f"drag of {law} over the weight, or ringing that it damps"
     return Estimate(min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))")
 
 
@@ -69,13 +69,13 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
 
 DRAG = Effect(
     name="drag",
-    summary="resistance of a slender body, in a bath that has a density of a cylinder in cross-flow",
+    summary="resistance of a slender body; in a bath with a density, of a cylinder in cross-flow",
     source="Cox 1970; White 1991",
     adapt=_adapted,
     applies=_applies,
-    without_it="surroundings.viscosity is zero, or the section is a sheet, around which no flow is slow",
+    without_it="surroundings.viscosity is zero, or the section is a sheet, for which there is no slow flow",
     estimate=_estimate,
-    observable="resistance at the largest speed of the midpoint, over the weight; ringing that it would have ended",
+    observable="resistance at the largest speed of the midpoint, over the weight; ringing that it would have damped",
     example="embedded-strand",
     derivation="17_surroundings",
     in_paper=False,

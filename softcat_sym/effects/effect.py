@@ -1,4 +1,4 @@
-"""What an effect is: a frozen object that picks terms, says what it needs, and states when a scene calls for it."""
+"""Effects: frozen objects that select terms, name what they need, and estimate when a scene calls for them."""
 
 from __future__ import annotations
 
@@ -17,47 +17,47 @@ if TYPE_CHECKING:
 
     from softcat_sym.physics.densities import Densities
 
-# SymPy is imported where densities are asked for: no effect of the package has any, and no run loads it for these.
+# SymPy is imported only for densities, which no effect of the package has, so that runs do not load it.
 
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """What the sizes of all effects are computed from; lengths are in spans."""
+    """Quantities from which the estimates of all effects are computed; lengths are in spans."""
 
     sag: float  # Largest depth of the midpoint below the line between the supports
-    scale: float  # Largest distance of the midpoint from the height of the left support: what an error is measured by
+    scale: float  # Largest distance of the midpoint from the height of the left support, the unit of errors
     strain: float  # Largest mean strain of the centreline
     slope: float  # Largest slope against the horizontal
-    tension_share: float  # Share of the load that is carried in tension once the filament hangs deepest
+    tension_share: float  # Share of the load that is carried in tension at the largest sag
     swings: float  # Phase of the ringing times its share of the sag
-    missed: float  # Change of the midpoint, in scales, by a filament that is in balance at every instant
-    risen: float  # Share of the largest sag that a filament loaded at once would have reached by the end of the ramp
-    relaxed: float  # Share of the stress that flow takes away, 0 to 1
+    missed: float  # Change of the midpoint, in scales, if the filament were in equilibrium at every instant
+    risen: float  # Share of the largest sag that a suddenly loaded filament would reach by the end of the ramp
+    relaxed: float  # Share of the stress that flow relaxes, 0 to 1
     overstress: float  # Largest fibre stress over the yield stress; infinite without one
     flowing_overstress: float  # Mean stress of the flowing filament over the yield stress; infinite without one
-    retarded: float  # Change of the midpoint, in scales, by a solid that does not resist the rate of its strain
-    damped: float  # Change of the midpoint, in scales, by a solid that loses nothing below yield
-    sheared: float  # Share of the sag that shear makes, of a filament that does not flow beyond a yield stress
+    retarded: float  # Change of the midpoint, in scales, if the solid had no viscous stress
+    damped: float  # Change of the midpoint, in scales, if the solid had no loss below yield
+    sheared: float  # Share of the sag by shear, for a filament that does not flow beyond a yield stress
     folds: float  # Growth of a neck, e-folds
     speed: float  # Largest speed of the midpoint [m/s]
-    capillary: float  # Share of the sag that surface tension would take, or takes
+    capillary: float  # Share by which surface tension reduces the sag
     rings_on: bool = False
 
     def amplified(self, change: float) -> float:
-        """A relative change of the sag as it shows in the midpoint and in the phase of its ringing; 1 at the most."""
+        """Change of the midpoint by a relative change of the sag, with the phase of the ringing; at most 1."""
         return min(1.0, change * self.sag / self.scale * (1 + self.swings))
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """How much an effect matters: before a run from the groups of the scene, after it from what it shows.
+    """Size of an effect: before a run from the groups of the scene, after it from the observed motion.
 
     Attributes
     ----------
     value : float
         Change of the midpoint, relative to its largest value, if the effect were left out.
     meaning, formula : str
-        The number in plain words, and its formula in symbols.
+        Meaning of the number in words, and its formula.
     """
 
     value: float
@@ -79,7 +79,7 @@ class OfMotion:
     factor: float = 1.0
 
     def __call__(self, scene: Scene, motion: Motion) -> Estimate:
-        """Read the number; the scene itself does not matter."""
+        """Return the estimate; the scene is not used."""
         value = self.factor * getattr(motion, self.quantity)
         return Estimate(motion.amplified(value) if self.amplified else value, self.meaning, self.formula)
 
@@ -88,7 +88,7 @@ _WHOLE, _NOTHING = 0.95, 1e-6
 
 
 def amount(value: float) -> str:
-    """A change of the sag as people say it, to the one digit that an estimate has: ``about 90 % of the sag``."""
+    """Text of a change of the sag, with the single digit of an estimate: ``about 90 % of the sag``."""
     if value >= _WHOLE:
         return "the whole sag"
     if value < _NOTHING:
@@ -97,26 +97,26 @@ def amount(value: float) -> str:
 
 
 def dispensable(scene: Scene) -> str:
-    """Nothing speaks against leaving the effect out."""
+    """Return an empty reason: the effect can be left out."""
     del scene
     return ""
 
 
 def sound(scene: Scene) -> list[Fault]:
-    """Nothing in the scene is more than a filament with the effect withstands."""
+    """Return no faults."""
     del scene
     return []
 
 
 def silent(scene: Scene, motion: Motion) -> list[str]:
-    """Nothing to warn of."""
+    """Return no warnings."""
     del scene, motion
     return []
 
 
 @dataclass(frozen=True, slots=True)
 class EffectConstant:
-    """A number that an effect asks for: ``[effects.NAME]`` of the scene states it.
+    """A constant of an effect, stated in ``[effects.NAME]`` of the scene.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ class EffectConstant:
 
     @property
     def symbol(self) -> sp.Symbol:
-        """What stands for it in the densities of its effect."""
+        """Symbol of the constant in the densities of its effect."""
         from softcat_sym.physics import symbols as sy
 
         kilogram, metre, second = (round(power) for power in self.dimension)
@@ -150,16 +150,16 @@ class EffectConstant:
 
 
 def never(scene: Scene) -> bool:
-    """Applies to no scene: an effect that says nothing else applies where the scene has its table."""
+    """Apply to no scene: the default of an effect, which then applies to scenes with its table."""
     del scene
     return False
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """One piece of physics that can be in force or absent; absent, it leaves nothing in the graph.
+    """A part of the physics that is in force or absent; an absent effect leaves nothing in the graph.
 
-    An effect either picks terms of the package's own physics (`contribute`), or adds densities of its own: a `stored`
+    An effect either selects terms of the package's own physics (`contribute`), or adds densities of its own: a `stored`
     energy, a Rayleigh potential (`dissipation`) and a `kinetic` energy of a unit of rest length, in the symbols of
     ``softcat_sym.physics.symbols`` (place ``x, y``, velocity ``x_t, y_t``, tangent ``x_X, y_X`` and its rate, stretch
     ``s``, ``X, t``, ``A0, h0, rho, g, L_0``) and of its `constants`. Forces, energy audit, C, written equations and
@@ -170,44 +170,44 @@ class Effect:
     name : str
         Name, as in ``run.effects``.
     summary, source : str
-        What the effect adds, in half a sentence; its equation numbers, or a paper.
+        Description in half a sentence; equation numbers, or a paper.
     estimate : callable
-        ``(scene, motion) -> Estimate``: how much the midpoint of a scene that moves so changes if the effect is left
-        out; called before a run with the motion that is forecast, after it with the one that is observed.
+        ``(scene, motion) -> Estimate``: change of the midpoint if the effect is left out, for a scene with this motion;
+        called before a run with the forecast motion, after it with the observed one.
     observable : str
         Quantity by which a run shows the effect.
     contribute : callable
         ``(terms) -> terms``: the terms with the effect.
     adapt : callable
-        ``(scene, terms) -> terms``: the same, for an effect whose law depends on the scene.
+        ``(scene, terms) -> terms``: the same for an effect whose terms depend on the scene.
     stored, dissipation, kinetic : sympy expression
         Densities [J/m], [W/m], [J/m].
     constants : tuple of EffectConstant
         Keys of ``[effects.NAME]``.
     applies : callable
-        Whether a scene has the physics at all; for an effect with constants, where their table is given.
+        Whether a scene can have the effect; by default, for an effect with constants, if their table is given.
     without_it : str
-        Why a scene cannot have the effect where it does not apply.
+        Why a scene to which it does not apply cannot have the effect.
     example, derivation : str
         Bundled scene in which it matters, notebook that derives its terms.
     needs : tuple of str
-        Effects without which this one makes no sense.
+        Effects that this one requires.
     in_paper : bool
         Whether it is part of the published theory.
     eases, saved, indispensable : callable
-        Reason to enable the effect for speed only, to leave it out for speed, or why a scene cannot do without it; the
-        texts are empty where there is none.
+        Reason to enable the effect for speed only, reason to leave it out for speed, and reason why a scene requires
+        it; each text is empty if there is no such reason.
     faults : callable
-        Faults of scenes that no filament with the effect withstands.
+        Faults of scenes in which a filament with the effect is unstable.
     warnings : callable
-        ``(scene, motion)`` to sentences on what the theory does not hold, whether the effect is in force or not.
+        ``(scene, motion)`` to sentences on limits of the theory, whether the effect is in force or not.
     cures : str
-        Outcome of a run that leaving it out may have brought about, ``"failure"`` for any; `auto` then adds it.
+        Outcome of a run that may be due to its absence, ``"failure"`` for any; `auto` then adds the effect.
     dear : bool
-        Whether "everything" leaves it aside: followed through hinges that yield it takes many times as long.
+        Whether "everything" omits it, as it makes runs with yielding hinges many times longer.
     causes : tuple of str
-        Under which causes a card counts it when a rule of thumb misses; at rest without flow: a filament that can lose
-        nothing would swing for ever.
+        Causes under which a card counts the effect if a rule of thumb fails. Inertia is also left out with flow, as a
+        filament without losses would oscillate for ever.
     """
 
     name: str
@@ -238,7 +238,7 @@ class Effect:
 
     @property
     def densities(self) -> Densities:
-        """Its own densities, with the numbers that a run is given for its constants."""
+        """Densities of the effect, with the constants of its table."""
         import sympy as sp
 
         from softcat_sym.physics.densities import Densities
@@ -254,7 +254,7 @@ class Effect:
         return any(part != 0 for part in (self.stored, self.dissipation, self.kinetic))
 
     def added_to(self, terms: Terms, scene: Scene) -> Terms:
-        """The terms with it."""
+        """The terms with the effect."""
         if self.contribute is not None:
             terms = self.contribute(terms)
         if self.adapt is not None:
@@ -263,7 +263,7 @@ class Effect:
 
 
 def of_large_deflections(scene: Scene) -> bool:
-    """Applies unless the scene asks for the small-deflection model (2.13), which has none of it."""
+    """Apply unless the scene has the small-deflection model (2.13), which has no such terms."""
     return scene.model == "filament"
 
 
@@ -271,6 +271,6 @@ SMALL_MODEL = "the small-deflection model has no such terms"
 
 
 def always(scene: Scene) -> bool:
-    """Applies to every scene."""
+    """Apply to every scene."""
     del scene
     return True

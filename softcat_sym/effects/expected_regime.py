@@ -1,4 +1,4 @@
-"""The regime that a scene should show, from its groups alone (3.9)-(3.14), by the names of a finished run."""
+"""Expected regime of a scene, from its groups alone (3.9)-(3.14), with the names that finished runs use."""
 
 from __future__ import annotations
 
@@ -24,67 +24,69 @@ from softcat_sym.scene.scene import (
 )
 
 TURNS_BACK = 0.05
-"""Underdamped: it springs back by more than this share of its sag, as a finished run is judged.
+"""A filament is underdamped if it springs back by more than this share of its sag, the criterion of finished runs.
 
-The rebound of the parabola is some 1.3 times that of the filament: of G = 0.04 to 0.4 and V = 0.4 to 26 of the paper's
-filament, every run falls on the side of the limit where its parabola does. Near the limit the estimate may miss: the
-bundled drying-ink, stressed from the start, is expected to spring back by 0.08 and does by 0.03.
+The rebound of the parabola is about 1.3 times that of the filament: for G = 0.04 to 0.4 and V = 0.4 to 26 of the
+paper's filament, run and parabola are always on the same side of the limit. Near the limit the estimate may be wrong:
+for the bundled drying-ink, stressed from the start, it is 0.08, and the run springs back by 0.03.
 """
 
 HINGES_CREEP = 0.78
-"""Pace of a hinge at a clamp above which a finished run counts as descending.
+"""Predicted plastic rate of a hinge at a clamp above which the regime is descending.
 
-It counts as arrested below 0.5 sigma_Y/eta. In the paper's overdamped arrest (G = 0.4, V = 26) a hinge flows at 0.25
-sigma_Y/eta at the end, of which :func:`hinge_pace` predicts 0.39: the limit is 0.5 (0.39/0.25).
+A finished run counts as arrested below 0.5 sigma_Y/eta. In the paper's overdamped arrest (G = 0.4, V = 26) a hinge
+flows at 0.25 sigma_Y/eta at the end, for which :func:`hinge_pace` predicts 0.39: the limit is 0.5 (0.39/0.25).
 """
 
 HANGING = 1.0
-"""G above which a filament with a free end never stops: hung up vertically, it carries rho g L at its end."""
+"""G above which a filament with a free end never stops: hanging vertically, it carries rho g L at its support."""
 
 
 @dataclass(frozen=True, slots=True)
 class ExpectedRegime:
-    """What a run should show; None where the law has no such number."""
+    """Expected regime of a run, with its numbers; None where the law has no such number."""
 
-    name: str  # As :data:`softcat_sym.results.motion.Regime`
-    reason: str  # In words, with the numbers that decide
+    name: str  # One of :data:`softcat_sym.results.motion.Regime`
+    reason: str  # In words, with the decisive numbers
     # G (3.10) of the most stressed section, with a point mass at midspan counted twice; with surface tension rho g
     # L/(sigma_Y + gamma P/(2 A)), and the thresholds below are of this number.
     gravity_number: float | None = None
     # G from which a fibre yields, (3.11) with stretching, overshoot and initial stress.
     first_yield: float | None = None
-    collapse: float | None = None  # G from which the straight beam gives way and only its sag can hold it
-    # G above which nothing holds it: sqrt 2 (3.12), and of the exact catenary; 1 with a free end.
+    collapse: float | None = None  # G of plastic collapse of the straight beam, above which only the sag can hold it
+    # G above which there is no equilibrium: sqrt 2 (3.12), and that of the exact catenary; 1 with a free end.
     arrest_paper: float | None = None
     arrest_exact: float | None = None
-    # Sag over span at which a catenary of largest stress sigma_Y rests (3.13), and the exact one; None beyond the
-    # thresholds, and with a free end.
+    # Sag over span of a catenary whose largest stress is sigma_Y (3.13), and the exact one; None beyond the thresholds,
+    # and with a free end.
     stopping_depth_paper: float | None = None
     stopping_depth_exact: float | None = None
-    overshoot: float | None = None  # Where it first stops, over that depth
-    rebound: float | None = None  # How far it then springs back, over its sag
-    hinge_pace: float | None = None  # Plastic rate left at a clamp at the end of the run, over sigma_Y/eta
+    overshoot: float | None = None  # Sag at the first stop, over that depth
+    rebound: float | None = None  # Rebound after the first stop, over the sag
+    hinge_pace: float | None = None  # Plastic rate at a clamp at the end of the run, over sigma_Y/eta
 
 
 def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     """Predict the regime.
 
-    A filament that yields (G above first yield) descends for ever above the exact threshold of (3.12). Below it, it
-    stops: underdamped where it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless the hinges
-    at its clamps still creep when the run ends (:data:`HINGES_CREEP`).
+    A filament that yields (G above first yield) descends for ever above the exact threshold of (3.12). Below the
+    threshold it stops: underdamped if it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless
+    the hinges at its clamps still flow when the run ends (:data:`HINGES_CREEP`).
 
-    A material that changes counts as it is when the run ends: it says whether what hangs then is held.
+    For a material that changes in time, the constants at the end of the run decide.
     """
     scene = scene.at(scene.run.duration)
     gravity_number = worst_gravity_number(scene)
     if is_solid(scene):
-        return ExpectedRegime("elastic", "the law is a solid's: it swings about, or creeps to, its elastic sag")
+        return ExpectedRegime(
+            "elastic", "the law is that of a solid: it oscillates about, or creeps to, its elastic sag"
+        )
     if not {"viscous-flow", "viscous-stress"} & set(effects):
         if gravity_number is not None:
             sound = _with_yield_stress(scene, effects, gravity_number)
             if sound.name == "no-yield":
                 return sound
-        return ExpectedRegime("elastic", "no flow is in force: it swings about its elastic sag")
+        return ExpectedRegime("elastic", "no flow is in force: it oscillates about its elastic sag")
     if "yielding" not in effects or gravity_number is None:
         why = "yielding is not in force" if gravity_number is not None else "the law has no yield stress"
         return ExpectedRegime("viscous", f"{why}: it flows for as long as it is loaded")
@@ -92,7 +94,7 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
 
 
 def worst_gravity_number(scene: Scene) -> float | None:
-    """G of the thinnest section, which carries the same tension; a weight at midspan counts twice as much as spread."""
+    """G of the thinnest section, which carries the same tension; a weight at midspan counts twice."""
     plain = scales.gravity_number_of(scene)
     if plain is None:
         return None
@@ -102,14 +104,14 @@ def worst_gravity_number(scene: Scene) -> float | None:
 
 
 def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
-    """G from which a fibre yields: static (3.11) over what weight and shaking overshoot by, less what is stressed."""
+    """G from which a fibre yields: static (3.11) over the overshoot by weight and shaking, less the initial stress."""
     ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
     overshot = 1 + (scales.beam_of(scene).overshoot_bound - 1) * ringing + shaken_share(scene)
     limit, modulus, initial = scales.yield_stress_of(scene) or 0.0, scales.instant_modulus(scene) or 0.0, scene.initial
     there = max(map(abs, initial_strain(scene)), default=0.0) + max(map(abs, initial.C), default=0.0)
     there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
-    # Tension helps a filament that is loaded slowly. One that swings is not relied on to have it when it bends most:
-    # the paper's yields at G = 0.04, where the tension of its static sag would put first yield at 0.041.
+    # Tension relieves a slowly loaded filament. An oscillating one may not have it at its largest bending: the paper's
+    # filament yields at G = 0.04, where first yield with the tension of the static sag would be at 0.041.
     linear = scales.first_yield_gravity_number(scene)
     static = linear + (1 - ringing) * (_static_first_yield(scene) - linear)
     return static / overshot * max(0.0, 1 - modulus * there / limit)
@@ -134,17 +136,17 @@ def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: f
     blank = found("no-yield", "")
     limit, pull = scales.yield_stress_of(scene) or 0.0, scales.pull_of_surface(scene)
     if pull > limit and not held and gravity_number < exact:
-        thicker = f"its surface alone makes it yield ({pull:.3g} over {limit:.3g} Pa)"
+        thicker = f"surface tension alone makes it yield ({pull:.3g} over {limit:.3g} Pa)"
         return found("arrested-overdamped", f"{thicker}: it thickens until gamma P/(2 A) is the yield stress")
     if gravity_number < (blank.first_yield or 0.0) and not _pulled_beyond_yield(scene):
         return found("no-yield", f"{_said(scene, gravity_number)} is below first yield at {blank.first_yield:.3g}")
     if gravity_number >= exact:
-        what = "no catenary rests" if held else "not even hanging straight down does it rest"
+        what = "no catenary is in equilibrium" if held else "it is not even in equilibrium hanging straight down"
         return found("descending", f"{what}: {_said(scene, gravity_number)} is beyond {exact:.4g}")
     if scene.ends.motion and scene.ends.motion[-1][0] > 0.9 * scene.run.duration:
         return found("descending", "its support still moves when the run ends")
     if scene.load.shake > 0:
-        return found("shaken", "gravity is shaken: it yields again and again, or swings about where it was left")
+        return found("shaken", "gravity is shaken: it yields repeatedly, or oscillates about its plastic shape")
     return _arrested(scene, effects, blank, found)
 
 
@@ -155,29 +157,29 @@ def _arrested(
     gravity_number, viscous = numbers.gravity_number or 0.0, scales.viscous_number(scene) or 0.0
     modulus, limit = scales.instant_modulus(scene), scales.holding_stress_of(scene)
     if gravity_number == 0 or not modulus or not limit:
-        return found("arrested-overdamped", "nothing but its supports makes it flow")
+        return found("arrested-overdamped", "only its supports make it flow")
     past = overshoot(gravity_number, viscous, _ramp(scene, effects)) if "inertia" in effects else 1.0
     springs = rebound(gravity_number, limit / modulus, past)
     if gravity_number < (numbers.collapse or 0.0):
         springs = _swing(scene, effects, gravity_number)
     depth = past * (numbers.stopping_depth_exact or 0.0)
     clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
-    # Of the tension that turns the hinge, over sigma_Y/eta.
+    # The tension that rotates the hinge includes that of the surface; the rate is over sigma_Y/eta.
     pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
     pace /= scales.share_of_yield(scene)
     named = functools.partial(found, overshoot=past, rebound=springs, hinge_pace=pace)
     carried = _how_it_is_held(scene, numbers)
     if pace > HINGES_CREEP:
-        creeps = f"but at the end of the run its clamps still flow at {pace:.2g} sigma_Y/eta or so"
+        creeps = f"but at the end of the run its clamps still flow at about {pace:.2g} sigma_Y/eta"
         return named("descending", f"{carried}, {creeps}")
     kind = "underdamped" if springs > TURNS_BACK else "overdamped"
-    stops = "" if gravity_number < (numbers.collapse or 0.0) else f"stops at {past:.3g} times its depth of rest and "
+    stops = "" if gravity_number < (numbers.collapse or 0.0) else f"stops at {past:.3g} times its equilibrium sag and "
     beyond = f"it {stops}springs back by {springs:.2g} of its sag"
     return named(f"arrested-{kind}", f"{carried}; {beyond} ({kind}: limit {TURNS_BACK:g})")
 
 
 def _swing(scene: Scene, effects: Collection[str], gravity_number: float) -> float:
-    """Rebound of a beam that holds its load: it rings about its static sag, with bending and the tension at yield."""
+    """Rebound of a beam below plastic collapse: it rings about its static sag, by bending and the tension at yield."""
     if "inertia" not in effects:
         return 0.0
     frequency = math.hypot(_first_frequency(scene), math.sqrt(10 / gravity_number))
@@ -197,13 +199,13 @@ def _how_it_is_held(scene: Scene, numbers: ExpectedRegime) -> str:
             f"{numbers.collapse:.3g})"
         )
     if not is_held(scene):
-        return f"it droops until it hangs ({value} is below {HANGING:g})"
+        return f"it bends down until it hangs ({value} is below {HANGING:g})"
     slack = ", though it starts slack" if is_slack(scene) else ""
     return f"it yields and a catenary holds it ({value} is below {numbers.arrest_exact:.4g}){slack}"
 
 
 def _pulled_beyond_yield(scene: Scene) -> bool:
-    """Whether the supports, moving, stretch it beyond its yield strain."""
+    """Whether moving supports stretch the filament beyond its yield strain."""
     limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if not scene.ends.motion or not limit or not modulus or not is_held(scene):
         return False
@@ -211,12 +213,12 @@ def _pulled_beyond_yield(scene: Scene) -> bool:
 
 
 def _ramp(scene: Scene, effects: Collection[str]) -> float:
-    """Ramp in sqrt(L/g); none where it is left out."""
+    """Ramp in sqrt(L/g); zero if its effect is left out."""
     return scene.load.ramp / scales.fall_time(scene) if "gravity-ramp" in effects else 0.0
 
 
 def _first_frequency(scene: Scene) -> float:
-    """First natural frequency of the elastic beam, lowered by shear as its sag is raised, in sqrt(g/L)."""
+    """First natural frequency of the elastic beam with shear, in sqrt(g/L)."""
     modulus, weight = scales.instant_modulus(scene) or 0.0, scales.weight_stress(scene)
     gyration = scales.section_of(scene).gyration
     speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
@@ -230,7 +232,7 @@ def _shear_sag(scene: Scene) -> float:
 
 
 def _static_first_yield(scene: Scene) -> float:
-    """First yield under a slow load: between clamps with the tension of its sag, otherwise of the linear beam."""
+    """G of first yield under a slow load: between clamps with the tension of the sag, otherwise for the linear beam."""
     linear, strain = scales.first_yield_gravity_number(scene), groups_of(scene).eps_Y
     if scales.beam_of(scene) is not beams.CLAMPED or not strain:
         return linear

@@ -13,14 +13,14 @@ from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
 
 
 def _indispensable(scene: Scene) -> str:
-    """A straight relaxed filament between level supports that stay can do without; a free end does not pull either."""
+    """Why a scene requires it; empty for a straight relaxed filament with fixed level supports or a free end."""
     ends = scene.ends
     straight = math.isclose(rest_length(scene), distance(scene), rel_tol=1e-14) or not is_held(scene)
     level = ends.drop == 0 and ends.left_angle == 0 and ends.right_angle == 0 and not ends.motion
     stressed = bool(scene.initial.P) or bool(scene.initial.C) or is_curved(scene)
     if straight and level and not stressed:
         return needed_in_space(scene)
-    return "the filament does not start straight, level and without stress between supports that stay"
+    return "the filament does not start straight, level and without stress between fixed supports"
 
 
 EXTENSIBILITY = Effect(

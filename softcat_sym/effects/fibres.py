@@ -19,13 +19,13 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    # A linear profile carries M_Y at the most, M_p = M_Y <|zeta|>/<zeta^2> is what fibres that yield in turn can carry.
+    # A linear profile carries at most M_Y; fibres that yield one after another carry M_p = M_Y <|zeta|>/<zeta^2>.
     section = section_of(scene)
     reserve = section.mean_lever / section.zeta_squared - 1
     nonlinear = flow_nonlinearity(scene, motion.flowing_overstress)
     share = reserve * bending_share(scene, motion) * motion.relaxed * nonlinear
-    meaning = "what fibres that yield one after another carry beyond a linear profile"
-    return Estimate(min(1.0, share), meaning, "M_p/M_Y - 1 of the load in bending, of what flows by a nonlinear rule")
+    meaning = "load that fibres yielding one after another carry beyond a linear profile"
+    return Estimate(min(1.0, share), meaning, "M_p/M_Y - 1 of the load in bending, for a nonlinear flow rule")
 
 
 FIBRES = Effect(
@@ -36,7 +36,7 @@ FIBRES = Effect(
     applies=_applies,
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,
-    observable="share of the load in bending, of what flow has dissipated",
+    observable="share of the load in bending, times the share that flow has dissipated",
     example="arrested-overdamped",
     derivation="09_shearing_filament",
     needs=("bending", "finite-stretch", "thinning", "large-rotation", "viscous-flow"),

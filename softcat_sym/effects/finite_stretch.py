@@ -23,7 +23,7 @@ FINITE_STRETCH = Effect(
         factor=0.4,
     ),
     needs=("extensibility",),
-    observable="mean strain, and how far the midpoint rings",
+    observable="mean strain, and ringing of the midpoint",
     example="continual-descent",
     derivation="02_section_and_closures",
     causes=("slopes",),

@@ -1,4 +1,4 @@
-"""The stress that a filament starts with: given, or that of a surface which was always there."""
+"""Initial stress of a filament: given, or in equilibrium with a relaxed surface."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from softcat_sym.scene.scene import Scene, surface_stretch
 
 
 def initial_strain(scene: Scene) -> tuple[float, ...]:
-    """Mean plastic strain at t = 0, equally spaced along the filament: as given, or that of a relaxed surface.
+    """Mean plastic strain at t = 0, equally spaced along the filament: as given, or by a relaxed surface.
 
-    With it the stress is -min(Gam, sigma_Y): the filament was free to shorten before it was held, as far as it yields.
+    The latter gives the stress -min(Gam, sigma_Y): before it was held, the filament could shorten by yielding.
     """
     limit, modulus = yield_stress_of(scene), instant_modulus(scene)
     if scene.initial.surface == "fresh" or is_solid(scene) or limit is None or modulus is None:
@@ -24,11 +24,11 @@ def initial_strain(scene: Scene) -> tuple[float, ...]:
 
 
 def surface_note(scene: Scene) -> str:
-    """What was assumed of the time before t = 0."""
+    """Text on the assumption about the time before t = 0."""
     if scene.initial.surface == "fresh":
         return "surface tension acts at once on a filament without stress (initial.surface = 'fresh')"
     start = f"begins at the stretch {surface_stretch(scene):.6g} of its stress-free length"
     if not is_solid(scene):
         stress = min(surface_stress(scene), yield_stress_of(scene) or 0.0)
-        start = f"begins with the stress {-stress:.4g} Pa, the yield stress at most"
-    return f"surface tension was always there (initial.surface = 'relaxed'): the filament {start}"
+        start = f"begins with the stress {-stress:.4g} Pa, at most the yield stress"
+    return f"surface tension acted before t = 0 (initial.surface = 'relaxed'): the filament {start}"

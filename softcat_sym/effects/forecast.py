@@ -1,4 +1,4 @@
-"""How a filament is going to move, from its groups alone: the motion that the estimates of all effects start from."""
+"""Forecast of a filament's motion from its groups alone, for the estimates of all effects."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, is_slac
 
 
 def shaken_share(scene: Scene) -> float:
-    """Largest swing by the shaking over the sag under steady gravity: a times the gain; 0 where nothing shakes.
+    """Largest oscillation by the shaking over the sag under steady gravity: a times the gain; 0 without shaking.
 
-    Of a mode of frequency omega, driven from rest at r omega, the forced and the free vibration together reach at most
-    (1 + r)/sqrt((1 - r^2)^2 + (2 zeta r)^2) static deflections (Rayleigh 1877, section 46). In the damping zeta counts
-    besides the decay that resonance has the time of the run to build up, by one static deflection in 2/omega. What
-    flows has nothing to spring back: r = 0.
+    For a mode of frequency omega, driven from rest at r omega, the forced and the free vibration together reach at most
+    (1 + r)/sqrt((1 - r^2)^2 + (2 zeta r)^2) static deflections (Rayleigh 1877, section 46). The damping zeta includes,
+    besides the decay, the limited time of the run for a resonance, which grows by one static deflection in 2/omega. A
+    fluid does not spring back: r = 0.
     """
     return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene) if scene.load.shake > 0 else 0.0
 
 
 def steady_gain(scene: Scene) -> float:
-    """Amplitude of the forced vibration over that of a filament in balance at every instant."""
+    """Amplitude of the forced vibration over that of a quasi-static filament."""
     ratio = _ratio(scene)
     if ratio == 0:
         return 1.0
@@ -40,17 +40,17 @@ def steady_gain(scene: Scene) -> float:
 
 
 def shaken_peak(scene: Scene) -> float:
-    """Steady load that would stretch and bend the filament as far as the shaken one does, over that without shaking."""
+    """Steady load that gives the largest deformation of the shaken filament, over the load without shaking."""
     return 1 + shaken_share(scene)
 
 
 def shaken_phase(scene: Scene) -> float:
-    """How many times a small change of the stiffness shows in the swing: d log gain / d log r^2 = r^2 gain."""
+    """Change of the oscillation over a small relative change of the stiffness: d log gain / d log r^2 = r^2 gain."""
     return min(1.0, shaken_share(scene)) * 2 * _ratio(scene) ** 2 * steady_gain(scene)
 
 
 def _ratio(scene: Scene) -> float:
-    """Frequency of the shaking over that of the first mode; 0 where nothing springs back."""
+    """Frequency of the shaking over that of the first mode; 0 for a filament that does not spring back."""
     if scene.load.shake == 0:
         return 0.0
     frequency = ringing(scene).frequency
@@ -59,7 +59,7 @@ def _ratio(scene: Scene) -> float:
 
 _DAMPING = (0.0, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5, 3.0, 3.25, 3.5)
 _PAST = (1.0, 0.981, 0.945, 0.841, 0.729, 0.643, 0.517, 0.425, 0.325, 0.250, 0.191, 0.129, 0.0695, 0.0239, 0.0059, 0.0)
-"""u - 1 where u first stops, of D: from u'' = 1 - u - D u^2 u'."""
+"""u - 1 at the first stop, as a function of D: from u'' = 1 - u - D u^2 u'."""
 
 
 def damping(gravity_number: float, viscous: float) -> float:
@@ -68,7 +68,7 @@ def damping(gravity_number: float, viscous: float) -> float:
 
 
 def ringing_share(frequency: float, ramp: float) -> float:
-    """Share of the swing that a ramp of gravity leaves: 1 for none, 0 for a slow one (the quintic step, section 3)."""
+    """Share of the oscillation after a ramp of gravity: 1 without one, 0 for a slow one (quintic step, section 3)."""
     number = frequency * ramp
     if number < 1e-2:
         return 1.0
@@ -76,31 +76,31 @@ def ringing_share(frequency: float, ramp: float) -> float:
 
 
 def overshoot(gravity_number: float, viscous: float, ramp: float) -> float:
-    """u: where the filament first stops, over the depth at which it could rest."""
+    """u: sag at the first stop, over the equilibrium sag."""
     past = float(np.interp(damping(gravity_number, viscous), _DAMPING, _PAST))
     return 1 + past * ringing_share(math.sqrt(10 / gravity_number), ramp)
 
 
 def rebound(gravity_number: float, yield_strain: float, past: float) -> float:
-    """How far the elastic filament springs back once it has stopped, over its sag.
+    """Elastic rebound of the filament after its first stop, over its sag.
 
-    It swings about the depth at which the elastic stress, 1/G + (16/3) E* h (h - h_stop) less than that of the stop,
-    carries the weight; to twice that distance: 2 (1 - 1/u)/(1 + G^2 u^2/(12 eps_Y)).
+    It oscillates about the sag at which the elastic stress, 1/G + (16/3) E* h (h - h_stop), carries the weight; the
+    rebound is twice the distance to that sag: 2 (1 - 1/u)/(1 + G^2 u^2/(12 eps_Y)).
     """
     return 2 * (1 - 1 / past) / (1 + (gravity_number * past) ** 2 / (12 * yield_strain))
 
 
 def hinge_pace(gravity_number: float, viscous: float, sag: float, time: float) -> float:
-    """Plastic rate that is left at a clamp after a time, over sigma_Y/eta.
+    """Plastic rate at a clamp after a time, over sigma_Y/eta.
 
-    The hinge must turn by 4 h. A viscous beam under the tension A sigma_Y turns over the length
-    sqrt(eta I/(A sigma_Y t)), which narrows: its outer fibre flows at 4 sqrt(3) h sqrt(G V/t) sigma_Y/eta.
+    The hinge must rotate by 4 h. A viscous beam under the tension A sigma_Y rotates over the decreasing length
+    sqrt(eta I/(A sigma_Y t)): its outer fibre flows at 4 sqrt(3) h sqrt(G V/t) sigma_Y/eta.
     """
     return 4 * math.sqrt(3) * sag * math.sqrt(gravity_number * viscous / time) if time > 0 else math.inf
 
 
 def neck_draw(scene: Scene, gravity_number: float, viscous: float, sag: float) -> float:
-    """Strain of the necks at the two ends, when the elongation of the fall gathers there.
+    """Strain of the necks at the two ends, if the elongation of the fall concentrates there.
 
     A neck grows at sigma_Y/eta while the section flows, for the half period pi sqrt(G/10) of the fall: of the
     elongation (8/3) h^2 of the span the share 1 - exp(-pi sqrt(G/10)/(G V)) goes into two necks, none shorter than pi
@@ -109,18 +109,18 @@ def neck_draw(scene: Scene, gravity_number: float, viscous: float, sag: float) -
     if viscous == 0:
         gathered = 1.0
     else:
-        # Of the tension at yield the surface's part makes a neck grow half as fast.
+        # The surface's part of the tension at yield contributes half as much to the growth of a neck.
         growth = (1 + scales.share_of_yield(scene)) / 2
         gathered = -math.expm1(-math.pi * math.sqrt(gravity_number / 10) / (gravity_number * viscous) * growth)
     return gathered * 8 / 3 * sag**2 * rest_length(scene) / (2 * scales.neck_length(scene))
 
 
 def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float, ramp: float) -> float:
-    """Largest difference of the sag at the output times, over the largest sag.
+    """Largest change of the sag by inertia at the output times, over the largest sag; without ringing.
 
-    A filament released at once follows free fall until its balanced sag H(t) ~ t^p is no deeper, at t_i with
-    g t_i^2/2 = H(t_i); from then on it is late by about t_i, so that p H t_i/t is missed. Under a slow load what is
-    missed is the acceleration over gravity. Ringing is not in it.
+    A suddenly released filament follows free fall until it reaches its quasi-static sag H(t) ~ t^p, at t_i with
+    g t_i^2/2 = H(t_i); from then on it lags by about t_i, which changes the sag by p H t_i/t. Under a slow load the
+    relative change is the acceleration over gravity.
     """
     largest = float(np.max(np.abs(sag)))
     if largest == 0 or gravity == 0 or len(time) < 2:
@@ -135,10 +135,10 @@ def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity:
 
 
 def missed_from_rest(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
-    """Largest difference of the sag, over the largest sag, of a filament that hangs in balance and begins to flow.
+    """Largest change of the sag by inertia, over the largest sag, for a filament in equilibrium that begins to flow.
 
-    It springs back about its balance at omega^2 = g/H, so that the speed v with which the flow begins sets it ringing
-    with v/omega.
+    It oscillates about its equilibrium at omega^2 = g/H, so that the initial speed v of the flow causes ringing of
+    amplitude v/omega.
     """
     largest = float(np.max(np.abs(sag)))
     if largest == 0 or gravity == 0 or len(time) < 2:
@@ -148,7 +148,7 @@ def missed_from_rest(time: quasi_static.Floats, sag: quasi_static.Floats, gravit
 
 
 def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
-    """Largest sag missed by being late [m]."""
+    """Largest change of the sag by the lag behind the quasi-static sag [m]."""
     if len(time) < 2 or not np.any(sag > 0):
         return 0.0
     safe = np.maximum(sag, 1e-12 * np.max(sag))
@@ -158,7 +158,7 @@ def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -
 
 
 def _accelerated(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
-    """Largest acceleration over gravity, in sags [m]: that much of the load is missing at that time."""
+    """Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries."""
     if len(time) < 3:
         return 0.0
     acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
@@ -166,14 +166,14 @@ def _accelerated(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: f
 
 
 _HINGES = 0.7
-"""Change of the sag per h0/L, against plane-stress elements: the hinges of a yielding filament shear most."""
+"""Change of the sag by shear in the hinges of a yielding filament, per h0/L, against plane-stress elements."""
 
 _BENT_ENDS = 5.0
-"""Of a string in clamps: its bent ends, about h0/(6 H) long, are stiffened by less where they shear."""
+"""Relative change of the sag by shear in the bent ends of a string in clamps, over h0 H/L^2 and the tension's share."""
 
 
 def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
-    """Change of the sag by shear, of it."""
+    """Relative change of the sag by shear."""
     delta, beam = groups_of(scene).delta, scales.beam_of(scene)
     section = scales.section_of(scene)
     compliance = section.gyration * 2 * (1 + scene.material.poisson) / section.shear_correction * delta**2
@@ -185,7 +185,7 @@ def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
 
 
 def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: float) -> npt.NDArray[np.float64]:
-    """Force that a spring beside a dashpot has given way to: lag dF/dt + F = force, from 0 at the first frame."""
+    """Response of a parallel spring and dashpot to a force: lag dF/dt + F = force, from 0 at the first frame."""
     if lag <= 0:
         return force
     felt = np.zeros_like(force)
@@ -195,7 +195,7 @@ def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: 
 
 
 def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: npt.NDArray[np.float64]) -> float:
-    """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A)."""
+    """Sag over span by elastic shear under the transverse force of a finished run: its sum times 1/(kappa mu A)."""
     modulus = scales.instant_modulus(scene)
     if modulus is None:
         return 0.0
@@ -206,14 +206,14 @@ def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: np
 
 
 _TIP_SLOPE = 64 / 17
-"""Slope at the tip of a cantilever over the sag of its middle over the span, (1/6)/(17/384) of a linear beam."""
+"""Slope at the tip of a cantilever over the relative sag of its middle, (1/6)/(17/384) for a linear beam."""
 
 _KINKED = 0.1
-"""Share of the sag that rings, from which on the load counts as sudden."""
+"""Share of ringing in the sag above which the load counts as sudden."""
 
 
 def forecast(scene: Scene) -> Motion:
-    """Foresee the motion of a scene: closed forms of beam, cable and string put together (THEORY 5-7, 11)."""
+    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11)."""
     return _forecast(scene.without_numerics())
 
 
@@ -230,8 +230,8 @@ def _forecast(scene: Scene) -> Motion:
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
     amplitude = min(1.0, rings.lasting(first) / scale)
     missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
-    # How fast the hinges of a slack filament give way from its first moment on is not foreseen, nor what a moving
-    # support, or a force at the end, sets in motion.
+    # There is no forecast for the initial rate of hinges in a slack filament, nor for the motion that a moving support
+    # or a force at the end causes.
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
     moved = moved or any(scene.load.tip_torque)
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
@@ -257,7 +257,7 @@ def _forecast(scene: Scene) -> Motion:
 
 
 def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float:
-    """Largest speed of the midpoint [m/s]: of the sag as it grows, and of the ringing; no faster than free fall."""
+    """Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall."""
     span = scene.filament.span
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
     ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
@@ -266,10 +266,11 @@ def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float
 
 
 def _left_by_surface(scene: Scene, sag: float) -> float:
-    """Share x of a sag without surface tension that it leaves, with C = 8 Gam f/(rho g L) of that sag.
+    """Sag with surface tension over that without it, x, from C = 8 Gam f/(rho g L) of the latter.
 
-    Bending resists as x and stretching as x^3: (1 - r) x + r x^3 + C x = 1, r the share of tension. Where the section
-    yields C counts three times as long as the beam carries on (Haythornthwaite 1957), once where the membrane does.
+    The load in bending is proportional to x, that in stretching to x^3: (1 - r) x + r x^3 + C x = 1, with r the share
+    of tension. In a yielding section C counts three times while the beam carries the load (Haythornthwaite 1957), and
+    once if the membrane does.
     """
     weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
     if weight == 0 or not is_held(scene):
@@ -286,11 +287,11 @@ def _left_by_surface(scene: Scene, sag: float) -> float:
 
 
 _NEWTON = 30
-"""Steps to the root of a convex function from above."""
+"""Newton steps to the root of a convex function from above."""
 
 
 def _capillary(scene: Scene, sag: float) -> float:
-    """Share of the sag that surface tension takes; with a free end, what it shortens the filament by, five times."""
+    """Share by which surface tension reduces the sag; with a free end, five times the shortening of the filament."""
     if scales.surface_stress(scene) == 0:
         return 0.0
     if not is_held(scene):
@@ -301,7 +302,7 @@ def _capillary(scene: Scene, sag: float) -> float:
 
 
 def _shortened(scene: Scene, pull: float) -> float:
-    """Strain of a filament with a free end that its surface pulls together: elastic, and flowing beyond yield."""
+    """Shortening strain of a filament with a free end by its surface: elastic, and by flow beyond the yield stress."""
     modulus, limit = scales.instant_modulus(scene), scales.yield_stress_of(scene) or 0.0
     viscosity = scales.effective_viscosity_at(scene, pull - limit) if pull > limit else None
     flown = scene.run.duration * (pull - limit) / viscosity if viscosity else 0.0
@@ -309,7 +310,7 @@ def _shortened(scene: Scene, pull: float) -> float:
 
 
 def _shaken_sag(scene: Scene) -> float:
-    """Largest elastic sag over span of a filament whose weight oscillates; 0 without shaking."""
+    """Largest elastic sag over span of a shaken filament; 0 without shaking."""
     weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
     if scene.load.shake == 0 or weight == 0:
         return 0.0
@@ -317,7 +318,7 @@ def _shaken_sag(scene: Scene) -> float:
 
 
 def expected_sag(scene: Scene) -> float:
-    """Largest sag over span in the run, no further than free fall goes."""
+    """Largest sag over span in the run, at most that of free fall."""
     return min(scales.duration_star(scene) ** 2 / 2, forecast(scene).sag)
 
 
@@ -327,14 +328,14 @@ def expected_strain(scene: Scene) -> float:
 
 
 def missed_by(scene: Scene, time: quasi_static.Floats, sag: quasi_static.Floats) -> float:
-    """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start."""
+    """Change of the sag by inertia, over the largest sag; a slack filament starts in equilibrium under its weight."""
     if is_slack(scene):
         return missed_from_rest(time, sag, scales.gravity_of(scene))
     return missed_inertia(time, sag, scales.gravity_of(scene), scene.load.ramp)
 
 
 def strain_of(scene: Scene, sag: float) -> float:
-    """Largest mean strain: (8/3) H^2 beyond the slack, what the supports impose, or the weight of a hanging end."""
+    """Largest mean strain: (8/3) H^2 beyond the slack and that of the supports, or by the weight below a free end."""
     if not is_held(scene):
         modulus, pull = scales.instant_modulus(scene), scales.pull_of_surface(scene)
         shortened = _shortened(scene, pull) if pull else 0.0
@@ -346,7 +347,7 @@ def strain_of(scene: Scene, sag: float) -> float:
 
 
 def slope_of(scene: Scene, sag: float) -> float:
-    """Largest slope: of the parabola, of the line between the supports and of the clamps."""
+    """Largest slope: that of the parabola, plus that of the line between the supports or of the clamps."""
     ends = scene.ends
     lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy, *_ in ends.motion), 0.0)
     imposed = math.atan2(lowest, scene.filament.span)
@@ -365,7 +366,7 @@ def tension_share(scene: Scene, sag: float) -> float:
 
 
 def flowing_overstress(scene: Scene, sag: float) -> float:
-    """Mean stress of beam or catenary, of which its surface carries a part, over the yield stress; infinite without."""
+    """Mean stress of beam or catenary, less the surface's part, over the yield stress; infinite without one."""
     limit, delta = scales.yield_stress_of(scene), groups_of(scene).delta
     if limit is None:
         return math.inf
@@ -419,7 +420,7 @@ def largest_strain(scene: Scene, rings: Ringing) -> float:
         quasi_static.elastic_sag_under(scene, weight, scales.instant_modulus(scene)) if weight else 0.0
     ) + rings.amplitude
     ends = {scene.ends.left, scene.ends.right}
-    # A string that falls at once is bent where its kinks run, between pins too.
+    # A suddenly released string is bent at its travelling kinks, between pins too.
     kinked = rings.amplitude > _KINKED * deep
     bent = 4.8 * delta * deep if ends == {"pinned"} and not kinked else 16 * delta * deep + 11 * deep**2
     begins = max((abs(value) for value in scene.initial.C), default=0.0) + max(0.0, -quasi_static.slackness(scene))
@@ -427,7 +428,7 @@ def largest_strain(scene: Scene, rings: Ringing) -> float:
 
 
 def _damped(scene: Scene, scale: float, first: float) -> float:
-    """What the loss below yield takes from the ringing of a run, or how far it lets the sag lag at the first frame."""
+    """Ringing that the loss below yield damps in a run, or lag of the sag at the first frame, whichever is larger."""
     if not scene.material.has_loss or is_slack(scene):
         return 0.0
     rings = ringing(scene, lossless=True)
@@ -436,7 +437,7 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
 
 
 def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
-    """What the sag of a solid lags behind, or what its ringing loses; of chains also what their solvent resists."""
+    """Lag of a solid's sag, or ringing that it damps; for polymer chains also the part of their solvent."""
     late = quasi_static.retardation(scene) or quasi_static.solvent_lag(scene)
     if late == 0 or is_slack(scene):
         return 0.0
@@ -447,7 +448,7 @@ def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
 
 
 def _lag(scene: Scene, late: float) -> float:
-    """Share of the sag that a retardation time [s] keeps from the first frame, or from a load that comes on."""
+    """Share of the sag that is missing at the first frame, or during the ramp, by a retardation time [s]."""
     if scene.load.ramp > 0:
         return min(1.0, late / scene.load.ramp)
     first = float(np.linspace(0.0, scene.run.duration, min(scene.run.frames, 201))[1])

@@ -1,4 +1,4 @@
-"""First natural frequency of a strand as it is held, and how it rings when its load comes on."""
+"""First natural frequency of a held strand, and its ringing under its load."""
 
 from __future__ import annotations
 
@@ -37,28 +37,27 @@ from softcat_sym.scene.scene import (
 _ELEMENTS = 40
 _HALVINGS = 100
 _EXCITED = 0.05
-"""Share of the mass that a mode must carry along with the weight: a mode that the weight excites."""
+"""Smallest share of modal mass of a mode that the weight excites."""
 
 Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The lowest mode that the weight excites, small about the elastic shape under that weight."""
+    """The lowest mode that the weight excites, of small vibrations about the elastic shape under that weight."""
 
     frequency: float  # omega_1, angular [1/s]
-    # Share of its stiffness that bending and stretching have, and not the tension that is there anyway: only what
-    # strains can lose energy, so that a loss tangent damps it by the ratio material_share loss_tangent/2.
+    # Share of bending and stretching in its stiffness, besides that of the static tension: only straining dissipates,
+    # so that a loss tangent gives the damping ratio material_share loss_tangent/2.
     material_share: float
 
 
 def first_vibration(scene: Scene) -> Vibration | None:
-    """The first mode of an elastic strand; None without a spring, or of one that a pin alone holds.
+    """The first mode of an elastic strand; None without a modulus, or if a single pin holds the strand.
 
-    Euler-Bernoulli elements of small slope between the supports: bending E I, the tension N of the initial stretch and
-    of the weight, and the stretching that a sagging strand undergoes as it vibrates (Irvine 1981). N solves
-    N = E A (eps_0 + int y'^2 dX/(2 L)) with the shape y that it gives to the weight; of a strand with a free end it is
-    zero.
+    Euler-Bernoulli elements of small slope between the supports include bending E I, the tension N by the initial
+    stretch and by the weight, and the stretching of a sagging strand as it vibrates (Irvine 1981). N solves
+    N = E A (eps_0 + int y'^2 dX/(2 L)) with the shape y under the weight and N; it is zero with a free end.
     """
     return _first_vibration(scene.without_numerics())
 
@@ -85,7 +84,7 @@ def _first_vibration(scene: Scene) -> Vibration | None:
 
 
 def solid_viscosity(scene: Scene) -> float:
-    """eta_s of the viscous stress beside spring and flow [Pa s]: as given, or loss_tangent E/omega_1; 0 without."""
+    """eta_s of the viscous stress beside spring and flow [Pa s]: as given, or loss_tangent E/omega_1; 0 without one."""
     material = scene.material
     if material.solid_viscosity is not None:
         return material.solid_viscosity
@@ -96,13 +95,13 @@ def solid_viscosity(scene: Scene) -> float:
 
 
 def solid_retardation(scene: Scene) -> float:
-    """Time by which the strain follows behind its stress, eta_s/E of a fibre [s]."""
+    """Retardation time of the strain, eta_s/E of a fibre [s]."""
     modulus = scales.instant_modulus(scene)
     return solid_viscosity(scene) / (modulus * _fibre_ratio(scene)) if modulus else 0.0
 
 
 def solid_decay(scene: Scene) -> float:
-    """Rate at which the amplitude of the first mode falls by the loss below yield [1/s]: eta_s omega^2 share/(2 E)."""
+    """Decay rate of the first mode by the loss below yield [1/s]: eta_s omega^2 share/(2 E)."""
     vibration = first_vibration(scene) if scene.material.has_loss else None
     if vibration is None:
         return 0.0
@@ -110,7 +109,7 @@ def solid_decay(scene: Scene) -> float:
 
 
 def damping_note(scene: Scene) -> str:
-    """The first natural frequency, and what the loss below yield is at it; empty without a loss."""
+    """Text with the first natural frequency and the loss below yield at it; empty without a loss."""
     vibration = first_vibration(scene) if scene.material.has_loss else None
     if vibration is None:
         return ""
@@ -122,7 +121,7 @@ def damping_note(scene: Scene) -> str:
 
 
 def _fibre_ratio(scene: Scene) -> float:
-    """E over eta of a fibre, of those of the material: 1, but where the width is held (THEORY 3)."""
+    """Stiffness of a fibre over that of the material: 1, unless the width is held (THEORY 3)."""
     section = scales.section_of(scene)
     return section.stiffness(PLANE_STRAIN**2, scene.material.poisson) if section.plane_strain else 1.0
 
@@ -134,18 +133,18 @@ class _Strand:
     bending: Floats  # shape (n, n); Stiffness of bending, stiffness of a unit of tension, mass
     geometric: Floats
     mass: Floats
-    push: Floats  # shape (n,); Of a unit of acceleration along the deflection
-    weight: float  # Gravity across the line between the supports
+    push: Floats  # shape (n,); Forces of a unit acceleration along the deflection
+    weight: float  # Gravity perpendicular to the line between the supports
     axial: float  # E A over the distance; 0 with a free end
     strain: float  # Elastic strain of the straight strand
     length: float  # Distance of the supports
 
     def at_rest(self) -> tuple[float, Floats]:
-        """Tension, and the shape that the weight takes under it."""
+        """Tension, and the shape under weight and tension."""
         force = self.weight * self.push
         if self.axial == 0:
             return 0.0, np.asarray(np.linalg.solve(self.bending, force), dtype=np.float64)
-        # In the shapes v that bend by themselves under a thrust lambda, y = v (v.f)/(lambda + N).
+        # With the buckling modes v of the thrusts lambda, y = v (v.f)/(lambda + N).
         thrusts, shapes = eigen(self.bending, self.geometric)
         along = shapes.T @ force
 
@@ -174,7 +173,7 @@ def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
 
 def _strand(scene: Scene, modulus: float) -> _Strand:
     section, length = scales.section_of(scene), distance(scene)
-    # What has a shape is longer than the distance, and not pressed together by it.
+    # A filament with a natural shape is longer than the distance, but not compressed.
     drawn = 1.0 if has_shape(scene) else length / rest_length(scene)
     # A drawn strand is thinner: A0/s, I0/s^2.
     area, stiff = undeformed_area(scene) / drawn, section.stiffness(modulus, scene.material.poisson)
@@ -211,7 +210,7 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
 
 
 def _free_places(kinds: tuple[str, str], size: int) -> list[int]:
-    """Deflections and slopes that the ends leave free."""
+    """Numbers of the deflections and slopes that the ends leave free."""
     first, last = ({"clamped": {0, 1}, "pinned": {0}, "free": set()}[kind] for kind in kinds)
     held = {*first, *(size - 2 + one for one in last)}
     return [place for place in range(size) if place not in held]
@@ -236,33 +235,33 @@ _FREQUENCY = 1.3
 """Omega^2 H/g of a filament with static sag H: 22.37^2/384 of a clamped beam, pi^2/8 of a string."""
 
 _RAMP_ENVELOPE = 120.0
-"""Ringing left by the quintic ramp falls off as 120/(omega ramp)^3 (see regimes.ramp_gain)."""
+"""Ringing after the quintic ramp is 120/(omega ramp)^3 for a slow ramp (see regimes.ramp_gain)."""
 
 _STRAIGHT = 1e-9
-_OVERDAMPED = 5.0  # V above which a filament that yields is stopped without a swing
+_OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 
 
 @dataclass(frozen=True, slots=True)
 class Ringing:
     """Ringing of the lowest mode about the elastic shape."""
 
-    frequency: float  # Angular [1/s]; infinite where nothing springs back
-    decay: float  # Rate at which its amplitude falls [1/s]
+    frequency: float  # Angular [1/s]; infinite for a filament that does not spring back
+    decay: float  # Decay rate of its amplitude [1/s]
     amplitude: float  # In spans, at the start
 
     def lasting(self, time: float) -> float:
-        """Amplitude that is left after a time [s]."""
+        """Amplitude after a time [s]."""
         return self.amplitude * math.exp(-self.decay * time)
 
     def phase(self, duration: float) -> float:
-        """Phase that it runs through while it lasts [rad]."""
+        """Phase of the ringing while it lasts [rad]."""
         if self.amplitude == 0:
             return 0.0
         return self.frequency * min(duration, 1 / self.decay if self.decay > 0 else math.inf)
 
 
 def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
-    """Ringing that the load of a scene sets off."""
+    """Ringing that the load of a scene causes."""
     modulus, weight = scales.instant_modulus(scene), scales.weight_stress(scene) * load_factor(scene)
     if modulus is None or weight == 0 or is_slack(scene):
         return Ringing(math.inf, 0.0, 0.0)
@@ -277,11 +276,11 @@ def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
 
 
 def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
-    """Share of the ringing that the ramp of gravity leaves.
+    """Ringing after the ramp of gravity over that without a ramp.
 
-    A straight filament without bending stiffness is soft while its load is small: its balanced sag begins at once, with
-    a speed of 2.15 sags per ramp, is caught up by inertia when its frequency has grown to one radian, at t_c, and keeps
-    the action of that swing.
+    A straight filament without bending stiffness is soft while its load is small: its quasi-static sag starts with a
+    speed of 2.15 sags per ramp, inertia keeps up with it from the time t_c on, when its phase has grown to one radian,
+    and the action of that oscillation is conserved.
     """
     ramp, gravity, span = scene.load.ramp, scales.gravity_of(scene), scene.filament.span
     smooth = _RAMP_ENVELOPE / (frequency * ramp) ** 3
@@ -293,12 +292,13 @@ def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
     if not straight:
         return smooth
     swing = speed * caught / (deep * span) / math.sqrt(max(1.0, frequency * caught))
-    # A beam that is stiff from the beginning follows; between beam and string it is the cube of the frequency.
+    # A beam that is stiff from the beginning follows its equilibrium; between beam and string the share falls with the
+    # cube of the frequency.
     return max(smooth, swing / float(max(1.0, stiff * caught)) ** 3)
 
 
 def _decay(scene: Scene, frequency: float) -> float:
-    """Rate at which flow or a viscous stress takes the ringing away [1/s]."""
+    """Decay rate of the ringing by flow or a viscous stress [1/s]."""
     material = scene.material
     if material.modes:
         total = sum(mode.youngs_modulus for mode in material.modes)
@@ -317,8 +317,8 @@ def _decay(scene: Scene, frequency: float) -> float:
         scales.gravity_number_of(scene),
     )
     held = gravity_number is not None and gravity_number < ARREST_THRESHOLD
-    # What is held rings on, unless all of a section has flowed so slowly that it comes to rest without a swing; as long
-    # as a part of it stays elastic, that rings.
+    # An arrested filament keeps ringing, unless its whole section flows so slowly that it stops without oscillation; an
+    # elastic core keeps ringing.
     creeps = (scales.viscous_number(scene) or 0.0) > _OVERDAMPED and scales.yields_throughout(scene)
     if not viscosity or modulus is None or (held and not creeps):
         return 0.0

@@ -1,4 +1,4 @@
-"""Gravity shaking: the weight oscillates, as in a frame that is shaken up and down."""
+"""Gravity shaking: the weight oscillates, as in a vertically shaken frame."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _indispensable(scene: Scene) -> str:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del motion
     return Estimate(
-        shaken_share(scene), "swing that the shaking adds", "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
+        shaken_share(scene), "oscillation that the shaking adds", "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
     )
 
 
@@ -33,7 +33,7 @@ GRAVITY_SHAKING = Effect(
     applies=_applies,
     without_it="load.shake is zero: gravity is steady",
     estimate=_estimate,
-    observable="swing of the midpoint at the frequency of the shaking, over the sag",
+    observable="oscillation of the midpoint at the frequency of the shaking, over the sag",
     example="shaken-strand",
     derivation="01_balance",
     needs=("inertia",),

@@ -14,7 +14,7 @@ from softcat_sym.scene.scene import Scene
 
 
 def outrunning_faults(scene: Scene) -> list[Fault]:
-    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
+    """Refuse a support that moves faster than axial waves, sqrt(E/rho), which a filament with inertia cannot follow."""
     modulus = instant_modulus(scene)
     places = ((0.0,) * len(next(iter(scene.ends.motion), ())), *scene.ends.motion)
     if modulus is None:
@@ -27,12 +27,12 @@ def outrunning_faults(scene: Scene) -> list[Fault]:
     fastest, wave = max(speeds, default=0.0), math.sqrt(modulus / scene.filament.density)
     if fastest <= wave:
         return []
-    found = f"the right support moves at {fastest:.3g} m/s, but waves run along the filament at {wave:.3g} m/s"
+    found = f"the right support moves at {fastest:.3g} m/s, faster than axial waves of the filament at {wave:.3g} m/s"
     return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
 
 
 def _indispensable(scene: Scene) -> str:
-    """Why a filament has to be followed from where it is let go."""
+    """Why a filament must be followed from its release; empty if it need not be."""
     return "initial.centreline need not be an equilibrium" if scene.initial.centreline else ""
 
 
@@ -43,8 +43,8 @@ INERTIA = Effect(
     contribute=partial(replace, inertia=True),
     applies=always,
     without_it="",
-    estimate=OfMotion("missed", "how far it lags behind its weight, or rings", "|y - y balanced| over the largest sag"),
-    observable="lag behind the balanced sag: its jump, its pace against free fall, acceleration over gravity",
+    estimate=OfMotion("missed", "lag behind its equilibrium, or ringing", "|y - y balanced| over the largest sag"),
+    observable="lag behind the balanced sag: its jump, its rate against free fall, acceleration over gravity",
     example="maxwell-slow",
     derivation="01_balance",
     causes=("inertia", "flow"),

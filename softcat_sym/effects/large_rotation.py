@@ -11,10 +11,10 @@ from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene, is_held
 
 _HELD, _FREE = 0.07, 0.25
-"""Change of the sag per slope squared: of a filament held at both ends, and at one."""
+"""Change of the sag per slope squared, for a filament held at both ends, and at one end."""
 
 _STEEP = math.radians(60)
-"""Angle of a clamp from which on the slope, and with it the stretch x_X + y_X^2/2, means nothing."""
+"""Angle of a clamp above which the small-slope stretch x_X + y_X^2/2 has no meaning."""
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -37,7 +37,7 @@ LARGE_ROTATION = Effect(
     without_it=SMALL_MODEL,
     estimate=_estimate,
     needs=("extensibility",),
-    observable="largest slope, and how far the midpoint rings",
+    observable="largest slope, and ringing of the midpoint",
     example="continual-descent",
     derivation="01_balance",
     causes=("slopes",),

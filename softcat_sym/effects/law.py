@@ -1,4 +1,4 @@
-"""The constitutive law of a scene, and what it is like."""
+"""The constitutive law of a scene and its properties."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ def has_chains(scene: Scene) -> bool:
 
 
 def is_solid(scene: Scene) -> bool:
-    """Whether the material keeps its shape for ever."""
+    """Whether the material is a solid, without unlimited flow."""
     return scene.material.law in SOLIDS
 
 
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:
-    """How far the flow rule is from a proportional one, whose plastic strain stays linear in z: 0 to 1."""
+    """Nonlinearity of the flow rule, 0 to 1: with a linear one the plastic strain stays linear in z."""
     material = scene.material
     if material.law == "custom":
         return 1.0

@@ -1,4 +1,4 @@
-"""Lists of effects: what goes with what, and the scene that has them."""
+"""Lists of effects: dependencies between effects, and scenes with a list of effects."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def ordered(names: Collection[str]) -> Names:
 
 
 def dependants(name: str, names: Iterable[str]) -> Names:
-    """Which of the names cannot stay without this one: what needs it, what needs that, and so on."""
+    """Names that depend on this one, directly or not."""
     present, gone = [effect for effect in REGISTRY if effect.name in set(names)], {name}
     while more := {effect.name for effect in present if gone & set(effect.needs)} - gone:
         gone |= more
@@ -39,9 +39,9 @@ def dependants(name: str, names: Iterable[str]) -> Names:
 
 
 def requirements(name: str, names: Collection[str], scene: Scene) -> Names:
-    """What comes with this one beside the names: what it needs, what that needs, and so on.
+    """Further effects, not among the names, that this one requires, directly or not.
 
-    Flow brings the yield stress of a law that has one: without it the filament would be another material, a liquid.
+    Flow requires yielding for a law with a yield stress: otherwise the material would be a liquid.
     """
     needed = {name}
     while more := {need for effect in REGISTRY if effect.name in needed for need in effect.needs} - needed:
@@ -52,12 +52,12 @@ def requirements(name: str, names: Collection[str], scene: Scene) -> Names:
 
 
 def everything(scene: Scene, names: Collection[str]) -> Names:
-    """All that the scene can have; what runs many times as long with, only if it is among the names."""
+    """All effects that the scene can have; those that make runs many times longer only if they are among the names."""
     return ordered({effect.name for effect in REGISTRY if effect.applies(scene) and not effect.dear} | set(names))
 
 
 def with_effects(scene: Scene, names: Names) -> Scene:
-    """The scene with this list of effects; numbers of fibres and orders that would bring fibres back are taken out."""
+    """The scene with this list of effects; without fibres, numerics.fibres and numerics.order that imply them go."""
     changes: dict[str, object] = {"run.effects": list(names)}
     if FIBRES.name not in names:
         changes["numerics.fibres"] = None
@@ -67,14 +67,14 @@ def with_effects(scene: Scene, names: Names) -> Scene:
 
 
 def of_a_rod(*, moves: bool, damped: bool) -> Names:
-    """All that an elastic filament has which shears; with inertia if it moves, and with a viscous stress if damped."""
+    """Effects of an elastic filament with shear; with inertia if it moves, with a viscous stress if it is damped."""
     always = (BENDING, EXTENSIBILITY, FINITE_STRETCH, THINNING, LARGE_ROTATION, SHEAR)
     sometimes = ((INERTIA, moves), (VISCOUS_STRESS, damped))
     return ordered({effect.name for effect in (*always, *(effect for effect, holds in sometimes if holds))})
 
 
 def obstacle(effect: Effect, scene: Scene, names: Collection[str]) -> str:
-    """Why an effect can be neither left out nor put in; an empty text where nothing is known to stand against it."""
+    """Why an effect can be neither left out nor put in; empty if no reason is known."""
     if not effect.applies(scene):
         return f"cannot be had: {why_not(effect, scene)}"
     if effect.name not in names:
@@ -92,7 +92,7 @@ def named(*names: str) -> tuple[Effect, ...]:
 
 
 def terms_of(scene: Scene, names: Iterable[str]) -> Terms:
-    """The terms that effects of these names pick."""
+    """The terms that effects of these names select."""
     terms = bare(scene)
     for effect in named(*names):
         terms = effect.added_to(terms, scene)
@@ -100,10 +100,10 @@ def terms_of(scene: Scene, names: Iterable[str]) -> Terms:
 
 
 def string_of(scene: Scene, names: Collection[str]) -> tuple[set[str], bool]:
-    """Effects of a filament that bends no longer, and whether its weight has to come on slowly.
+    """Effects of a filament without bending, and whether its weight must be applied slowly.
 
-    A string without inertia has no shape before there is weight: it is loaded from the start, or slowly. A beam that
-    was run without tension has nothing else to hang by.
+    A string without inertia has no shape without weight: it is loaded from the start, or slowly. Extensibility is
+    added, as a string carries its load in tension only.
     """
     terms, effects = terms_of(scene, names), {*names, EXTENSIBILITY.name}
     if terms.inertia:

@@ -1,6 +1,6 @@
-"""Natural strain: the material is without stress at another strain as it dries, cures or cools, and curls if unevenly.
+"""Natural strain: the stress-free strain changes as a material dries, cures or cools; if unevenly, the filament curls.
 
-It is the same along and across the filament, so that the section shrinks, too; its mass stays.
+It is the same along and across the filament, so that the section shrinks, too; the mass is constant.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def _applies(scene: Scene) -> bool:
 
 
 def largest_strains(scene: Scene) -> tuple[float, float]:
-    """Largest size of the mean natural strain and of its difference over the thickness, during the run."""
+    """Largest magnitude of the mean natural strain and of its difference over the thickness, during the run."""
     material, duration = scene.material, scene.run.duration
     mean, more = (
         max(map(abs, extremes_of(strain, duration)))
@@ -34,10 +34,10 @@ def largest_strains(scene: Scene) -> tuple[float, float]:
 
 
 def shrinking(scene: Scene, motion: Motion, strain: float) -> float:
-    """Share of the sag that a mean natural strain takes or adds."""
+    """Relative change of the sag by a mean natural strain."""
     if strain == 0 or not is_held(scene):
         return strain
-    # A tension E n, of a cable that shrinks, against what carries the load: rho g L/(8 H) of the sag.
+    # The tension E n of a shrinking cable over the tension that carries the load, rho g L/(8 H).
     weight, modulus = weight_stress(scene), instant_modulus(scene) or 0.0
     tightened = 8 * modulus * strain * motion.sag / weight if weight > 0 else math.inf
     return tightened / (1 + tightened) if tightened < math.inf else 1.0
@@ -45,8 +45,8 @@ def shrinking(scene: Scene, motion: Motion, strain: float) -> float:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     mean, more = largest_strains(scene)
-    meaning = "share of the sag that shrinking takes or curling adds"
-    # Its curvature n/h bends a filament with an end that may turn by n L^2/(8 h) or more; clamps take it up.
+    meaning = "relative change of the sag by shrinking or curling"
+    # Its curvature n/h bends a filament with a pinned or free end by n L^2/(8 h) or more; two clamps prevent that.
     turns = {scene.ends.left, scene.ends.right} != {"clamped"}
     curled = more / groups_of(scene).delta / (2 if "free" in (scene.ends.left, scene.ends.right) else 8) * turns
     value = max(shrinking(scene, motion, mean), curled / motion.scale)
@@ -55,13 +55,13 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 
 NATURAL_STRAIN = Effect(
     name="natural-strain",
-    summary="strain at which the material is without stress, that changes in time, more at the top or at the bottom",
+    summary="stress-free strain of the material that changes in time, more at the top or at the bottom",
     source="Timoshenko 1925",
     adapt=_adapted,
     applies=_applies,
     without_it="the scene states no material.natural_strain",
     estimate=_estimate,
-    observable="pull of the natural strain over that of the weight at the sag, or the curl of one that is free",
+    observable="tension by the natural strain over that by the weight at the sag, or curl of a free filament",
     example="solvent-cast-strand",
     derivation="21_curing",
     in_paper=False,

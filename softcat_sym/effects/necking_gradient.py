@@ -1,4 +1,4 @@
-"""Necking gradient: the slope of a neck's surface stiffens it, so that strain cannot gather in one place."""
+"""Necking gradient: the slope of a neck's surface stiffens it, so that strain cannot concentrate in one section."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.scene.scene import Scene, groups_of
 
 _UNEVENNESS = 4e-4
-"""Unevenness that a neck grows from: one e-fold of it changes the sag of the paper's arrested filament by 1 %."""
+"""Initial unevenness of a neck, fitted so that one e-fold changes the sag of the paper's arrested filament by 1 %."""
 
 _HINGE = 0.1
-"""Change of the sag per h0/L where hinges yield at clamps: the gradient makes them wider."""
+"""Change of the sag per h0/L with yielding hinges at clamps, which the gradient widens."""
 
-_MANY_FOLDS = 30.0  # beyond which a neck has grown in any case
+_MANY_FOLDS = 30.0  # Limit of the e-folds, beyond which a neck has grown in any case
 
 
 def _applies(scene: Scene) -> bool:

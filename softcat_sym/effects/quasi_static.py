@@ -1,4 +1,4 @@
-"""Sag of a filament in balance at every instant: beam and cable together, elastic and flowing (THEORY 5-7, 11)."""
+"""Quasi-static sag of a filament: beam and cable together, elastic and flowing (THEORY 5-7, 11)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_
 Floats = npt.NDArray[np.float64]
 
 _MAX_TIMES = 201
-_CANTILEVER_SAG = 0.5  # of the middle of a filament that hangs straight down
+_CANTILEVER_SAG = 0.5  # Sag of the middle of a filament that hangs straight down
 _SHALLOW, _DEEP, _POINTS = 1e-7, 10.0, 120
 
 
@@ -36,16 +36,13 @@ def smooth_step(share: Floats) -> Floats:
 
 
 def load_factor(scene: Scene) -> float:
-    """Sag of the loaded filament over that of the bare one: a mass counts with its whole weight.
-
-    Twice at midspan, and at the end of a cantilever (L^3/3)/(L^3/8) times.
-    """
+    """Sag with point masses over that without: a mass counts twice at midspan, (L^3/3)/(L^3/8) times at a free end."""
     weight, load = scales.weight_stress(scene) * undeformed_area(scene), scene.load
     return 1 + (2 * load.point_mass + 8 / 3 * load.tip_mass) * load.gravity / weight if weight > 0 else 1.0
 
 
 def slackness(scene: Scene) -> float:
-    """Stress-free length over the distance of the ends, minus one: negative where the filament starts stretched."""
+    """Stress-free length over the distance of the ends, minus one: negative if the filament starts stretched."""
     if not is_held(scene):
         return 0.0
     free = stress_free_length(scene) * math.exp(mean_of(scene.initial.P))
@@ -53,12 +50,12 @@ def slackness(scene: Scene) -> float:
 
 
 def mean_of(values: tuple[float, ...]) -> float:
-    """Mean of what is given along the filament; zero without any."""
+    """Mean of values along the filament; zero without values."""
     return sum(values) / len(values) if values else 0.0
 
 
 def quasi_static_history(scene: Scene) -> History:
-    """Sag at the output times, under gravity that comes on as the scene says."""
+    """Sag at the output times, with the scene's ramp of gravity."""
     run, ramp = scene.run, scene.load.ramp
     time = np.linspace(0.0, run.duration, min(run.frames, _MAX_TIMES))
     share = smooth_step(time / ramp) if ramp > 0 else np.ones_like(time)
@@ -72,13 +69,13 @@ def quasi_static_history(scene: Scene) -> History:
 
 
 _LOOKS = 40
-"""Times of a run at which a material that changes is looked at."""
+"""Number of time steps for a material that changes."""
 
 
 def followed_sag(scene: Scene) -> tuple[Floats, Floats]:
-    """Times and sags of a material that may change: what it is at a time decides how fast the sag of then grows.
+    """Times and sags of a material that may change: the constants at a time decide the rate of the sag at that time.
 
-    Springs that join it do not lift it, so that its elastic sag is that of the least modulus up to then.
+    New springs do not lift the filament, so that its elastic sag is that of the smallest modulus up to that time.
     """
     looks, ramp = np.linspace(0.0, scene.run.duration, _LOOKS + 1), scene.load.ramp
     share = smooth_step(looks / ramp) if ramp > 0 else np.ones_like(looks)
@@ -116,7 +113,7 @@ def _sag(scene: Scene, time: Floats, share: float) -> Floats:
 
 
 def retardation(scene: Scene) -> float:
-    """Time in which a solid comes to rest [s]: eta/E, of a standard linear solid eta (1/E + 1/E_2)."""
+    """Retardation time of a solid [s]: eta/E; for a standard linear solid eta (1/E + 1/E_2)."""
     material = scene.material
     if material.viscosity is None or material.youngs_modulus is None or not is_solid(scene):
         return 0.0
@@ -125,20 +122,20 @@ def retardation(scene: Scene) -> float:
 
 
 def solvent_lag(scene: Scene) -> float:
-    """Time by which the solvent beside polymer chains holds them back [s]: its viscosity over their modulus."""
+    """Retardation time of polymer chains by their solvent [s]: its viscosity over their modulus."""
     material = scene.material
     return (material.solvent_viscosity or 0.0) / material.youngs_modulus if material.youngs_modulus else 0.0
 
 
 def start_sag(scene: Scene) -> float:
-    """Sag of a slack filament before anything stretches it: arc length 1 + (8/3) H^2."""
+    """Sag of a slack filament without stretch: arc length 1 + (8/3) H^2."""
     return math.sqrt(3 / 8 * max(0.0, slackness(scene)))
 
 
 def elastic_sag_under(scene: Scene, weight: float, modulus: float | None, *, taut: bool = True) -> float:
     """Static elastic sag under a weight rho g L [Pa]; a filament that starts slack or stretched is a cable.
 
-    Without `taut` that of the beam alone.
+    Without `taut` it is the sag of the beam alone.
     """
     if modulus is None:
         return start_sag(scene)
@@ -151,7 +148,7 @@ def elastic_sag_under(scene: Scene, weight: float, modulus: float | None, *, tau
 
 
 def cable_sag(load: float, slack: float) -> float:
-    """Largest root H of H^3 - slack H = load: strain (8/3)(H^2 - slack) under a tension that falls as 1/H."""
+    """Largest root H of H^3 - slack H = load: strain (8/3)(H^2 - slack) under a tension proportional to 1/H."""
     height = float(max(load ** (1 / 3), math.sqrt(max(0.0, slack)) + load, 1e-300))
     if slack < 0:
         height = min(height, load / -slack)
@@ -164,7 +161,7 @@ def cable_sag(load: float, slack: float) -> float:
 
 
 def flow_sag(scene: Scene, weight: float, first: float, time: Floats) -> Floats:
-    """Sag that flow adds to a first one after times [s]: viscous beam and string, until a yield stress holds it."""
+    """Sag that flow adds to a first one after times [s], as a viscous beam and string, until a yield stress ends it."""
     gravity_number = scales.gravity_number_of(scene)
     if (
         gravity_number is not None
@@ -175,7 +172,7 @@ def flow_sag(scene: Scene, weight: float, first: float, time: Floats) -> Floats:
     first = max(first, _SHALLOW)
     sag, reached = _flow_table(scene, weight, first)
     flown = np.interp(time, reached, sag) - first
-    # A beam of which a part stays elastic is held by that, however fast the rest flows.
+    # A beam with an elastic core is held by the core, however fast the rest flows.
     held = gravity_number is not None and not scales.yields_throughout(scene)
     return np.minimum(flown, first) if held else flown
 
@@ -194,7 +191,7 @@ def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floa
 
 
 def _flow_speed(scene: Scene, weight: float, sag: float, beam: float) -> float:
-    """Rate of the sag over span [1/s]: a beam and a string in which flow is all that yields, the slower of the two."""
+    """Rate of the sag over span [1/s] by flow alone: about the slower of beam and string."""
     if not is_held(scene):
         return beam
     taut = weight * (sag + 1 / (8 * sag))

@@ -1,4 +1,4 @@
-"""Every effect there is, in the order in which they are listed, and those that other packages register."""
+"""All effects in the order of lists, and those that other packages register."""
 
 from __future__ import annotations
 
@@ -64,28 +64,28 @@ REGISTRY: list[Effect] = [
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"
-"""Group under which an installed package names its effects."""
+"""Entry point group of effects from installed packages."""
 
 
 def register_effect(effect: Effect) -> Effect:
-    """Let scenes have an effect from outside the package.
+    """Register an effect from outside the package.
 
     Parameters
     ----------
     effect : Effect
-        With densities of its own, or a change of the terms. One of the same name that was registered before is
-        replaced. An installed package registers its effects by the entry point group ``softcat_sym.effects``.
+        An effect with its own densities, or with a change of the terms. It replaces an effect of the same name that was
+        registered before. An installed package registers its effects by the entry point group ``softcat_sym.effects``.
 
     Returns
     -------
     Effect
-        As it is listed.
+        The registered effect, with default fields filled in.
 
     Raises
     ------
     ValueError
-        If an effect of the package has this name, if it needs one that there is not, if it adds nothing, or if its
-        densities hold what no filament has.
+        If an effect of the package has this name, if it needs an unknown effect, if it adds nothing, or if its
+        densities contain unknown symbols.
     """
     names = [one.name for one in REGISTRY]
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", effect.name):
@@ -95,7 +95,7 @@ def register_effect(effect: Effect) -> Effect:
     if effect.contribute is None and effect.adapt is None and not effect.adds_densities:
         raise ValueError(f"effect {effect.name!r} adds nothing: neither densities nor terms")
     if missing := set(effect.needs) - set(names):
-        raise ValueError(f"effect {effect.name!r} needs {', '.join(sorted(missing))}, which there is not")
+        raise ValueError(f"effect {effect.name!r} needs {', '.join(sorted(missing))}, which is not registered")
     if effect.applies is never:
 
         def applies(scene: Scene) -> bool:
@@ -104,7 +104,7 @@ def register_effect(effect: Effect) -> Effect:
 
         without = f"the scene has no [effects.{effect.name}], or {SMALL_MODEL}"
         effect = replace(effect, applies=applies, without_it=effect.without_it or without)
-    # What it adds is read once here, so that a slip is found now.
+    # The densities are derived once here, so that their faults are found now.
     if effect.adds_densities and effect.densities.of_a_cell and not {"extensibility"} & set(effect.needs):
         effect = replace(effect, needs=(*effect.needs, "extensibility"))
     effect = _of_the_plane(replace(effect, in_paper=False))
@@ -116,7 +116,7 @@ def register_effect(effect: Effect) -> Effect:
 
 
 def _of_the_plane(effect: Effect) -> Effect:
-    """Keep densities of its own, which are those of the plane, out of three dimensions."""
+    """Exclude an effect with its own densities, which are plane, from three dimensions."""
     own, only = effect.applies, "a scene in three dimensions has no densities but its own"
     if not effect.adds_densities or only in effect.without_it:
         return effect

@@ -1,4 +1,4 @@
-"""Rotary inertia: it takes a moment to turn a section faster."""
+"""Rotary inertia: the angular acceleration of a section needs a moment."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ _SLOPE = 12.3
 """Mean square slope over mean square sag of a clamped beam's first mode, times L^2."""
 
 _SHAPE = 0.05
-"""Of the change of frequency, what height and amplitude of a ringing change by: the weight bends the strand as far as
-before, and only the share of the first mode in that shape changes. Measured 0.005 between clamps; in strands that yield
-at first it may be more."""
+"""Relative change of height and amplitude of a ringing over that of its frequency: the static shape is unchanged, and
+only the share of the first mode in it changes. Measured 0.005 between clamps; it may be larger in strands that yield at
+first."""
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    # It slows the first mode by half of what turning adds to its kinetic energy.
+    # The relative change of the first frequency is half of that of the kinetic energy by rotation.
     slower = _SLOPE / 2 * section_of(scene).gyration * groups_of(scene).delta ** 2
     share = min(1.0, slower * (_SHAPE if motion.rings_on else motion.missed + motion.swings))
-    return Estimate(share, "how much slower it swings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency, as far as it swings")
+    return Estimate(share, "decrease of its frequency, if it rings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency")
 
 
 def _spared(scene: Scene) -> str:
-    return "followed through hinges that yield it takes many times as long" if YIELDING.applies(scene) else ""
+    return "it makes runs with yielding hinges many times longer" if YIELDING.applies(scene) else ""
 
 
 def _applies(scene: Scene) -> bool:
@@ -41,9 +41,9 @@ ROTARY_INERTIA = Effect(
     source="Timoshenko 1921",
     contribute=partial(replace, rotary_inertia=True),
     applies=_applies,
-    without_it=f"in three dimensions sections turn without inertia so far, or {SMALL_MODEL}",
+    without_it=f"in three dimensions sections have no rotary inertia, or {SMALL_MODEL}",
     estimate=_estimate,
-    observable="how far the midpoint rings, times (h0/L)^2",
+    observable="ringing of the midpoint, times (h0/L)^2",
     example="stretched-rubber-band",
     derivation="09_shearing_filament",
     cures="failure",

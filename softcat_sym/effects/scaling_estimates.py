@@ -1,4 +1,4 @@
-"""What every estimate starts from: moduli, viscosities, thresholds, static sag and growth of necks (THEORY 5-7, 11)."""
+"""Scaling estimates: moduli, viscosities, thresholds, static sag and growth of necks (THEORY 5-7, 11)."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ def instant_modulus(scene: Scene) -> float | None:
 
 
 def static_modulus(scene: Scene) -> float | None:
-    """Young's modulus of a lasting load [Pa], or of a sudden one where none lasts."""
+    """Young's modulus of a solid under a lasting load [Pa]; otherwise that of a sudden load."""
     return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)
 
 
 def yield_stress_of(scene: Scene) -> float | None:
-    """Stress below which nothing flows [Pa]; None for a law without one."""
+    """Yield stress [Pa]; None for a law without one."""
     material = scene.material
     return material.yield_stress if material.yield_stress is not None else material.threshold or None
 
@@ -37,21 +37,21 @@ def yield_stress_of(scene: Scene) -> float | None:
 def surface_stress(scene: Scene, relative: float = 1.0) -> float:
     """Gam [Pa]: axial force of surface tension over the area, gamma P/(2 A) of the undeformed section.
 
-    Where a profile has this relative thickness.
+    The section has this relative thickness of a profile.
     """
     pull = section_of(scene).pull(scene.filament.thickness * relative, scene.filament.width)
     return scene.surroundings.surface_tension * pull
 
 
 def pull_of_surface(scene: Scene) -> float:
-    """Gam [Pa] where surface tension is not left out by name: by a list of effects, the paper's, or its closure."""
+    """Gam [Pa]; 0 if a list of effects, the paper's list or the printed closure leaves surface tension out."""
     asked, run = scene.run.effects, scene.run
     listed = asked == "auto" if isinstance(asked, str) else "surface-tension" in asked
     return surface_stress(scene) if listed and run.closure != "printed" else 0.0
 
 
 def holding_stress_of(scene: Scene) -> float | None:
-    """Tension over area at which a filament between supports is at rest [Pa]: sigma_Y and what its surface pulls."""
+    """Largest tension over area of a filament at rest between supports [Pa]: sigma_Y plus the pull of its surface."""
     limit = yield_stress_of(scene)
     return limit if limit is None or not is_held(scene) else limit + pull_of_surface(scene)
 
@@ -63,38 +63,38 @@ def gravity_number_of(scene: Scene) -> float | None:
 
 
 def moment_left_by_surface(scene: Scene) -> float:
-    """Share of the largest moment of the elastic beam that the pull of its surface leaves; 1 with a free end."""
+    """Largest moment of the elastic beam with the pull of its surface over that without it; 1 with a free end."""
     modulus, pull = instant_modulus(scene), pull_of_surface(scene)
     if not modulus or not pull or not is_held(scene):
         return 1.0
     psi = math.sqrt(pull / (4 * modulus * section_of(scene).gyration)) / groups_of(scene).delta
     left = float(beam_of(scene).relief(min(psi, _STRONG))) if psi > _WEAK else 1.0
-    # A string between clamps: as 3/psi; between pins as 2/psi^2, which is small anyway.
+    # For a string in clamps it is proportional to 3/psi; between pins to 2/psi^2, which is small anyway.
     return left * min(1.0, _STRONG / psi)
 
 
 _WEAK, _STRONG = 1e-3, 300.0
-"""Below the former psi nothing is left to take, above the latter hyperbolic functions overflow."""
+"""Below the first psi the pull has no effect, above the second hyperbolic functions overflow."""
 
 
 def gravity_of(scene: Scene) -> float:
-    """Gravity g |1 - rho_b/rho|, less what the surroundings carry."""
+    """Gravity reduced by buoyancy, g |1 - rho_b/rho|."""
     return scene.load.gravity * abs(1 - buoyant_share(scene))
 
 
 def fall_time(scene: Scene) -> float:
-    """Time sqrt(L/g) with that gravity [s]."""
+    """Time sqrt(L/g) with gravity reduced by buoyancy [s]."""
     gravity = gravity_of(scene)
     return math.sqrt(scene.filament.span / gravity) if gravity > 0 else math.inf
 
 
 def weight_stress(scene: Scene) -> float:
-    """Rho g L [Pa], less what the surroundings carry."""
+    """Rho g L [Pa], with gravity reduced by buoyancy."""
     return scene.filament.density * gravity_of(scene) * scene.filament.span
 
 
 def buoyant_share(scene: Scene) -> float:
-    """rho_b/rho where buoyancy is not left out by name: by a list of effects, or the paper's."""
+    """rho_b/rho; 0 if a list of effects, the paper's list or the printed closure leaves buoyancy out."""
     asked = scene.run.effects
     listed = asked == "auto" if isinstance(asked, str) else "buoyancy" in asked
     in_bath = listed and scene.run.closure != "printed"
@@ -104,15 +104,15 @@ def buoyant_share(scene: Scene) -> float:
 def effective_viscosity(scene: Scene) -> float | None:
     """Stress over flow rate [Pa s] at a stress of rho g L beyond yield, or eta where the two are proportional.
 
-    None for a law that does not flow, 0 where the rule gives no number.
+    None for a law that does not flow, 0 if the rule gives no number.
     """
     return effective_viscosity_at(scene, weight_stress(scene) or 1.0)
 
 
 def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
-    """Stress over flow rate [Pa s] at that much stress [Pa] beyond yield; None for a law that does not flow.
+    """Stress over flow rate [Pa s] at a stress [Pa] beyond yield; None for a law that does not flow.
 
-    0 where the rule gives no number.
+    0 if the rule gives no number.
     """
     material = scene.material
     if material.modes:
@@ -130,7 +130,7 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
 
 
 def hot_viscosity_factor(scene: Scene) -> float:
-    """Viscosity at the highest temperature of the scene over that which the material states."""
+    """Viscosity at the highest temperature of the scene over the stated one."""
     heat, asked = scene.temperature, scene.run.effects
     listed = asked == "auto" if isinstance(asked, str) else "temperature" in asked
     return heat.viscosity_factor(heat.extremes(scene.run.duration)[1]) if heat.present and listed else 1.0
@@ -145,7 +145,7 @@ def viscosity_of_chains(scene: Scene) -> float:
 def viscous_number(scene: Scene) -> float | None:
     """V = eta/(rho sqrt(g L^3)) (3.10) with the effective viscosity; infinite without gravity."""
     viscosity = effective_viscosity(scene)
-    # The inertia is that of the whole density.
+    # Inertia is not reduced by buoyancy.
     density, span = scene.filament.density, scene.filament.span
     impulse = density * math.sqrt(gravity_of(scene) * span * span * span)
     return viscosity if viscosity is None else viscosity / impulse if impulse > 0 else math.inf
@@ -157,7 +157,7 @@ def duration_star(scene: Scene) -> float:
 
 
 def beam_of(scene: Scene) -> Beam:
-    """The straight beam between the scene's ends; with a free one, the cantilever that the other must hold."""
+    """The straight beam between the scene's ends; with a free end, a cantilever."""
     return beam_between(scene.ends.left, scene.ends.right)
 
 
@@ -174,26 +174,26 @@ def bending_stiffness(scene: Scene) -> float:
 def first_yield_gravity_number(scene: Scene) -> float:
     """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11).
 
-    In the G of :func:`gravity_number_of`, and with what surface tension carries of the weight.
+    It is a value of :func:`gravity_number_of`, and includes the part of the weight that surface tension carries.
     """
     plain = first_yield(section_of(scene), beam_of(scene), groups_of(scene).delta)
     return plain / moment_left_by_surface(scene) * share_of_yield(scene)
 
 
 def yields_throughout(scene: Scene) -> bool:
-    """Whether the weight is so far beyond the first fibre's yield that no part of the section stays elastic."""
+    """Whether the weight is so far beyond first yield that the section has no elastic core."""
     gravity_number = gravity_number_of(scene)
     return gravity_number is not None and gravity_number > _THROUGHOUT * first_yield_gravity_number(scene)
 
 
 def share_of_yield(scene: Scene) -> float:
-    """Yield stress over the holding stress: 1 without surface tension, which no bending fibre feels."""
+    """Yield stress over the holding stress: 1 without surface tension, which does not load fibres in bending."""
     limit, holding = yield_stress_of(scene), holding_stress_of(scene)
     return limit / holding if limit and holding else 1.0
 
 
 def smaller_of(bending: float, stretching: float) -> float:
-    """Harmonic mean of two sags, never above the smaller: where one resistance rules it is that one's sag."""
+    """Half the harmonic mean of two sags, below the smaller one: close to it if one resistance dominates."""
     return 1 / (1 / bending + 1 / stretching) if bending > 0 and stretching > 0 else 0.0
 
 
@@ -207,14 +207,14 @@ def elastic_sag(scene: Scene) -> float:
 
 
 def neck_length(scene: Scene) -> float:
-    """Half the shortest wavelength that grows, pi sqrt(beta) h0 [m]: a neck is not shorter than this."""
+    """Half the shortest unstable wavelength, pi sqrt(beta) h0 [m], the shortest length of a neck."""
     filament = scene.filament
     beta = section_of(scene).neck(filament.width / filament.thickness)
     return math.pi * math.sqrt(beta) * filament.thickness
 
 
 def neck_folds(scene: Scene, strain: float) -> float:
-    """E-folds by which an unevenness grows, sigma/eta = sigma_Y/eta + the rate of strain, as long as the run lasts.
+    """E-folds by which an unevenness grows in the run, at the rate sigma/eta = sigma_Y/eta + the rate of strain.
 
     Surface tension adds half its pull to sigma (Plateau & Rayleigh).
     """

@@ -1,4 +1,4 @@
-"""Shear: the section turns by itself, and is sheared against the centreline (Reissner's kinematics)."""
+"""Shear: the section rotates independently of the centreline, and is sheared (Reissner's kinematics)."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 
 
 def elastic_stretch(scene: Scene) -> float:
-    """Elastic stretch that the supports impose: at the start, and of a solid at any later time."""
+    """Elastic stretch that the supports impose at the start, and for a solid at any time."""
     apart = farthest(scene) if is_solid(scene) and scene.ends.motion else distance(scene)
     return apart / stress_free_length(scene) if is_held(scene) else 1.0
 
 
 def stays_straight(scene: Scene) -> bool:
-    """Whether a stretched section stays square to the centreline: log s (1 - kappa_s/2) < kappa_s mu/E.
+    """Whether a stretched section is stable perpendicular to the centreline: log s (1 - kappa_s/2) < kappa_s mu/E.
 
-    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses
-    E log(s) (1 - kappa_s/2) phi^2/2 of stretching, since a shear gam lengthens its fibres by gam^2/4: beyond that
-    stretch it turns by itself, which no material does.
+    A section rotated by phi at a fixed stretch gains the energy kappa_s mu phi^2/2 in shear and loses
+    E log(s) (1 - kappa_s/2) phi^2/2 in stretching, since a shear gam lengthens its fibres by gam^2/4: beyond that
+    stretch it rotates spontaneously, unlike any material.
     """
     return elastic_stretch(scene) < _limit(scene)
 
@@ -42,13 +42,13 @@ def _applies(scene: Scene) -> bool:
 
 
 def _faults(scene: Scene) -> list[Fault]:
-    """Refuse a filament that shears by itself where it cannot do without shear; in the plane it can."""
+    """Refuse a filament with unstable sections in three dimensions, where shear is indispensable."""
     if stays_straight(scene) or not is_spatial(scene):
         return []
     at_start = distance(scene) / stress_free_length(scene) >= _limit(scene)
     given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
     found = (
-        f"stretched elastically {elastic_stretch(scene):.4g} times, so far that sections turn by themselves "
+        f"stretched elastically {elastic_stretch(scene):.4g} times, at which sections rotate spontaneously "
         f"({needed_in_space(scene)})"
     )
     return [Fault(given if at_start else "ends.motion", found, f"less than {_limit(scene):.4g} times")]
@@ -57,7 +57,7 @@ def _faults(scene: Scene) -> list[Fault]:
 def _eases(scene: Scene) -> str:
     if law_in(scene).has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
         return ""
-    return "taken in because its flow rule is quicker to run with it"
+    return "included because its flow rule runs faster with it"
 
 
 SHEAR = Effect(
@@ -68,10 +68,10 @@ SHEAR = Effect(
     applies=_applies,
     without_it=(
         "the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), its law is one of "
-        f"polymer chains, stretched along and across the fibres alone, or {SMALL_MODEL}"
+        f"polymer chains, which stretch only along and across the fibres, or {SMALL_MODEL}"
     ),
     estimate=OfMotion(
-        "sheared", "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges", amplified=True
+        "sheared", "share of the sag by shear", "of Timoshenko's beam, bent ends and hinges", amplified=True
     ),
     observable="transverse force times shear compliance, and the share of Timoshenko at the largest sag",
     example="arrested-overdamped",

@@ -1,4 +1,4 @@
-"""Solid damping: a viscous stress eta_s eps_t beside spring and flow, so that what does not flow rings down too."""
+"""Solid damping: a viscous stress eta_s eps_t parallel to spring and flow damps ringing without flow, too."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ def _applies(scene: Scene) -> bool:
 
 def _eases(scene: Scene) -> str:
     del scene
-    return "stated, it ends ringing"
+    return "the scene states it, and it damps ringing"
 
 
 SOLID_DAMPING = Effect(
     name="solid-damping",
-    summary="stress eta_s eps_t beside spring and flow",
+    summary="stress eta_s eps_t parallel to spring and flow",
     source="Voigt 1892",
     contribute=partial(replace, damped=True),
     applies=_applies,
     without_it=f"the scene states neither material.loss_tangent nor material.solid_viscosity, or {SMALL_MODEL}",
-    estimate=OfMotion("damped", "ringing that the loss below yield takes away, or lag of the sag"),
-    observable="ringing of the midpoint that it would have ended",
+    estimate=OfMotion("damped", "ringing that the loss below yield damps, or lag of the sag"),
+    observable="ringing of the midpoint that it would have damped",
     example="agar-bar",
     derivation="11_rheologies",
     needs=("inertia",),

@@ -1,6 +1,6 @@
-"""Structure: a thixotropic material builds up at rest, and breaks down where it flows, with its yield stress.
+"""Structure: a thixotropic material builds up its yield stress at rest, and loses it in flow.
 
-One structure parameter at every fibre, so that a hinge that turns is soft beside a strand that rests (Moore 1959;
+Every fibre has a structure parameter, so that a flowing hinge is soft while the rest of the strand is not (Moore 1959;
 Roussel 2006; de Souza Mendes & Thompson 2013).
 """
 
@@ -26,7 +26,7 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
 
 
 def _share(scene: Scene, strain: float) -> float:
-    """Largest relative change of yield stress or viscosity within the run, by rest and by a flow to this strain."""
+    """Largest relative change of yield stress or viscosity within the run, by rest and by flow to this strain."""
     structure, material = scene.material.structure, scene.material
     if structure is None:
         return 0.0
@@ -53,7 +53,7 @@ def _share(scene: Scene, strain: float) -> float:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     change = motion.amplified(min(1.0, _share(scene, motion.strain) * motion.relaxed))
-    meaning = "change of the yield stress or the viscosity within the run, where flow takes the stress away"
+    meaning = "change of the yield stress or the viscosity within the run, times the stress that flow relaxes"
     return Estimate(change, meaning, "relaxed (sigma_Y(T)/sigma_Y - 1)")
 
 
@@ -65,7 +65,7 @@ STRUCTURE = Effect(
     applies=_applies,
     without_it=f"the scene has no [material.structure], asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,
-    observable="the same, of the strain and the share of flow that a run shows",
+    observable="the same, from the strain and the share of flow in a run",
     example="printed-lintel",
     derivation="19_structure",
     needs=("fibres",),

@@ -1,4 +1,4 @@
-"""Surface tension: the surface pulls the filament together with the force that its energy has along the centreline."""
+"""Surface tension: the surface energy exerts an axial force that shortens the filament."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from softcat_sym.errors import Fault
 from softcat_sym.scene.scene import Scene
 
 _UNSTABLE = 2.0
-"""Gam over E from which a stretched filament pulls less than an unstretched one, dQ/ds = A_0 (E - Gam/2): it would
-gather into beads (gamma > 6 mu R of a circle, Mora et al. 2010)."""
+"""Gam over E above which the axial force decreases with stretch, dQ/ds = A_0 (E - Gam/2), and the filament forms beads
+(gamma > 6 mu R for a circle, Mora et al. 2010)."""
 
 _SQUARE = 0.1
-"""Relative difference of the sides of a rectangle from which surface tension would even them out."""
+"""Relative difference of the sides of a rectangle above which surface tension would round it."""
 
 
 def _applies(scene: Scene) -> bool:
@@ -30,20 +30,20 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    starts = "it acts at once" if scene.initial.surface == "fresh" else "it was always there"
-    meaning = f"share of the sag that the pull of the surface takes, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
+    starts = "it acts at once" if scene.initial.surface == "fresh" else "it acted before t = 0"
+    meaning = f"reduction of the sag by the pull of the surface, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
     return Estimate(motion.amplified(motion.capillary), meaning)
 
 
 def unstable_faults(scene: Scene) -> list[Fault]:
-    """Refuse a surface tension that no elastic filament of this thickness withstands as a cylinder."""
+    """Refuse a surface tension at which an elastic filament of this thickness is unstable as a cylinder."""
     modulus, pull = static_modulus(scene), surface_stress(scene)
-    # One that has shortened under its surface is thicker, and stable: dQ/ds = A_0 E (1 - log(s)/2)/s^2 where Q = 0.
+    # A filament that has shortened under its surface is thicker, and stable: dQ/ds = A_0 E (1 - log(s)/2)/s^2 at Q = 0.
     stable = scene.filament.section == "sheet" or scene.initial.surface == "relaxed"
     if modulus is None or not is_solid(scene) or stable or pull <= _UNSTABLE * modulus:
         return []
     most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
-    found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament gathers into beads"
+    found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament forms beads"
     return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
 
 
@@ -57,7 +57,7 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
 
 SURFACE_TENSION = Effect(
     name="surface-tension",
-    summary="axial force gamma P_0/2 s^-1/2 (of a sheet 2 gamma D_0), and that of the outline's slope",
+    summary="axial force gamma P_0/2 s^-1/2 (for a sheet 2 gamma D_0), and that of the outline's slope",
     source="Eggers & Dupont 1994",
     contribute=partial(replace, surface_tension=True),
     applies=_applies,
@@ -76,7 +76,7 @@ SURFACE_TENSION = Effect(
 
 
 def neglected_surface(scene: Scene, share: float) -> str:
-    """Say that surface tension is left out by name although it matters; an empty text otherwise."""
+    """Warning that a scene leaves out surface tension although it matters; empty otherwise."""
     if pull_of_surface(scene) or share <= scene.run.accuracy:
         return ""
     key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
@@ -84,12 +84,12 @@ def neglected_surface(scene: Scene, share: float) -> str:
 
 
 def rounded_corners(scene: Scene) -> str:
-    """Warn of a rectangle whose sides surface tension would even out; an empty text where it would not."""
+    """Warning that surface tension would round a rectangle; empty if it would not."""
     filament, limit = scene.filament, yield_stress_of(scene) or instant_modulus(scene) or 0.0
     uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
     if not uneven or pull_of_surface(scene) <= limit:
         return ""
     return (
-        f"surface tension ({pull_of_surface(scene):.3g} Pa) would round the rectangle, whose sides are taken to shrink "
-        "alike; take section = 'circle' if it does"
+        f"surface tension ({pull_of_surface(scene):.3g} Pa) would round the rectangle, whose sides are assumed to "
+        "shrink alike; use section = 'circle' if it does"
     )

@@ -1,7 +1,7 @@
-"""Temperature: one over the section, along the filament; it makes the material more or less viscous and stiff.
+"""Temperature: uniform over the section, variable along the filament; viscosity and stiffness depend on it.
 
-rho c_p A T_t = D - h P (T - T_a) + (k A T_s)_s in lengths of the moving filament, with what flow and viscous stress
-dissipate as D. Radiation is not in it, and the ends are insulated.
+rho c_p A T_t = D - h P (T - T_a) + (k A T_s)_s in lengths of the moving filament, with the dissipation D of flow and
+viscous stress. Radiation is not included, and the ends are insulated.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import PREFIX
 
 _THICK = 0.1
-"""Biot number above which the section is not of one temperature: the middle lags by a twentieth of the difference."""
+"""Biot number above which the temperature is not uniform: the middle lags by a twentieth of the difference."""
 
 
 def _applies(scene: Scene) -> bool:
@@ -42,7 +42,7 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
 
 
 def transfer_coefficient(scene: Scene) -> float:
-    """Heat transfer coefficient [W/(m^2 K)]; of a correlation the largest that the scene's temperatures give."""
+    """Heat transfer coefficient [W/(m^2 K)]; for a correlation, the largest one for the scene's temperatures."""
     stated = scene.temperature
     if stated.correlation == "none":
         return stated.heat_transfer or 0.0
@@ -61,7 +61,7 @@ def cylinder_in_air(kelvin: float, around: float, diameter: float, gravity: floa
 
 
 def half_thickness(scene: Scene) -> float:
-    """Volume over surface [m]: what heat has to cross."""
+    """Volume over surface [m], the length over which heat is conducted."""
     filament = scene.filament
     if filament.section == "sheet":
         return filament.thickness / 2
@@ -83,18 +83,18 @@ def biot_number(scene: Scene) -> float | None:
 
 
 def coldest_and_hottest(scene: Scene, motion: Motion) -> tuple[float, float]:
-    """Temperatures that the filament reaches within the run [K], by Newton's cooling and by what is dissipated."""
+    """Lowest and highest temperature of the filament in the run [K], by Newton's cooling and dissipation."""
     stated = scene.temperature
     start = stated.initial or 0.0
     reached = -math.expm1(-scene.run.duration / cooling_time(scene))
     low, high = (start + reached * (one - start) for one in stated.extremes(scene.run.duration))
-    # The weight falls by the sag at most, and all of that heats the filament.
+    # Upper bound: the potential energy of a fall by the sag heats the filament.
     fall = gravity_of(scene) * motion.sag * scene.filament.span
     return low, high + fall / (stated.heat_capacity or math.inf)
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    meaning = "change of the viscosity where flow takes the stress away, of the modulus, or pull of the contraction"
+    meaning = "change of the viscosity times the stress that flow relaxes, of the modulus, or by contraction"
     stated, change = scene.temperature, 0.0
     if not stated.present:
         return Estimate(0.0, meaning)
@@ -111,7 +111,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 def _indispensable(scene: Scene) -> str:
     stated = scene.temperature
     by_unit = stated.law == "vft" and stated.A is not None
-    return "temperature.A says how large the viscosity is, not material.viscosity" if by_unit else ""
+    return "temperature.A determines the viscosity, not material.viscosity" if by_unit else ""
 
 
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
@@ -120,12 +120,12 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
         return []
     biot = biot_number(scene)
     if biot is None:
-        return ["the section is taken as of one temperature: no temperature.conductivity says whether it is"]
+        return ["the section is assumed to have one temperature, which needs temperature.conductivity for a check"]
     if biot <= _THICK:
         return []
     return [
-        f"the section is taken as of one temperature, but its Biot number h (V/S)/k is {biot:.2g}: above {_THICK:g} "
-        "its middle lags behind its surface"
+        f"the section is assumed to have one temperature, but its Biot number h (V/S)/k is {biot:.2g}: above "
+        f"{_THICK:g} its middle lags behind its surface"
     ]
 
 

@@ -1,4 +1,4 @@
-"""Where the theory itself ends: what can be said of a scene before it is run."""
+"""Limits of the theory for a scene, before it is run."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ THICK = 0.1
 """h0/L above which the end zones, a thickness long at each end (Saint-Venant), fill more than a fifth of the span."""
 
 RESOLVED_PER_SLENDERNESS = 0.4
-"""What no filament theory has, of the sag per h0/L: 1.0, 0.6 and 0.3 % at h0/L = 0.03, 0.015 and 0.0075 is left
-between a filament that shears, with fibres, and plane-stress elements in continual descent."""
+"""Relative error of the sag that every filament theory has, over h0/L: a filament with shear and fibres differs from
+plane-stress elements in continual descent by 1.0, 0.6 and 0.3 % at h0/L = 0.03, 0.015 and 0.0075."""
 
 DRAWN_OUT = 0.58
-"""Strain expected of the necks (:func:`neck_draw`) beyond which a warning is given.
+"""Expected strain of the necks (:func:`neck_draw`) above which a warning is given.
 
-Of the paper's filament those rupture of which it is 0.67 (G = 0.4, V = 0.4: the paper's own), 0.63 (0.8, 3) and 2.2
-(1.2, 2); those stop of which it is 0.53 (0.4, 1; alike on 40 and on 80 cells), 0.25 (0.4, 3 and 0.25, 0.4) and 0.04
-(0.8, 26). It does not tell G = 0.3, V = 0.4 (0.37), which stops on 160 cells and ruptures on 320.
+The paper's filament ruptures at expected strains of 0.67 (G = 0.4, V = 0.4: the paper's own), 0.63 (0.8, 3) and 2.2
+(1.2, 2); it stops at 0.53 (0.4, 1; on 40 and on 80 cells), 0.25 (0.4, 3 and 0.25, 0.4) and 0.04 (0.8, 26). The limit
+fails for G = 0.3, V = 0.4 (0.37), which stops on 160 cells and ruptures on 320.
 """
 
 SHALLOW = 0.1
-"""Sag over span beyond which the small-deflection model (2.13) is not used: its strain leaves out 2 % of the slope's
-square there."""
+"""Sag over span beyond which a warning about the small-deflection model (2.13) is given: its strain omits a term of 2 %
+of the slope's square there."""
 
 COUNTERED = 0.2
-"""Strain at which the printed closure has lost a fifth of its viscous tension: 1 - log s of it is left (THEORY 4)."""
+"""Strain at which the printed closure has lost a fifth of its viscous tension, whose factor is 1 - log s (THEORY 4)."""
 
 
 def theory_limits(scene: Scene, regime: ExpectedRegime) -> tuple[str, ...]:
-    """Warnings in words; none where the theory should hold."""
+    """Warnings in words; empty if the theory should hold."""
     stated = [words for effect in REGISTRY for words in effect.warnings(scene, forecast(scene))]
     found = (*stated, _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
     return tuple(filter(None, found))
 
 
 def _thickness(scene: Scene) -> str:
-    """A filament is slender."""
+    """Warning about a filament that is not slender."""
     delta = groups_of(scene).delta
     if delta <= THICK:
         return ""
@@ -51,7 +51,7 @@ def _thickness(scene: Scene) -> str:
 
 
 def _rupture(scene: Scene, regime: ExpectedRegime) -> str:
-    """A filament that stops may still lose its ends: the elongation of its fall gathers in two necks."""
+    """Warning about a filament that may rupture before it stops, as the elongation concentrates in two necks."""
     depth, gravity_number, viscous = regime.stopping_depth_exact, regime.gravity_number, viscous_number(scene)
     if depth is None or gravity_number is None or viscous is None or regime.name == "no-yield":
         return ""
@@ -63,12 +63,12 @@ def _rupture(scene: Scene, regime: ExpectedRegime) -> str:
         return ""
     return (
         f"near rupture: its fall to {sag:.2g} L, while necks grow at sigma_Y/eta, draws the necks at the ends out by "
-        f"{strain:.0%} or so (limit {DRAWN_OUT:.0%}); there no filament theory has a number to trust"
+        f"about {strain:.0%} (limit {DRAWN_OUT:.0%}); no filament theory is reliable there"
     )
 
 
 def _descent(regime: ExpectedRegime) -> str:
-    """Beyond the threshold of arrest nothing in the theory ends the descent."""
+    """Warning about a filament beyond the threshold of arrest, whose descent does not end in the theory."""
     threshold, number = regime.arrest_exact, regime.gravity_number
     if threshold is None or number is None or number < threshold:
         return ""
@@ -79,7 +79,7 @@ def _descent(regime: ExpectedRegime) -> str:
 
 
 def _reductions(scene: Scene) -> tuple[str, str]:
-    """What the reduced model and the printed closure cannot follow."""
+    """Warnings about the limits of the reduced model and of the printed closure."""
     sag, strain = expected_sag(scene), expected_strain(scene)
     shallow = printed = ""
     if scene.model == "small-deflection" and sag > SHALLOW:

@@ -19,7 +19,7 @@ THINNING = Effect(
         "strain", "stiffness lost as the section thins", "half the mean strain", amplified=True, factor=0.5
     ),
     needs=("extensibility",),
-    observable="mean strain, and how far the midpoint rings",
+    observable="mean strain, and ringing of the midpoint",
     example="continual-descent",
     derivation="02_section_and_closures",
     causes=("slopes",),

@@ -23,7 +23,7 @@ def _applies(scene: Scene) -> bool:
 
 VISCOUS_FLOW = Effect(
     name="viscous-flow",
-    summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the rule given; chains that relax",
+    summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the given rule; chains that relax",
     source="2.7, 2.12",
     contribute=partial(replace, flows=True),
     applies=_applies,
@@ -31,7 +31,7 @@ VISCOUS_FLOW = Effect(
     estimate=OfMotion(
         "relaxed", "share of the stress that relaxes during the run", "1 - exp(-t E/eta), beyond yield", amplified=True
     ),
-    observable="largest fibre stress over the yield stress; without one, the relaxation foreseen",
+    observable="largest fibre stress over the yield stress; without one, the forecast relaxation",
     example="continual-descent",
     derivation="11_rheologies",
     causes=("flow",),

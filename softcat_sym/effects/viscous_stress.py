@@ -1,4 +1,4 @@
-"""Viscous stress: a stress proportional to the strain rate, beside any elastic one."""
+"""Viscous stress: a stress proportional to the strain rate, parallel to an elastic one if there is one."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ VISCOUS_STRESS = Effect(
     contribute=partial(replace, viscous=True),
     applies=_applies,
     without_it="the law has no stress that depends on the strain rate",
-    estimate=OfMotion("retarded", "how far the sag lags behind its load, or its ringing dies out"),
-    observable="ringing of the midpoint that it would have ended; else the lag foreseen",
+    estimate=OfMotion("retarded", "lag of the sag behind its load, or damping of its ringing"),
+    observable="ringing of the midpoint that it would have damped; otherwise the forecast lag",
     example="cooked-spaghetti",
     derivation="11_rheologies",
     causes=("flow",),

@@ -1,4 +1,4 @@
-"""Yielding: nothing flows below the yield stress."""
+"""Yielding: the material does not flow below the yield stress."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    # Where the state is plastic from the beginning, whether it flows at once is what the yield stress decides.
+    # In an initially plastic state the yield stress decides whether the material flows at once.
     flows = 1.0 if VISCOUS_FLOW.indispensable(scene) else VISCOUS_FLOW.estimate(scene, motion).value
     return Estimate(
         flows / max(1.0, motion.flowing_overstress),
-        "flow that the yield stress holds back",
-        "sigma_Y over the mean stress, of what flows",
+        "flow that the yield stress prevents",
+        "sigma_Y over the mean stress, times the estimate of flow",
     )
 
 
 YIELDING = Effect(
     name="yielding",
-    summary="nothing flows below the yield stress",
+    summary="no flow below the yield stress",
     source="2.25-2.27",
     contribute=partial(replace, yields=True),
     applies=_applies,

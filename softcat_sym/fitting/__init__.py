@@ -1,1 +1,1 @@
-"""From measurements to constants of a law. What an import does not need is loaded when it is used."""
+"""Fits of the constants of a law to measurements."""

@@ -1,4 +1,4 @@
-"""Modulus and viscosity of a Maxwell filament from what its film shows, without running a model."""
+"""Modulus and viscosity of a Maxwell filament from features of its film, without running a model."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PAPER, SAG_BASED, CABLE = "(2.22)", "frequency, decay and sag", "cable"
 class Constants:
     """Modulus and viscosity by one formula."""
 
-    formula: str  # Where they come from
+    formula: str  # Name of the formula
     youngs_modulus: float  # E [Pa] and the extensional eta [Pa s]
     viscosity: float
     # shape (2, 2); Of log E and log eta, from the errors of reading only, to first order; infinite or NaN at the
@@ -50,26 +50,26 @@ class Constants:
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm:
-    """What every formula makes of one film."""
+    """Constants by every formula from one film."""
 
     ringing: Constants | None  # Both roots of (2.22), squared: the longer and the shorter relaxation time
     fading: Constants | None
-    # The root whose decay rate 1/(2 tau) is nearer to the one measured; None where that is unknown: then either.
+    # The root whose decay rate 1/(2 tau) is nearer to the measured one; None where that is unknown: both are possible.
     picked: Root | None
     from_sag: Constants | None  # E by R^2 + d^2 and the sag about which it rings, the shape held
     # E by the lowest mode of a cable, whose shape changes with its stiffness (Irvine and Caughey 1974).
     from_cable: Constants | None
     onset_misfit: float | None  # Chi-squared, one degree of freedom, of B against t_high where the film shows both
-    refused: dict[str, str] = field(default_factory=dict)  # Why a formula gives nothing
+    refused: dict[str, str] = field(default_factory=dict)  # Why a formula has no result
 
     @property
     def paper(self) -> Constants | None:
-        """The root of (2.22) that the decay rate picks."""
+        """The root of (2.22) that agrees with the decay rate."""
         return {"ringing": self.ringing, "fading": self.fading, None: None}[self.picked]
 
     @property
     def first_guess(self) -> Constants | None:
-        """Where a fit may start: by the cable, else by the sag, else by the paper; each is biased."""
+        """Initial guess of a fit: by the cable, else by the sag, else by the paper; each is biased."""
         return self.from_cable or self.from_sag or self.paper
 
 
@@ -92,7 +92,7 @@ def closed_form(features: Features, density: float) -> ClosedForm:
 
 
 def _onset_misfit(features: Features) -> float | None:
-    """B of the late law against the onset of that law. Not averaged: the onset is blurred by what came before."""
+    """Misfit of B and the onset of the late law. The two are not averaged, as earlier motion affects the onset."""
     prefactor, onset = features.prefactor, features.t_high
     if prefactor.value is None or onset.value is None:
         return None
@@ -125,8 +125,8 @@ def _roots(
         excess = known[rheometry.R] / most - 1
         error = math.sqrt(features.ringing_covariance[0, 0] + load[1] / 9)
         refused[PAPER] = (
-            f"no relaxation time rings so fast at that time: R exceeds 6 (3 t^2/B)^(1/3) by {100 * excess:.2g} %"
-            f" ({excess / error:.1f} standard errors)"
+            "no relaxation time gives so high a frequency at that time: R exceeds 6 (3 t^2/B)^(1/3) by "
+            f"{100 * excess:.2g} % ({excess / error:.1f} standard errors)"
         )
         return {}
     times = rheometry.relaxation_times()
@@ -178,7 +178,7 @@ def _modulus_from_sag(frequency: float, decay: float, sag: float, features: Feat
     unit = math.sqrt(features.span / features.gravity)
     known = {rheometry.R: frequency * unit, rheometry.d_R: decay * unit, SAG: sag, SPAN: features.span}
     value = float(evaluate(rheometry.MODULUS_FROM_SAG.right, known)[0])
-    return value if value > 0 else "it rings more slowly than its weight alone would make it"
+    return value if value > 0 else "the frequency is lower than that of a filament under its weight alone"
 
 
 def _modulus_of_cable(frequency: float, decay: float, sag: float, features: Features) -> float | str:
@@ -186,7 +186,7 @@ def _modulus_of_cable(frequency: float, decay: float, sag: float, features: Feat
     if found is not None:
         return found.modulus
     mode = mode_number(frequency, sag, features.gravity)
-    return f"R (8 H/g)^(1/2) = {mode:.3g} is no lowest mode of a cable, between 3.14 (taut) and {SLACKEST:.3g} (slack)"
+    return f"R (8 H/g)^(1/2) = {mode:.3g} is outside of a cable's lowest mode, 3.14 (taut) to {SLACKEST:.3g} (slack)"
 
 
 def _from_ringing(
@@ -210,7 +210,7 @@ def _from_ringing(
         return None
     gradient = _gradient(formula, at, features)
     if gradient is None:
-        refused[name] = "it stands so near the end of its range that its error is unbounded"
+        refused[name] = "the frequency lies so near the end of its range that the error is unbounded"
         return None
     variance = float(gradient @ ringing.covariance @ gradient)
     weight = {E_star: value, rho: density, g: features.gravity, SPAN: features.span}
@@ -252,7 +252,7 @@ _WIDEST = math.log(1e8)
 
 @dataclass(frozen=True, eq=False)
 class CombinedEstimate:
-    """The features' common answer."""
+    """Constants from all features together."""
 
     constants: Constants  # E, eta and their covariance, from the errors of reading and the tolerance for the theory
     misfit: float  # Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance
@@ -261,9 +261,10 @@ class CombinedEstimate:
 
 
 def combined_estimate(features: Features, density: float, theory_error: float = 0.05) -> CombinedEstimate:
-    """Weigh frequency, decay, sag, B and t_high by their errors, under the theory of one held shape.
+    """Weigh frequency, decay, sag, B and t_high by their errors, under the theory of one fixed shape.
 
-    Ties: R^2 + d^2 by the sag, d = 1/(2 tau), B = 1/(2 V), t_high by B. Those that the film does not show are left out.
+    The constraints are: R^2 + d^2 by the sag, d = 1/(2 tau), B = 1/(2 V), t_high by B. Features that the film does not
+    show are left out.
     """
     start = closed_form(features, density)
     first = start.from_sag
@@ -274,12 +275,12 @@ def combined_estimate(features: Features, density: float, theory_error: float = 
     root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(used, used)]))
     unknown = ca.MX.sym("z", 2 + len(_NAMES))
     residual = ca.mtimes(ca.DM(root), unknown[[2 + k for k in used]] - ca.DM(measured[used]))
-    ties = _ties(unknown)
-    found, cost = _solved(unknown, residual, ties, _guess(first, features, density, measured))
-    jacobians = ca.Function("jacobians", [unknown], [ca.jacobian(residual, unknown), ca.jacobian(ties, unknown)])
-    of_residual, of_ties = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(found))
-    # What the ties leave free: the last rows of V in their singular value decomposition.
-    free = np.linalg.svd(of_ties)[2][of_ties.shape[0] :].T
+    constraints = _constraints(unknown)
+    found, cost = _solved(unknown, residual, constraints, _guess(first, features, density, measured))
+    jacobians = ca.Function("jacobians", [unknown], [ca.jacobian(residual, unknown), ca.jacobian(constraints, unknown)])
+    of_residual, of_constraints = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(found))
+    # Directions along the constraints: the last rows of V in the singular value decomposition of their Jacobian.
+    free = np.linalg.svd(of_constraints)[2][of_constraints.shape[0] :].T
     spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
     modulus, viscosity = _constants(found, features, density)
     return CombinedEstimate(
@@ -290,13 +291,13 @@ def combined_estimate(features: Features, density: float, theory_error: float = 
     )
 
 
-def _solved(unknown: ca.MX, residual: ca.MX, ties: ca.MX, guess: Floats) -> tuple[Floats, float]:
-    """Where the sum of squares is least under the ties, and half of it."""
-    problem: dict[str, Any] = {"x": unknown, "f": 0.5 * ca.sumsqr(residual), "g": ties}
+def _solved(unknown: ca.MX, residual: ca.MX, constraints: ca.MX, guess: Floats) -> tuple[Floats, float]:
+    """Unknowns that minimise the sum of squares under the constraints, and half of that sum."""
+    problem: dict[str, Any] = {"x": unknown, "f": 0.5 * ca.sumsqr(residual), "g": constraints}
     solver = ca.nlpsol("features", "ipopt", problem, _SETTINGS)
     answer = solver(x0=guess, lbg=0, ubg=0, lbx=guess - _WIDEST, ubx=guess + _WIDEST)
     if not solver.stats()["success"]:
-        raise SoftcatError(f"IPOPT finds no common answer of the features: {solver.stats()['return_status']}")
+        raise SoftcatError(f"IPOPT finds no constants for all features together: {solver.stats()['return_status']}")
     return np.asarray(answer["x"], dtype=float).ravel(), float(answer["f"])
 
 
@@ -317,7 +318,7 @@ def _measured(features: Features, theory_error: float) -> tuple[Floats, Floats]:
     return measured, covariance + theory_error**2 * np.eye(len(_NAMES))
 
 
-def _ties(unknown: ca.MX) -> ca.MX:
+def _constraints(unknown: ca.MX) -> ca.MX:
     """Logarithms of both sides of every equation, in log(E*, V) and the logarithms of the features."""
     values = {
         E_star: ca.exp(unknown[0]),
@@ -336,14 +337,14 @@ def _ties(unknown: ca.MX) -> ca.MX:
         "onset": closed_forms.T_HIGH,
     }
     right = CellFunction(sides, tuple(values))(values)
-    ties: ca.MX = ca.vertcat(
-        # Not as a logarithm: on the way the right side may become negative.
+    constraints: ca.MX = ca.vertcat(
+        # Not as a logarithm, as the right side may become negative during the search.
         right["modulus"] / values[E_star] - 1,
         ca.log(right["decay"]) - unknown[3],
         ca.log(right["viscous"]) - unknown[1],
         ca.log(right["onset"]) - unknown[6],
     )
-    return ties
+    return constraints
 
 
 def _guess(first: Constants, features: Features, density: float, measured: Floats) -> Floats:

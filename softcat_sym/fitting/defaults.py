@@ -1,4 +1,4 @@
-"""What a fit does unless it is told otherwise; light enough for a command line's help."""
+"""Defaults of a fit, without imports that would slow down the command line's help."""
 
 from __future__ import annotations
 
@@ -6,4 +6,4 @@ STARTS = 4
 """Starts beside the scene's own values and the closed form."""
 
 MAX_STARTS = 10_000
-"""As many as anybody has waited for: a start takes a tenth of a second at the least."""
+"""Largest number of starts; one start takes at least a tenth of a second."""

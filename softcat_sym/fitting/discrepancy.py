@@ -1,4 +1,4 @@
-"""How far the theory is from the continuum that it stands for: the covariance of its midpoint's error."""
+"""Error of the theory against the continuum: its covariance at the midpoint."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, groups_of
 
-# Standard deviations over h0/L, d, and its square: with shear and, of a law that yields, fibres; and without them, in
-# either closure. Near arrest is what a catenary stops: there the load of the clamps' hinges decides. With shear and
-# fibres 0.04 % is left of the elements' own error.
+# Standard deviation over d = h0/L or its square. First row: with shear and, for a law that yields, with fibres; _OWN is
+# the error of the finite elements themselves, 0.04 %. Second row: without them, in either closure. _STOPPING holds near
+# arrest, where the limit load of the hinges at the clamps decides.
 _OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
 _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 
@@ -23,11 +23,11 @@ _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 class Discrepancy:
     """Error of a theory, h(t) = (1 + a(t)) y((1 + b(t)) t) of the continuum's y: a slow change of height and of pace.
 
-    Both a and b are Gaussian, independent, and alike over a factor e of the time (Ornstein & Uhlenbeck in log t).
+    Both a and b are independent Gaussian processes, correlated over a factor e of time (Ornstein & Uhlenbeck in log t).
     """
 
     amplitude: float  # Standard deviation of a and of b
-    correlation: float = 1.0  # Difference of log t over which their likeness falls to 1/e
+    correlation: float = 1.0  # Difference of log t over which their autocorrelation falls to 1/e
 
     def covariance(self, time: Floats, heights: Floats) -> Floats:
         """Covariance of the error.
@@ -35,9 +35,9 @@ class Discrepancy:
         Parameters
         ----------
         time : ndarray, shape (n,)
-            Since gravity came on [s], increasing; before that there is no error of pace.
+            Since the onset of gravity [s], increasing; before that there is no error of pace.
         heights : ndarray, shape (n,)
-            Of the midpoint, as the model has them, without what a camera adds.
+            Of the midpoint in the model, without errors of a camera.
 
         Returns
         -------
@@ -45,27 +45,28 @@ class Discrepancy:
             amplitude^2 (t_</t_>)^(1/correlation) (h h' + t h_t t' h_t'), in the square of the unit of the heights.
         """
         begun = np.maximum(time, np.finfo(float).tiny)
-        # Divided first: the least of all times to a power must not vanish.
-        alike = (np.minimum.outer(begun, begun) / np.maximum.outer(begun, begun)) ** (1 / self.correlation)
+        # The division comes first, as a power of the smallest time could underflow.
+        correlation = (np.minimum.outer(begun, begun) / np.maximum.outer(begun, begun)) ** (1 / self.correlation)
         pace = np.where(time > 0, time * np.gradient(heights, time), 0.0) if time.size > 1 else np.zeros(time.size)
-        return np.asarray(self.amplitude**2 * alike * (np.outer(heights, heights) + np.outer(pace, pace)))
+        return np.asarray(self.amplitude**2 * correlation * (np.outer(heights, heights) + np.outer(pace, pace)))
 
 
 def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:
-    """Return how far a theory is from the continuum.
+    """Return the error of a theory against the continuum.
 
     Parameters
     ----------
     scene : Scene
-        The best that is known of it: its thickness over span, and whether it stops (3.12), decide.
+        Best estimate of the scene: thickness over span, and whether the filament stops (3.12), decide.
     effects, terms : collection of str, Terms
-        In force, and what they leave of the equations.
+        Effects in force, and the terms of the equations that they keep.
 
     Returns
     -------
     Discrepancy
-        Constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against plane-stress
-        elements, as ``tests/slow/test_discrepancy.py`` prints them; other laws and ends are taken to be alike.
+        The constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against
+        plane-stress elements, as ``tests/slow/test_discrepancy.py`` prints them; other laws and ends are assumed to err
+        by as much.
     """
     delta, regime = groups_of(scene).delta, expected_regime(scene, effects)
     number, limit = regime.gravity_number, regime.arrest_exact

@@ -1,4 +1,4 @@
-"""What a film of the midpoint shows without any model being run: free fall, oscillation, the late 1/3 law."""
+"""Features of a film of the midpoint, read without running a model: free fall, oscillation, the late 1/3 law."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ SLACKEST = 8.9868
 """w sqrt(8 H/g) of an inextensible cable: 2x where tan x = x."""
 
 TAUTEST = math.pi
-"""The same of a taut string."""
+"""w sqrt(8 H/g) of a taut string."""
 
 
 class CableModulus(NamedTuple):
-    """What the ringing of a Maxwell cable says."""
+    """Constants of a Maxwell cable from its ringing."""
 
     modulus: float  # E/(rho g L)
-    relaxation_time: float  # tau [s]; infinite or negative where the decay is less than none
+    relaxation_time: float  # tau [s]; infinite without decay, negative where the oscillation grows
 
 
 def mode_number(frequency: float, sag: float, gravity: float) -> float:
@@ -70,7 +70,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Reading:
-    """A number with its standard error, or none with the reason."""
+    """A feature's value with its standard error, or the reason why there is none."""
 
     value: float | None  # In SI units, None if it cannot be read
     error: float | None  # Standard error, in the same unit; None with the value
@@ -85,12 +85,12 @@ class Reading:
 
 
 def unread(reason: str) -> Reading:
-    """A number that cannot be read."""
+    """A feature that cannot be read."""
     return Reading(None, None, reason)
 
 
 DEGREE = 3
-"""Of the trend in log t: over a factor of five in time it follows any power law to 1e-3 of its change."""
+"""Degree of the trend in log t: over a factor of five in time it follows any power law to 1e-3 of its change."""
 
 _BLOCK = 7
 
@@ -130,8 +130,8 @@ class LogPolynomial:
 def noise_of(time: Floats, sag: Floats) -> float:
     """Scatter of the frames about short parabolas, over the later half of the film [m].
 
-    Blocks of seven neighbouring frames each have a parabola of their own; an oscillation that is filmed with fewer
-    frames a period counts as scatter.
+    Each block of seven neighbouring frames is fitted by its own parabola; an oscillation with fewer frames a period
+    counts as scatter.
     """
     half = max(len(time) // 2, min(len(time), _BLOCK))
     late_time, late_sag = time[-half:], sag[-half:]
@@ -148,7 +148,7 @@ def noise_of(time: Floats, sag: Floats) -> float:
 
 
 STIFFENING, STIFFENING_SPREAD = 0.2, 0.2
-"""Prior of g in R ~ t^g: the frequency of a string goes with its sag, as t^(1/3); that of a beam is constant."""
+"""Prior of g in R ~ t^g: the frequency of a string scales with its sag, as t^(1/3); that of a beam is constant."""
 
 _STEPS = 40
 
@@ -166,13 +166,13 @@ class Stretch:
 
     @property
     def basis(self) -> LogPolynomial:
-        """Of the trend."""
+        """Basis of the trend."""
         return LogPolynomial(float(self.time[0]), float(self.time[-1]), DEGREE)
 
     def noise_scale(self, squares: float, freedom: int) -> float:
-        """Factor of all standard errors: from the scatter about the fit, but never below that of the film.
+        """Factor of all standard errors: from the scatter about the fit, but at least that of the film.
 
-        Among many stretches the one that scatters least by chance would be taken for the best.
+        Otherwise, among many stretches, the one with the smallest scatter by chance would seem the best.
         """
         return max(math.sqrt(squares / max(freedom, 1)), 1.0)
 
@@ -182,7 +182,7 @@ class Oscillation:
     """trend(t) + exp(-d (t - t_0)) (a cos p + b sin p) with the phase p of the frequency R (t/t_0)^g."""
 
     stretch: Stretch  # The frames it was fitted to
-    middle: float  # t_0 [s], where the amplitude has its centre of gravity; R, d and the sag are told there
+    middle: float  # t_0 [s], the centroid of the squared amplitude, at which R, d and the sag are given
     frequency: float  # R [rad/s], d [1/s] and g
     decay: float
     stiffening: float
@@ -192,7 +192,7 @@ class Oscillation:
 
     @property
     def sag(self) -> float:
-        """Of the trend at t_0 [m]."""
+        """Sag of the trend at t_0 [m]."""
         return float(self.trend(np.array([self.middle]))[0])
 
     def trend(self, time: Floats) -> Floats:
@@ -207,7 +207,7 @@ class Oscillation:
         return values
 
     def amplitude(self, time: float) -> float:
-        """Of the oscillation at a time [m], also beyond the stretch."""
+        """Amplitude of the oscillation at a time [m], also beyond the stretch."""
         return float(np.hypot(*self.linear[-2:])) * math.exp(-self.decay * (time - self.middle))
 
 
@@ -218,7 +218,7 @@ def phase(time: Floats, middle: float, frequency: float, stiffening: float) -> F
 
 
 def fitted(stretch: Stretch, frequency: float, decay: float, stiffening: float) -> Oscillation | None:
-    """Fit an oscillation, from a guess that is right to half a cycle over the stretch."""
+    """Fit an oscillation, from a guess whose phase error over the stretch is at most half a cycle."""
     middle = math.sqrt(stretch.time[0] * stretch.time[-1])
     nonlinear = np.array([frequency, decay, stiffening])
     for _ in range(2):
@@ -259,7 +259,7 @@ def _projected(stretch: Stretch, middle: float, nonlinear: Floats) -> tuple[Floa
 
 
 def _sinusoid_step(stretch: Stretch, middle: float, start: Floats) -> tuple[Floats, Floats] | None:
-    """Levenberg-Marquardt in (R, d, g) on what the linear constants leave; the end and its linear constants."""
+    """Levenberg-Marquardt in (R, d, g) with the linear constants projected out; optimum and linear constants."""
     nonlinear, damping = start.copy(), 1e-3
     columns, linear, rest, jacobian, cost = _projected(stretch, middle, nonlinear)
     for _ in range(_STEPS):
@@ -293,7 +293,7 @@ def _sinusoid_step(stretch: Stretch, middle: float, start: Floats) -> tuple[Floa
 
 
 def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) -> Oscillation | None:
-    """Standard errors of the whole linearised fit, with the prior of g as one more datum."""
+    """Oscillation with standard errors of the whole linearised fit, with the prior of g as one more datum."""
     columns, linear, rest, jacobian, _ = _projected(stretch, middle, nonlinear)
     squares = float(rest @ rest)
     scale = stretch.noise_scale(squares, len(rest) - columns.shape[1] - 3)
@@ -307,17 +307,17 @@ def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) 
     if np.abs(np.diag(triangle)).min() < 1e-12:
         return None
     half = np.linalg.inv(triangle) * scale / size[:, None]
-    told = np.zeros((3, every.shape[1]))
-    told[0, 0] = told[1, 1] = 1.0
-    told[2, 3:-2] = stretch.basis.columns(np.array([middle]))[0]
-    root = told @ half
+    reported = np.zeros((3, every.shape[1]))
+    reported[0, 0] = reported[1, 1] = 1.0
+    reported[2, 3:-2] = stretch.basis.columns(np.array([middle]))[0]
+    root = reported @ half
     frequency, decay, stiffening = nonlinear.tolist()
     found = Oscillation(stretch, middle, frequency, decay, stiffening, linear, squares, root @ root.T)
     return found if found.sag > 0 else None
 
 
 def beats_polynomial(one: Oscillation) -> bool:
-    """Whether it describes the frames better than a trend with as many more constants would."""
+    """Whether an oscillation describes the frames better than a trend with as many additional constants."""
     stretch = one.stretch
     basis = replace(stretch.basis, degree=DEGREE + 5)
     weight = 1 / stretch.std
@@ -327,10 +327,10 @@ def beats_polynomial(one: Oscillation) -> bool:
 
 
 MIN_LATE_FRAMES = 8
-"""Frames that are needed."""
+"""Smallest number of frames for the late law."""
 
 EXPONENT_MARGIN = 0.06
-"""By how much the exponent of t may differ from 1/3: a string that relaxes still has 0.34, a beam has 1."""
+"""Largest difference of the exponent of t from 1/3: a string that still relaxes has 0.34, a beam has 1."""
 
 _SHARE = 4.0
 _QUIET = 0.02
@@ -342,8 +342,8 @@ class LateLaw:
 
     slope: float  # k [m^3/s]
     slope_error: float  # Its standard error
-    shift: float  # t_0 [s]; it stands for the past: elastic sag, bending, a clock that was started late
-    exponent: float  # Of the bare power law over the same frames
+    shift: float  # t_0 [s], from earlier motion: elastic sag, bending, a clock that was started late
+    exponent: float  # Exponent of a power law with t_0 = 0, fitted to the same frames
     exponent_error: float
     first: float  # Times of the frames that are fitted [s]
     last: float
@@ -354,11 +354,11 @@ class LateLaw:
         return values
 
 
-_ALIKE = 1e6  # Condition of two unknowns that the data do not tell apart
+_ALIKE = 1e6  # Condition number above which the data do not determine both unknowns
 
 
 def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
-    """Fit the law to the last three quarters of the film, from when the ringing has died away, if it does."""
+    """Fit the law to the last three quarters of the film, or to the part after the ringing has decayed."""
     start = float(film.time[-1]) / _SHARE
     if ringing is not None and ringing.decay > 0:
         quiet = ringing.middle + math.log(ringing.amplitude(ringing.middle) / (_QUIET * ringing.sag)) / ringing.decay
@@ -371,13 +371,13 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
         return "the midpoint is not below the supports throughout the late part of the film"
     exponent, exponent_error = _exponent(film, time, sag, std)
     if abs(exponent - 1 / 3) > EXPONENT_MARGIN + 2 * exponent_error:
-        cause = "bending still carries load, or the sag grows with a rate of its own"
-        cause = cause if exponent > 1 / 3 else "it stops, or is held elastically"
+        cause = "bending still carries load, or the sag grows at another rate"
+        cause = cause if exponent > 1 / 3 else "the filament stops, or is held elastically"
         return f"the sag grows as t^{exponent:.2f}, not as t^(1/3): {cause}"
     solved = _gauss_newton(time, sag, std)
-    # A sag that rests is followed by every line that began long ago.
+    # A constant sag is fitted by every law with an early t_0.
     if solved is None or np.linalg.cond(solved[3] / np.linalg.norm(solved[3], axis=0)) > _ALIKE:
-        return "no line t - t_0 follows the cube of the sag"
+        return "the cube of the sag does not grow linearly in time"
     slope, shift, rest, jacobian = solved
     scale = film.noise_scale(float(rest @ rest), len(time) - 2)
     covariance = np.linalg.inv(jacobian.T @ jacobian) * scale**2
@@ -406,7 +406,7 @@ def _gauss_newton(time: Floats, sag: Floats, std: Floats) -> tuple[float, float,
         rest: Floats = (law - sag) / std
         jacobian: Floats = np.column_stack([law / 3, -law / (3 * (time - shift))]) / std[:, None]
         step = -np.linalg.lstsq(jacobian, rest, rcond=None)[0]
-        # Halfway to the first frame at most: the law has no sag before its own beginning.
+        # The step covers at most half of the distance to the first frame, as the law is defined after its t_0 only.
         step[1] = min(step[1], 0.5 * (time[0] - shift))
         slope, shift = slope * math.exp(float(np.clip(step[0], -1, 1))), shift + float(step[1])
         if abs(step[0]) < 1e-10 and abs(step[1]) < 1e-10 * time[-1]:
@@ -421,7 +421,7 @@ _CAUGHT, _FREE = 0.5, 0.9
 
 
 def caught_after(film: Stretch, gravity: float, noise: float) -> float:
-    """First time [s] at which the midpoint has fallen less than half of g t^2/2, beyond doubt."""
+    """First time [s] at which the midpoint has significantly fallen less than half of g t^2/2."""
     free = 0.5 * gravity * film.time**2
     caught = np.flatnonzero(_CAUGHT * free > np.maximum.accumulate(film.sag) + _CLEAR * noise)
     return float(film.time[caught[0]]) if len(caught) else math.inf
@@ -430,8 +430,8 @@ def caught_after(film: Stretch, gravity: float, noise: float) -> float:
 def end_of_free_fall(film: Stretch, gravity: float, tolerance: float) -> Reading:
     """Time t_low at which the midpoint's acceleration falls to g/(1 + alpha).
 
-    The first frames are fitted by g t^2/2 (1 - c t^n): n = 5 where the filament has relaxed, 6 where it is elastic
-    still, so that with 5.5 t_low is known to 5 % at best.
+    The first frames are fitted by g t^2/2 (1 - c t^n): n = 5 if the filament has relaxed, 6 if it is still elastic.
+    With n = 5.5, t_low is known to 5 % at best.
     """
     free = 0.5 * gravity * film.time**2
     power = 5.5
@@ -451,7 +451,7 @@ def end_of_free_fall(film: Stretch, gravity: float, tolerance: float) -> Reading
     scale = film.noise_scale(float(np.sum((missing - lost * column) ** 2)), len(time) - 1)
     error = scale / math.sqrt(size)
     if lost <= 2 * error:
-        return unread("the frames in which the fall slows down are too few or too noisy")
+        return unread("the frames in which the fall decelerates are too few or too noisy")
     # d^2/dt^2 of the fit is g (1 - (n + 2)(n + 1)/2 c t^n).
     share = tolerance / (1 + tolerance)
     low = float(time[-1]) * (2 * share / ((power + 1) * (power + 2) * lost)) ** (1 / power)
@@ -463,8 +463,8 @@ def start_of_third_law(
 ) -> Reading:
     """Time t_high at which the descent's deceleration has fallen to alpha g.
 
-    On the 1/3 law that is only 1.4 times the time at which the law leaves g t^2/2: it is seen where the filament does
-    not ring and is filmed closely enough.
+    On the 1/3 law this is only 1.4 times the time at which the law departs from g t^2/2. It can be read if the filament
+    does not ring and the frame rate is high enough.
     """
     wanted = tolerance * gravity
     free = 0.5 * gravity * film.time**2
@@ -477,13 +477,13 @@ def start_of_third_law(
     if not len(below):
         return unread("inertia carries more than alpha of the weight to the end of the film")
     if below[0] == 0:
-        return unread("the descent has slowed down before there are frames enough to see how")
+        return unread("the descent has slowed down before there are enough frames")
     k = int(below[0])
     fraction = math.log(wanted / slowing[k - 1]) / math.log(max(slowing[k], 0.1 * wanted) / slowing[k - 1])
     high = float(centres[k - 1] * (centres[k] / centres[k - 1]) ** fraction)
     if ringing is not None and ringing.amplitude(high) * ringing.frequency**2 > wanted:
         return unread("at that time the oscillation hides how the descent slows down")
-    # On the 1/3 law the deceleration goes as t^(-5/3).
+    # On the 1/3 law the deceleration is proportional to t^(-5/3).
     error = float(errors[k]) / wanted * 3 / 5
     if error > _NOISY:
         return unread("the deceleration of the descent is lost in the noise")
@@ -514,13 +514,13 @@ def _decelerations(film: Stretch, begin: float) -> tuple[Floats, Floats, Floats]
 
 
 FALSE_ALARMS = 1e-3
-"""Share of films of mere noise in which an oscillation may be seen."""
+"""Largest share of films of pure noise in which an oscillation is found."""
 
 MIN_RINGING_FRAMES = 14
-"""Frames in a stretch: a cubic, five constants of an oscillation, and some to spare."""
+"""Smallest number of frames in a stretch: nine constants of a cubic and an oscillation, and some degrees of freedom."""
 
 MIN_PER_PERIOD = 2.5
-"""Frames a period; below, it may be another frequency's alias."""
+"""Smallest number of frames a period; with fewer, a frequency may be an alias."""
 
 _STARTS, _LENGTHS = 1.35, (1.7, 3.0, 5.0)
 _CYCLES = (1.5, 40.0)
@@ -528,19 +528,19 @@ _PER_CYCLE = 3
 _DECAYS = (0.0, 2.0, 6.0)
 _STIFFENINGS = (0.0, 1 / 3)
 _CLEAR_RINGING = 400.0
-"""Energy at which an oscillation is told to some percent, in variances of a frame."""
+"""Energy, in variances of a frame, above which an oscillation is known to some percent."""
 
 _NO_CABLE = 1e3
 _SOFTENING = 0.4
-"""Share (A/H)^2 by which an amplitude A shifts the frequency of a string of sag H, roughly: it weighs stretches."""
+"""Approximate relative shift of a string's frequency over (A/H)^2, for an amplitude A and a sag H; weighs stretches."""
 
 
 @dataclass(frozen=True)
 class _Peak:
     """The likeliest oscillation in one stretch."""
 
-    odds: float  # Logarithm of the chance that noise does as well at this place of the search
-    energy: float  # By how much it lowers the sum of squares over the variances of the frames
+    odds: float  # Logarithm of the probability that noise fits as well at this point of the search
+    energy: float  # Decrease of the sum of squares, over the variances of the frames
     stretch: Stretch  # The frames
     frequency: float  # As :func:`softcat_sym.fitting.features.fitted` takes them
     decay: float
@@ -550,9 +550,9 @@ class _Peak:
 def find_oscillation(film: Stretch, caught: float, gravity: float) -> Oscillation | str:
     """Look for a damped oscillation about the descent.
 
-    Every stretch is searched by a periodogram of damped cosines beside a cubic trend in log t. The chance that noise
+    Every stretch is searched by a periodogram of damped cosines on a cubic trend in log t. The probability that noise
     lowers the sum of squares as much is (RSS_1/RSS_0)^(freedom/2) (the F test with two degrees of freedom), times the
-    places looked at (Bonferroni).
+    number of points searched (Bonferroni).
     """
     stretches = _stretches(film, caught)
     if not stretches:
@@ -566,14 +566,14 @@ def find_oscillation(film: Stretch, caught: float, gravity: float) -> Oscillatio
         return "no oscillation is seen above the noise"
     kept: list[Oscillation] = []
     for peak in peaks:
-        # Of many doubtful fits the best is the luckiest: only the clear ones are compared.
+        # Only clear oscillations are compared, as the best of many doubtful fits may be so by chance.
         if kept and peak.energy < min(_CLEAR_RINGING, peaks[0].energy / 2):
             break
         one = fitted(peak.stretch, peak.frequency, peak.decay, peak.stiffening)
         if one is not None and _is_ringing(one) and beats_polynomial(one):
             kept.append(one)
     if not kept:
-        return "what departs from the trend is no damped oscillation that is seen to repeat"
+        return "the departure from the trend is not a damped oscillation over at least one period"
     return min(kept, key=lambda one: _uncertainty(one, gravity))
 
 
@@ -595,7 +595,7 @@ def _stretches(film: Stretch, caught: float) -> list[Stretch]:
 
 
 def _search(stretch: Stretch) -> tuple[_Peak | None, int]:
-    """Likeliest frequency, decay and stiffening of a stretch, and how many were looked at."""
+    """Likeliest frequency, decay and stiffening of a stretch, and the number of points searched."""
     time, weight = stretch.time, 1 / stretch.std
     middle, long = math.sqrt(time[0] * time[-1]), time[-1] - time[0]
     fastest = 2 * math.pi / (MIN_PER_PERIOD * float(np.median(np.diff(time))))
@@ -618,7 +618,7 @@ def _search(stretch: Stretch) -> tuple[_Peak | None, int]:
         gain = _gain(envelope[:, None] * np.cos(angle), envelope[:, None] * np.sin(angle), trend, rest)
         at = int(np.argmax(gain))
         odds = 0.5 * freedom * math.log(max(1 - float(gain[at]) / squares, 1e-300))
-        # With known errors the same chance is exp(-gain/2): frames that scatter less than said prove nothing more.
+        # With known errors the probability is exp(-gain/2), even if the frames scatter less than stated.
         odds = max(odds, -0.5 * float(gain[at])) if stretch.noise_known else odds
         if best is None or odds < best.odds:
             best = _Peak(odds, float(gain[at]), stretch, float(frequency[at]), decay / long, stiffening)
@@ -626,20 +626,20 @@ def _search(stretch: Stretch) -> tuple[_Peak | None, int]:
 
 
 def _gain(cosine: Floats, sine: Floats, trend: Floats, rest: Floats) -> Floats:
-    """By how much a cosine and a sine beside the trend lower the sum of squares, for each column."""
+    """Decrease of the sum of squares by a cosine and a sine besides the trend, for each column."""
     cosine = cosine - trend @ (trend.T @ cosine)
     sine = sine - trend @ (trend.T @ sine)
     cc, ss, cs = (np.einsum("ij,ij->j", a, b) for a, b in ((cosine, cosine), (sine, sine), (cosine, sine)))
     c, s = cosine.T @ rest, sine.T @ rest
     determinant = cc * ss - cs**2
-    # A wave that the trend nearly contains explains nothing that the trend does not.
+    # A wave that the trend nearly contains has no gain.
     apart = determinant > 1e-6 * (cc.max() * ss.max())
     gain: Floats = np.where(apart, (ss * c**2 - 2 * cs * c * s + cc * s**2) / np.where(apart, determinant, 1.0), 0.0)
     return gain
 
 
 def _is_ringing(one: Oscillation) -> bool:
-    """Whether the fit stayed an oscillation that the frames resolve and that is seen to repeat."""
+    """Whether the fit is still an oscillation that the frames resolve, over at least one period."""
     time = one.stretch.time
     frames = 2 * math.pi / one.frequency / float(np.median(np.diff(time)))
     cycles = abs(float(np.ptp(phase(time, one.middle, one.frequency, one.stiffening)))) / (2 * math.pi)
@@ -650,7 +650,7 @@ def _is_ringing(one: Oscillation) -> bool:
 
 
 def _uncertainty(one: Oscillation, gravity: float) -> float:
-    """Relative error that noise and amplitude leave in the modulus of a cable that rings like this."""
+    """Relative error of a cable's modulus from this oscillation, by noise and amplitude."""
     share = one.amplitude(one.middle) / one.sag
     error = math.hypot(math.sqrt(one.covariance[0, 0]) / one.frequency, _SOFTENING * share**2)
     leverage = sensitivity(mode_number(one.frequency, one.sag, gravity))
@@ -658,15 +658,15 @@ def _uncertainty(one: Oscillation, gravity: float) -> float:
 
 
 _FINEST, _ROUNDING = 1e-4, 1e-12
-"""No film resolves less than the first, of its largest sag; the second, of the span, is for one that never moves."""
+"""Smallest error of a frame: resolution of a film over its largest sag; rounding over the span, without motion."""
 
 FEWEST = 8
-"""Frames without which nothing can be read."""
+"""Smallest number of frames from which features are read."""
 
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """What was read, in SI, each number with its error or the reason why there is none."""
+    """Features of a film in SI, each with its standard error or the reason why there is none."""
 
     gravity: float  # g [m/s^2] and L [m], as given
     span: float
@@ -746,7 +746,7 @@ def _of_ringing(found: Oscillation | str) -> tuple[Reading, Reading, Reading, Fl
     decay = Reading(found.decay, errors[1])
     if found.decay <= 2 * errors[1]:
         most = max(found.decay, 0.0) + 2 * errors[1]
-        decay = unread(f"it does not fade within the frames that show it: slower than {most:.3g} 1/s")
+        decay = unread(f"the oscillation does not decay within its frames: slower than {most:.3g} 1/s")
     value = np.array([found.frequency, found.decay if decay.value else np.nan, found.sag])
     return frequency, decay, sag, found.covariance / np.outer(value, value)
 

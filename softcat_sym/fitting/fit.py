@@ -1,4 +1,4 @@
-"""From films of falling filaments to their material: the whole line of a fit, and what it says in SI."""
+"""Fit of material constants to films of falling filaments: all stages of it, with the result in SI."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from scipy import stats
@@ -60,14 +60,11 @@ from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, counting
 
-if TYPE_CHECKING:
-    pass
-
 
 def judged_runs(problem: FilamentProblem, q: Floats, numerics: Numerics) -> tuple[Outcome, str]:
-    """Run every film's filament for as long as it was filmed, as a run of the given scene would, and judge it.
+    """Run the filament of every film for its filmed duration, with the given numerics, and return how that ended.
 
-    Residuals show neither a neck that the grid decides nor lost energy.
+    Residuals show neither a neck that depends on the grid nor a loss of energy.
     """
     worst, messages = Outcome.solved, []
     for number, film in enumerate(problem.films, start=1):
@@ -88,19 +85,22 @@ def judged_runs(problem: FilamentProblem, q: Floats, numerics: Numerics) -> tupl
     return worst, "; ".join(messages)
 
 
-# By which chi^2 would still fall in a step that is not worth making: a twentieth of a standard error.
+# A search ends if the next step would lower chi^2 by less: a twentieth of a standard error.
 _GAIN = 3e-3
-# Evaluations with derivatives that an optimum and a profile take, the rounds after the first among them.
+# Evaluations with derivatives that an optimum with all its rounds and a profile typically take.
 _PER_OPTIMUM, _PER_PROFILE = 14, 12
-# Mean square residual that is taken for noise; share of outliers that pull a fit; how far off they are at least, in the
-# least that is taken for noise; share of a film over which noise may be correlated.
-_AS_NOISE, _WILD, _FAR_OFF, _LONG = 1.5, 0.005, 10.0, 0.05
-_RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
+# Largest mean square residual of a fit within the noise.
+_MAX_MEAN_SQUARE = 1.5
+# Share of outliers that biases a fit, and the smallest residual of such an outlier over the smallest noise.
+_MAX_OUTLIERS, _MIN_OUTLIER = 0.005, 10.0
+# Longest correlation time of noise, as a share of a film.
+_MAX_CORRELATION_TIME = 0.05
+_RESTARTED = "a profile found a better optimum, and the fit was repeated from there"
 
 
 @dataclass(frozen=True)
 class _Request:
-    """How a fit is to be done."""
+    """Options of a fit."""
 
     free: tuple[str, ...]
     bounds: Mapping[str, tuple[object, object]] | None
@@ -118,23 +118,23 @@ class _Request:
     progress: Progress
 
     def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
-        """The problem; with more physics where a parameter needs more than a film's own values call for.
+        """The problem; with more effects if a parameter depends on some that a film's own values do not call for.
 
-        First what any of the films calls for, then all that applies.
+        Those that any of the films calls for are tried first, then every effect that applies.
         """
         try:
-            return self._made(scene, films)
+            return self._built(scene, films)
         except SceneError:
             if scene.run.effects != "auto":
                 raise
             for names in (_of_all_films(scene, films), everything(scene, ())):
                 try:
-                    return self._made(_with_effects(scene, names), films)
+                    return self._built(_with_effects(scene, names), films)
                 except SceneError:
                     continue
             raise
 
-    def _made(self, scene: Scene, films: Measurements) -> FilamentProblem:
+    def _built(self, scene: Scene, films: Measurements) -> FilamentProblem:
         how = (self.free, self.bounds, self.backend, self.rtol)
         scene = scene if self.rtol is not None else first_look(scene)
         given: dict[str, Any] = {"camera": self.camera, "theory": self.theory, "flow_curve": self.flow_curve}
@@ -162,53 +162,55 @@ def fit(
     flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Fit:
-    """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
+    """Fit parameters of a scene to films of its falling filament, by weighted least squares of the midpoint.
 
-    The likelihood knows of the noise of the readings and of the correlation of neighbours, both estimated where no
-    errors are stated; of the scale, clock, zero and tilt of the camera, about as well as
-    :data:`softcat_sym.fitting.problem.CAMERA` says; and of the theory's own error, as it was measured against finite
-    elements (:func:`softcat_sym.fitting.discrepancy.discrepancy`). Cells, fibres and tolerance are refined until they
-    move the parameters by less than a third of their standard errors.
+    The likelihood includes the noise of the readings and the correlation of neighbouring readings, both estimated where
+    no errors are stated; the scale, clock, zero and tilt of the camera, with the priors of
+    :data:`softcat_sym.fitting.problem.CAMERA`; and the theory's error as measured against finite elements
+    (:func:`softcat_sym.fitting.discrepancy.discrepancy`). The fit refines cells, fibres and tolerance until they move
+    the parameters by less than a third of their standard errors.
 
-    With ``run.effects = "auto"`` the physics is chosen for the scene's values, and the fit is repeated where the fitted
-    values call for more. In the end the filament that fits best is run once and judged as any run is.
+    With ``run.effects = "auto"`` the fit chooses effects for the scene's values, and repeats where the fitted values
+    call for more. Finally it runs the best-fitting filament once and checks that run like any other.
 
     Parameters
     ----------
     measurements : Measurements, path or sequence of paths
         One film for each filament; files as :func:`softcat_sym.fitting.read_measurements` takes them.
     scene, free : Scene (or its name, path or dict), sequence of str
-        What is known, with rough values of what is not; and what is not, such as ``["youngs_modulus", "viscosity"]``:
-        see :func:`softcat_sym.fitting.free_parameters.free_parameters`.
+        The scene, with rough values of the free parameters; and their names, such as ``["youngs_modulus",
+        "viscosity"]``: see :func:`softcat_sym.fitting.free_parameters.free_parameters`.
     bounds : mapping of str to (low, high), optional
         In SI, or text with units; by default a factor of a thousand to either side.
     loss : Loss
-        Such as ``Loss("soft-l1", scale)`` or ``"cauchy"``, for outliers; the scale in standard errors, stated or found.
+        Such as ``Loss("soft-l1", scale)`` or ``"cauchy"``, for outliers; the scale in standard errors, stated or
+        estimated.
     starts, seed : int
-        Of a Latin hypercube of the bounds, beside the scene's own values and those of the closed form.
+        Number and seed of starts from a Latin hypercube of the bounds, beside the scene's own values and those of the
+        closed form.
     backend, rtol : str, float, optional
         ``"auto"``, ``"compiled"`` or ``"interpreted"``; the integrator's relative tolerance.
     profiles, progress : bool, Progress, optional
-        Whether intervals come from profile likelihoods, or from the curvature alone; hears how far it is.
+        Whether intervals come from profile likelihoods, or from the curvature alone; receiver of progress reports.
     method : str
         ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
     calibrated, discrepancy : bool
-        Whether the camera's own numbers are known exactly; whether the theory's error is allowed for.
+        Whether the camera's parameters are known exactly; whether the likelihood includes the theory's error.
     time_limit : float, optional
-        Seconds after which the fit ends with what it has, and says so.
+        Seconds after which the fit returns the best result so far, and says so.
     flow_curve : FlowCurve or path, optional
-        Of the same material in a rheometer: its readings enter as further residuals, weighted by stated errors or by
-        their scatter about the best of the same law.
+        Flow curve of the same material from a rheometer. Its readings are further residuals, weighted by their stated
+        errors or by their scatter about the best fit of the same law.
 
     Returns
     -------
     Fit
-        With intervals, verdicts, what the residuals say and an outcome.
+        Parameters with intervals and verdicts, tests of the residuals, and an outcome.
 
     Raises
     ------
     SoftcatError
-        If the measurements cannot be used, the scene has no such parameter, or the model no answer at any start.
+        If the measurements cannot be used, the scene has no such parameter, or the model has no answer at any start.
     """
     if not 0 <= starts <= MAX_STARTS:
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
@@ -222,19 +224,19 @@ def fit(
     request = _Request(*how, curve, deadline, progress or Silence())
     features = [_features(film, own_scene(film, scene)) for film in films.series]
     found = _fit(scene, scene, films, features, request)
-    more = _called_for(found) if scene.run.effects == "auto" else []
+    more = _missing_effects(found) if scene.run.effects == "auto" else []
     if more and time.monotonic() < deadline:
         wider = _with_effects(scene, sorted({*found.effects, *more}))
         again = _fit(wider, scene, films, features, request)
         found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
     if time.monotonic() > deadline:
         return found
-    request.progress.stage("the run of what fits best")
-    return _trusted(found)
+    request.progress.stage("run of the best fit")
+    return _with_run_outcome(found)
 
 
-def _trusted(found: Fit) -> Fit:
-    """The fit, with another outcome where the run of what fits best is no answer."""
+def _with_run_outcome(found: Fit) -> Fit:
+    """The fit, with another outcome if the run of the best-fitting filament fails."""
     if not found.outcome.converged:
         return found
     ended, message = judged_runs(found.problem, found.starts.best.q, found.scene.numerics)
@@ -242,40 +244,41 @@ def _trusted(found: Fit) -> Fit:
         return found
     outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
     if ended is Outcome.energy_drift and found.outcome is not FitOutcome.solved:
-        # The lesser doubt: of one run's arithmetic, not of the filament.
+        # Energy drift concerns the integration of one run only: the fit's own outcome matters more.
         outcome = found.outcome
     return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
-_TUNINGS = 2  # The frequency goes with a power of the modulus between 1/3 and 1/2
-_UNTIL_GRID = 2  # Rounds for the noise before the resolution is looked at
+# Corrections of the modulus to match a frequency, which scales with a power of it between 1/3 and 1/2.
+_TUNINGS = 2
+_UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
 ROUNDS = 8
-"""Optima at most that are sought from one another, as noise, the theory's error and the resolution become known."""
+"""Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
 
 def _fit(
     scene: Scene, given: Scene, films: Measurements, features: Sequence[Features | None], request: _Request
 ) -> Fit:
-    """One fit with the effects that the scene's own values call for."""
+    """Fit once, with the effects that the scene's own values call for."""
     problem = request.problem(scene, films)
     begin = time.perf_counter()
-    first, loss = _first(problem, scene, features), request.loss
+    first, loss = _initial_guesses(problem, scene, features), request.loss
     how: dict[str, Any] = {"loss": loss, "method": request.method, "gain": _GAIN}
-    _foretell(problem, request)
+    _estimate_duration(problem, request)
     starts = multi_start(
         problem,
         first,
         count=request.starts,
         seed=request.seed,
         asked=problem.asked,
-        enough=lambda best: _as_noise(problem, best),
+        enough=lambda best: _fits_within_noise(problem, best),
         on_progress=counting(request.progress, "starts"),
         **how,
     )
-    # What is stuck in the integrator's own noise, but lower, is worth smaller steps.
+    # A stuck search with a lower loss may converge with smaller time steps.
     able = [one for one in starts.results if one.optimum.converged or one.optimum.status == STUCK]
     front = min(able or starts.results[:1], key=lambda one: one.optimum.value)
-    problem, best, resolution = _settled(problem, front.optimum, scene, request, how)
+    problem, best, resolution = _refined(problem, front.optimum, scene, request, how)
     others = [one for one in starts.results if one is not front]
     starts = replace(starts, results=(replace(front, optimum=best), *others))
     of_profiles = counting(request.progress, "profiles")
@@ -306,7 +309,7 @@ def _fit(
     }
     return Fit(
         scene=given,
-        fitted_scene=with_values(given, *_shared(problem, best.q)),
+        fitted_scene=with_values(given, *_shared_values(problem, best.q)),
         measurements=films,
         parameters=parameters,
         correlation=known.correlation,
@@ -324,24 +327,24 @@ def _fit(
         backend=problem.films[0].model.backend,
         repeats=(_RESTARTED,) * inferred.restarts,
         seconds=spent,
-        camera=_of_camera(problem, best),
+        camera=_camera_values(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),
         resolution=resolution,
         late=inferred.late or time.monotonic() > request.deadline,
     )
 
 
-def _shared(problem: FilamentProblem, q: Floats) -> tuple[list[FreeParameter], list[float]]:
-    """What all films have in common, and its values: a scene has no place for what single films have."""
+def _shared_values(problem: FilamentProblem, q: Floats) -> tuple[list[FreeParameter], list[float]]:
+    """Parameters that all films share, with their values: a scene cannot hold those of single films."""
     pairs = [(free, free.value(float(x))) for free, x in zip(problem.free[: problem.asked], q, strict=False)]
     kept = [(free, value) for free, value in pairs if free.film is None]
     return [free for free, _ in kept], [value for _, value in kept]
 
 
-def _settled(
+def _refined(
     problem: FilamentProblem, best: Optimum, scene: Scene, request: _Request, how: Mapping[str, Any]
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
-    """Fit again from the optimum until its noise and the theory's error are its own, and its resolution suffices."""
+    """Repeat the fit from its optimum until noise, theory error and resolution are consistent with that optimum."""
     resolution, fine, spent = None, request.rtol is not None, best.evaluations
     again: tuple[FilamentProblem, Floats] | None
     for number in range(ROUNDS):
@@ -350,7 +353,7 @@ def _settled(
             again = problem.at(tighter(problem), best.q)
         elif best.converged:
             now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
-            # What cells err by looks like correlation, and is no noise.
+            # The discretization error looks like correlated noise: the correlation waits for the final resolution.
             alone = now if fine else replace(now, correlation=problem.noise.correlation)
             if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
                 again = problem.settled(best.q, alone)
@@ -370,13 +373,13 @@ def _settled(
         except TimeLimitError:
             break
         spent += best.evaluations
-    return problem, *_near_enough(problem, replace(best, evaluations=spent), resolution, how["loss"])
+    return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, how["loss"])
 
 
-def _near_enough(
+def _accept_if_near(
     problem: FilamentProblem, best: Optimum, resolution: Moved | None, loss: Loss
 ) -> tuple[Optimum, Moved | None]:
-    """Values within a standard error of an optimum that their own noise hides: how near becomes part of the error."""
+    """Accept a stuck search within a standard error of the optimum; that distance adds to the discretization error."""
     if best.status != STUCK or best.offset >= 1:
         return best, resolution
     known = _information(problem, best, loss)
@@ -392,8 +395,8 @@ def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Informa
     return information(*given, **how, logarithmic=flags)
 
 
-def _foretell(problem: FilamentProblem, request: _Request) -> None:
-    """Say about how long the fit will take, by one evaluation."""
+def _estimate_duration(problem: FilamentProblem, request: _Request) -> None:
+    """Report about how long the fit will take, from the duration of one evaluation."""
     begin = time.perf_counter()
     problem.linearised(problem.typical)
     one = time.perf_counter() - begin
@@ -401,14 +404,14 @@ def _foretell(problem: FilamentProblem, request: _Request) -> None:
     request.progress.doing(f"about {one * (_PER_OPTIMUM + profiles):.2g} s for {problem.asked} unknowns")
 
 
-def _as_noise(problem: FilamentProblem, best: Optimum) -> bool:
-    """Whether an optimum leaves no more than the noise, so that none can be much better."""
+def _fits_within_noise(problem: FilamentProblem, best: Optimum) -> bool:
+    """Whether the residuals at an optimum are within the noise, so that no other optimum can be much better."""
     data = best.residuals[: problem.readings]
-    return data.size >= MIN_READINGS and float(data @ data) < _AS_NOISE * data.size
+    return data.size >= MIN_READINGS and float(data @ data) < _MAX_MEAN_SQUARE * data.size
 
 
-def _of_camera(problem: FilamentProblem, best: Optimum) -> dict[str, tuple[float, float, float]]:
-    """Value, standard error and the one known beforehand of the camera's own numbers."""
+def _camera_values(problem: FilamentProblem, best: Optimum) -> dict[str, tuple[float, float, float]]:
+    """Value, standard error and prior standard deviation of each of the camera's parameters."""
     covariance = np.linalg.pinv(best.jacobian.T @ best.jacobian)
     return {
         free.name: (
@@ -434,15 +437,16 @@ def _outcome(
     if not best.converged:
         late = best.status == OUT_OF_TIME or time.monotonic() > problem.deadline
         return FitOutcome.out_of_time if late else FitOutcome.not_converged
-    # A reading that lies off by less than cameras tell pulls nothing, however small the noise of the others.
-    pulls = max(1.0, _FAR_OFF * problem.least_noise / problem.unit)
-    wild = sum(int((far_out(part) & (np.abs(part) > pulls)).sum()) for part in parts)
-    if loss.kind == "linear" and wild > _WILD * sum(part.size for part in parts):
+    # A residual below the resolution of cameras is no outlier, however small the noise of the other readings.
+    smallest = max(1.0, _MIN_OUTLIER * problem.least_noise / problem.unit)
+    outliers = sum(int((far_out(part) & (np.abs(part) > smallest)).sum()) for part in parts)
+    if loss.kind == "linear" and outliers > _MAX_OUTLIERS * sum(part.size for part in parts):
         return FitOutcome.outliers
     against = problem.contradiction(best.residuals, best.jacobian)
     if against is not None and against.p_value < SIGNIFICANT:
         return FitOutcome.contradiction
-    # An error that is allowed for, but is not there, makes neighbours differ: only their likeness says what is missed.
+    # A theory error that is allowed for but absent makes neighbouring residuals anticorrelated: only a positive
+    # correlation indicates a model error.
     alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
     if (checks.verdict == "not white" and alike) or _beyond_theory(problem, best) or _correlated_for_long(problem):
         return FitOutcome.model_error
@@ -454,15 +458,15 @@ def _outcome(
 
 
 def _beyond_theory(problem: FilamentProblem, best: Optimum) -> bool:
-    """Whether the theory errs by more than it was measured to, or the camera is off by more than it may be."""
+    """Whether the fitted errors of theory and camera are larger than their priors allow."""
     known = best.residuals[problem.readings :]
     return bool(known.size) and float(stats.chi2.sf(float(known @ known), known.size)) < SIGNIFICANT
 
 
 def _correlated_for_long(problem: FilamentProblem) -> bool:
-    """Whether what a camera's noise is correlated by lasts for so much of a film that it is the model's error."""
+    """Whether the residuals are correlated over so long a part of a film that they show a model error, not noise."""
     correlation, frames = problem.noise.correlation, min(film.data.size for film in problem.films)
-    return correlation > 0 and -1 / np.log(correlation) > _LONG * frames
+    return correlation > 0 and -1 / np.log(correlation) > _MAX_CORRELATION_TIME * frames
 
 
 def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
@@ -474,8 +478,8 @@ def _of_all_films(scene: Scene, films: Measurements) -> list[str]:
     return sorted({name for film in films.series for name in choose_effects(own_scene(film, scene)).names})
 
 
-def _called_for(found: Fit) -> list[str]:
-    """Effects that the fitted values call for and the fit did not have."""
+def _missing_effects(found: Fit) -> list[str]:
+    """Effects that the fitted values call for and the fit did not include."""
     try:
         names = choose_effects(found.fitted_scene).names
     except SceneError:
@@ -484,16 +488,16 @@ def _called_for(found: Fit) -> list[str]:
 
 
 def _features(series: Series, scene: Scene) -> Features | None:
-    # The closed form and its features are those of a steady weight.
+    # The closed form and its features assume steady gravity.
     if np.count_nonzero(series.time > 0) < FEWEST or not scene.load.gravity > 0 or scene.load.shake > 0:
         return None
     return read_features(series.time, series.midpoint, series.std, scene.load.gravity, rest_length(scene))
 
 
-def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
-    """What is in tune with a film that rings, the closed form's values where it has one, and the scene's own."""
+def _initial_guesses(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
+    """Initial guesses: one tuned to the frequency of a ringing film, those of the closed form, the scene's own."""
     own, starts = np.clip(problem.typical, problem.lower, problem.upper), list[Floats]()
-    tuned = _in_tune(problem, scene, features, own)
+    tuned = _tuned_to_frequency(problem, scene, features, own)
     if tuned is not None:
         starts.append(tuned)
     for one in features:
@@ -510,10 +514,10 @@ def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features |
     return [*starts, own]
 
 
-def _in_tune(
+def _tuned_to_frequency(
     problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
 ) -> Floats | None:
-    """The start with a modulus that makes a film ring as it was seen to: fits a period off are optima, too."""
+    """Initial guess whose modulus reproduces a measured frequency: a fit that is off by a period is an optimum, too."""
     column = next((k for k, free in enumerate(problem.free[: problem.asked]) if free.name == "youngs_modulus"), None)
     number = next((k for k, one in enumerate(features) if one is not None and one.frequency.value), None)
     if column is None or number is None:

@@ -1,4 +1,4 @@
-"""A rheometer's flow curve becomes a material."""
+"""Fits of laws to a flow curve from a rheometer, and scenes with the fitted material."""
 
 from __future__ import annotations
 
@@ -51,15 +51,15 @@ _KNOWN = {
 }
 _NAME = header_pattern(_KNOWN)
 _SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
-"""Name of a column that says which sample a row is of."""
+"""Name of a column with the sample of each row."""
 
 _TURNS = frozenset({"rpm", "rps"})
-"""Units that Pint takes for 1/s; but a speed of rotation is no shear rate."""
+"""Units of a rotational speed, which Pint converts to 1/s although it is not a shear rate."""
 
 FEWEST = 4
-"""Distinct rates that are needed: one more than Herschel-Bulkley has constants."""
+"""Smallest number of distinct rates: one more than Herschel-Bulkley has constants."""
 
-# No rheometer measures beyond these, in 1/s or Pa: whoever writes such a number has another unit in mind.
+# Range of rheometers, in 1/s or Pa: numbers outside of it have a wrong unit.
 _LEAST, _MOST = 1e-12, 1e12
 
 
@@ -71,7 +71,7 @@ class FlowCurve:
     shear_stress: Floats  # shape (points,); [Pa], positive; likewise
     path: Path | None = None  # The file they come from
     notes: tuple[str, ...] = ()  # What was corrected while it was read, a sentence each
-    std: Floats | None = None  # shape (points,); Standard errors of the stresses [Pa], for a fit beside films
+    std: Floats | None = None  # shape (points,); Standard errors of the stresses [Pa], for a fit together with films
 
     def __post_init__(self) -> None:
         faults = []
@@ -84,14 +84,14 @@ class FlowCurve:
                 raise _refusal(self.path, [Fault(name, "not a list of numbers", f"numbers, as in {column}")]) from None
             values.flags.writeable = False
             object.__setattr__(self, name, values)
-            found = (_wrong(value) for value in values.flat)
+            found = (_implausible(value) for value in values.flat)
             faults += [Fault(f"{name}[{k}]", *wrong) for k, wrong in enumerate(found) if wrong]
         rate, stress = self.shear_rate, self.shear_stress
         errors = stress if self.std is None else self.std
         if rate.ndim != 1 or not rate.shape == stress.shape == errors.shape:
             found_shapes = f"rates of shape {rate.shape}, stresses of shape {stress.shape}"
             raise _refusal(self.path, [Fault("", found_shapes, "lists of the same length")])
-        # Rates that agree to six digits are one rate, set twice.
+        # Rates that agree to six digits are repetitions of one rate.
         distinct = len({f"{value:.6g}" for value in rate})
         if not faults and distinct < FEWEST:
             accepted = f"at least {FEWEST}: Herschel-Bulkley alone has three constants"
@@ -106,12 +106,12 @@ class FlowCurve:
 
     @property
     def falls(self) -> bool:
-        """Whether the stress decreases with the shear rate overall, beyond the rounding that a constant one leaves."""
+        """Whether the stress decreases with the shear rate overall, by more than rounding errors."""
         return float(np.polyfit(np.log(self.shear_rate), np.log(self.shear_stress), 1)[0]) < -_ROUNDING
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a reader must know about the data themselves."""
+        """Warnings about the data themselves."""
         found = list(self.notes)
         if self.decades < 1:
             found.append(
@@ -155,7 +155,7 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
     columns = _columns(cells, file)
     cells = _of_sample(cells, sample, file)
-    table, faults = numbers_in(cells, columns, lambda _, value: _wrong(value))
+    table, faults = numbers_in(cells, columns, lambda _, value: _implausible(value))
     if faults:
         raise _refusal(file, faults)
     missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
@@ -166,7 +166,7 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
 
 
 def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
-    """Where the two columns stand, and in which units."""
+    """Find the columns and their units."""
     where = f"line {table.line}"
     columns: dict[str, list[Column]] = {RATE: [], STRESS: [], STD: []}
     faults: list[Fault] = []
@@ -179,7 +179,7 @@ def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
         quantity, dimension, si, accepted = _KNOWN[known]
         try:
             if unit.lower() in _TURNS:
-                raise NotAQuantity(f"{unit} is a speed of rotation, which only the geometry turns into a shear rate")
+                raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
             columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
         except NotAQuantity as found:
             faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
@@ -209,13 +209,13 @@ def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:
     return replace(table, rows=[row for row, name in zip(table.rows, of, strict=True) if name == sample])
 
 
-def _wrong(value: float) -> tuple[str, str] | None:
+def _implausible(value: float) -> tuple[str, str] | None:
     if not math.isfinite(value):
         return f"{value} is not finite", "a positive number"
     if value <= 0:
         return f"{value:g} is not positive", "a positive number: magnitudes, the fit is of relative residuals"
     if not _LEAST <= value <= _MOST:
-        return f"{value:g} is beyond what a rheometer measures", f"a number from {_LEAST:g} to {_MOST:g}"
+        return f"{value:g} is outside of the range of a rheometer", f"a number from {_LEAST:g} to {_MOST:g}"
     return None
 
 
@@ -233,7 +233,7 @@ class ShearLaw:
 
     @property
     def constants(self) -> int:
-        """How many constants are fitted."""
+        """Number of fitted constants."""
         return 1 + self.has_yield + self.has_index
 
     def contains(self, other: ShearLaw) -> bool:
@@ -242,7 +242,7 @@ class ShearLaw:
 
     @property
     def rank(self) -> tuple[int, bool]:
-        """Which comes first of laws that fit equally well: the fewest constants, no yield stress."""
+        """Order of laws that fit equally well: fewer constants first, then those without a yield stress."""
         return self.constants, self.has_yield
 
 
@@ -266,7 +266,7 @@ class Tensile:
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """One law, fitted."""
+    """One fitted law."""
 
     law: str  # Its name in `LAWS`, as in a scene
     tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
@@ -292,7 +292,7 @@ class Candidate:
 
     @property
     def unfit(self) -> str | None:
-        """Why no scene can take this law, if it cannot."""
+        """Why no scene can use the fitted law; None if one can."""
         if self.k.value <= 0:
             return "its stress does not rise with the shear rate: it has no viscosity"
         if self.tau_Y is not None and self.tau_Y.value <= 0:
@@ -316,7 +316,7 @@ class Candidate:
         }
 
     def to_dict(self) -> dict[str, Any]:
-        """What JSON holds of it."""
+        """Entry of the law in JSON."""
         consistency = "shear_consistency" if self.n else "shear_viscosity"
         constants = {"shear_yield_stress": self.tau_Y, consistency: self.k, "index": self.n}
         return {
@@ -343,14 +343,14 @@ class Candidate:
 
 
 def _written(value: float) -> str:
-    """Ten digits: more than any fit can know, and 0.43 instead of 0.42999999999998406."""
+    """Write ten digits: more than any fit determines, and 0.43 instead of 0.42999999999998406."""
     return f"{value:.10g}"
 
 
 CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 
 INDEX_BOUNDS = (0.05, 3.0)
-"""Least and largest flow index n that is looked for."""
+"""Smallest and largest flow index n of a fit."""
 
 _STEP = 0.005
 _GOLDEN = (math.sqrt(5) - 1) / 2
@@ -368,8 +368,8 @@ class LinearPart:
 def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -> LinearPart:
     """Solve the non-negative linear least squares of two columns (of one, if the law does not yield).
 
-    A quadratic in the quadrant has its least value at its own minimum, or on the axis that the way there crosses; all
-    entries are positive, so that each column alone has a positive coefficient.
+    A convex quadratic has its minimum over the quadrant either at its unconstrained minimum or on an axis between this
+    minimum and the quadrant. All entries are positive, so that each column alone has a positive coefficient.
     """
     flow = ratio ** index[:, None] / stress
     power = np.einsum("ij,ij->i", flow, flow)
@@ -390,9 +390,10 @@ def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -
 
 
 def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
-    """Find the flow index of the least sum of squares within `INDEX_BOUNDS`.
+    """Find the flow index with the smallest sum of squares within `INDEX_BOUNDS`.
 
-    Every minimum of a fine grid is refined by golden section, and the least one wins; no starting value is needed.
+    Golden-section search refines every local minimum on a fine grid; the smallest is returned. No initial guess is
+    needed.
     """
 
     def squares(index: Floats) -> Floats:
@@ -410,7 +411,7 @@ def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
 
 
 def _golden_section(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Minimum of a function with one minimum between two places, to the last digits that its values tell."""
+    """Minimum of a unimodal function between two points, as accurately as its values allow."""
     left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
     at_left, at_right = function(np.array([left, right]))
     while high - low > 1e-13:
@@ -446,7 +447,7 @@ REPLACED = (
     "hardening_modulus",
     "hardening_recovery",
 )
-"""Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
+"""Constants that are removed together with a scene's law; elastic ones stay, as no flow curve determines them."""
 
 
 def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
@@ -458,7 +459,7 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     own, faults = read_overrides(overrides)
     if faults:
         raise SceneError(faults)
-    # The material's come after the fit: they may make no sense with the scene's own law.
+    # Overrides of the material are applied after the fit, as they may not suit the scene's own law.
     later = {change.path: change.value for change in own if change.path.startswith("material.")}
     earlier = {change.path: change.value for change in own if change.path not in later}
     base = scene.replace(earlier) if isinstance(scene, Scene) else load_scene(scene, earlier)
@@ -468,20 +469,21 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     if changes["material.law"] == "maxwell" and not has_modulus:
         changes["material.law"] = "newtonian"
     for path, value in later.items():
-        # Taken out and put back, so that it comes last and rules out the same constant given the other way.
+        # Moved to the end, where it replaces the same constant given in another form.
         changes.pop(path, None)
         changes[path] = value
     return base.replace(changes)
 
 
-# Relative residuals below this are rounding, of the file's digits or of the arithmetic: they choose no law.
+# Relative residuals below this are rounding errors of the file or of the arithmetic, and do not decide between laws.
 _ROUNDING = 1e-9
+# Relative residual above which a warning is given.
 _POOR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class FlowCurveFit:
-    """What a flow curve says about the material.
+    """Fits of all laws to a flow curve.
 
     Attributes
     ----------
@@ -495,7 +497,7 @@ class FlowCurveFit:
     candidates: tuple[Candidate, ...]
 
     def to_dict(self, law: str | None = None) -> dict[str, Any]:
-        """What ``flow_curve.json`` holds, with the law that is handed on."""
+        """Content of ``flow_curve.json``, with the law that is handed on to a scene."""
         curve, least = self.curve, self.best.criterion
         return {
             "curve": str(curve.path) if curve.path else None,
@@ -520,7 +522,7 @@ class FlowCurveFit:
 
     @property
     def best(self) -> Candidate:
-        """The law of the least criterion."""
+        """The law with the smallest criterion."""
         return self.candidates[0]
 
     def candidate(self, law: str | None = None) -> Candidate:
@@ -539,9 +541,9 @@ class FlowCurveFit:
 
     @property
     def _close(self) -> bool:
-        """Whether the second law fits about as well: within the charge of a constant.
+        """Whether the second law fits about as well: its criterion differs by less than the penalty of a constant.
 
-        Of a law that contains the best one, which never fits worse, if its constant gains half its charge.
+        If it contains the best law, which it then never fits worse, the limit is half that penalty.
         """
         (best, one), (second, other) = ((each, _BY_NAME[each.law]) for each in self.candidates[:2])
         last = charge(len(self.curve.shear_rate), max(one.constants, other.constants))
@@ -558,9 +560,9 @@ class FlowCurveFit:
         Returns
         -------
         dict of str to str or float
-            ``material.law``, the shear constants as text with their units, and the index, a number. A scene of another
-            law has constants that must go, and one without a modulus takes ``newtonian`` in place of ``maxwell``:
-            :func:`softcat_sym.fitting.fitted_scene` sees to that.
+            ``material.law``, the shear constants as text with their units, and the index, a number.
+            :func:`softcat_sym.fitting.fitted_scene` also removes constants of another law from a scene, and replaces
+            ``maxwell`` by ``newtonian`` in a scene without a modulus.
 
         Raises
         ------
@@ -577,12 +579,12 @@ class FlowCurveFit:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a reader must know beside the numbers."""
+        """Warnings about the data and the fits."""
         best, second = self.candidates[:2]
         found = list(self.curve.warnings)
         if self._close:
             above = second.criterion - best.criterion
-            found.append(f"{best.law} and {second.law} are hardly told apart (the criterion differs by {above:.2g})")
+            found.append(f"{best.law} and {second.law} fit about equally well (the criterion differs by {above:.2g})")
         if best.relative_rms > _POOR:
             found.append(f"the best law, {best.law}, misses the data by {100 * best.relative_rms:.2g} % (rms)")
         for name, one in (("yield stress", best.tau_Y), ("consistency", best.k), ("flow index", best.n)):
@@ -594,8 +596,8 @@ class FlowCurveFit:
 def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None = None) -> FlowCurveFit:
     """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
 
-    The yield stress and the consistency are not negative, the index lies in [0.05, 3]. Within these bounds the
-    optimum is global: for a given index the other two follow in closed form, and all indices are searched.
+    The yield stress and the consistency are not negative, the index lies in [0.05, 3]. The optimum within these bounds
+    is global: for a given index the other two follow in closed form, and the whole range of the index is searched.
 
     Parameters
     ----------
@@ -612,7 +614,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None
     Raises
     ------
     SoftcatError
-        If the file or the points make no flow curve, with every fault.
+        If the file or the points are not a valid flow curve, with every fault.
     """
     data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve, sample)
     candidates = [_fit(data, law) for law in LAWS]
@@ -646,7 +648,7 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
 
 
 def scatter(curve: FlowCurve, law: str) -> float:
-    """Standard deviation of the relative residuals about the best of a law, its constants allowed for."""
+    """Standard deviation of the relative residuals about the best fit of a law, corrected for its constants."""
     shear = _BY_NAME[law]
     points = len(curve.shear_rate)
     return _fit(curve, shear).relative_rms * math.sqrt(points / max(points - shear.constants, 1))
@@ -655,7 +657,7 @@ def scatter(curve: FlowCurve, law: str) -> float:
 def _judged(
     rate: Floats, stress: Floats, law: ShearLaw, values: dict[str, float], squares: float
 ) -> dict[str, Estimate]:
-    """Judge every constant; those on a bound do not count as free."""
+    """Estimate of every constant; constants on a bound do not count as free."""
     k, n = values["k"], values["n"]
     slack = 1e-6
     on_bound = {
@@ -663,7 +665,7 @@ def _judged(
         "k": k <= 0,
         "n": not INDEX_BOUNDS[0] + slack < n < INDEX_BOUNDS[1] - slack,
     }
-    # Without flow the index is not on a bound but without meaning.
+    # With a consistency of zero the index has no meaning.
     fitted = {"tau_Y": law.has_yield, "k": True, "n": law.has_index and k > 0}
     columns = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": k * rate**n * np.log(rate)}
     free = [name for name in values if fitted[name] and not on_bound[name]]

@@ -1,4 +1,4 @@
-"""A flow curve beside films: what it reads is compared with the same law in steady shear."""
+"""A flow curve beside films: its readings are compared with the same law in steady shear."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ SHEARED = {
     "power-law": "power-law",
     "herschel-bulkley": "herschel-bulkley",
 }
-"""Laws that have a flow curve, and which law of steady shear it is."""
+"""Laws that have a flow curve, and the corresponding law in steady shear."""
 
 _STEP = 1e-5
-_LEAST_SCATTER = 0.005  # No rheometer is better
-_SMALL = 0.1  # Relative error of the law from which on a reader is told
+_MIN_SCATTER = 0.005  # Relative scatter of the best rheometers
+_MAX_SCATTER = 0.1  # Relative scatter about the best fit above which a warning is given
 
 
 def steady_shear_stress(material: Material, shear_rate: Floats) -> Floats:
@@ -49,10 +49,10 @@ def steady_shear_stress(material: Material, shear_rate: Floats) -> Floats:
     Raises
     ------
     SceneError
-        If the law has none, or one that changes while it flows.
+        If the law has no flow curve, or one that changes during the flow.
     """
     if material.law not in SHEARED:
-        raise SceneError([Fault("flow curve", f"the law '{material.law}' has none that is known", ", ".join(SHEARED))])
+        raise SceneError([Fault("flow curve", f"the law '{material.law}' has none", ", ".join(SHEARED))])
     plain = material.yield_stress, material.viscosity, material.index, *(mode.viscosity for mode in material.modes)
     if any(is_history(one) for one in plain) or material.structure is not None or material.hardening_modulus:
         found = "the material hardens, ages or has a structure: its stress in steady flow is not one curve"
@@ -66,26 +66,26 @@ def steady_shear_stress(material: Material, shear_rate: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class FlowReadings:
-    """A flow curve, and which unknowns of a problem its law has."""
+    """A flow curve, and the unknowns of a problem on which its law depends."""
 
     curve: FlowCurve
     scene: Scene
     free: tuple[FreeParameter, ...]
-    columns: tuple[int, ...]  # For each of them its number in the problem
+    columns: tuple[int, ...]  # Number of each in the problem
     std: Floats  # shape (n,); Standard errors of the stresses [Pa]
-    known: bool  # Whether they are stated
+    known: bool  # Whether the standard errors are stated
 
     @classmethod
     def of(cls, curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter], columns: Sequence[int]) -> FlowReadings:
-        """With the errors that are stated, or the relative scatter about the best of the same law."""
+        """Take the stated errors, or else the relative scatter about the best fit of the same law."""
         steady_shear_stress(scene.material, curve.shear_rate)
         if curve.std is not None:
             return cls(curve, scene, tuple(free), tuple(columns), curve.std, known=True)
-        relative = max(scatter(curve, SHEARED[scene.material.law]), _LEAST_SCATTER)
+        relative = max(scatter(curve, SHEARED[scene.material.law]), _MIN_SCATTER)
         return cls(curve, scene, tuple(free), tuple(columns), relative * curve.shear_stress, known=False)
 
     def stress(self, q: Floats) -> Floats:
-        """What the law says at the rates of the curve [Pa], of the unknowns of the whole problem."""
+        """Stress of the law at the rates of the curve [Pa], for the unknowns of the whole problem."""
         values = [one.value(float(q[k])) for one, k in zip(self.free, self.columns, strict=True)]
         return steady_shear_stress(with_values(self.scene, self.free, values).material, self.curve.shear_rate)
 
@@ -94,7 +94,7 @@ class FlowReadings:
         return (self.stress(q) - self.curve.shear_stress) / self.std
 
     def slopes(self, q: Floats) -> Floats:
-        """Their derivatives, shape (n, k)."""
+        """Derivatives of the residuals by the unknowns, shape (n, k)."""
         found = np.zeros((self.std.size, q.size))
         for k in self.columns:
             step = _STEP * np.eye(q.size)[k]
@@ -103,8 +103,11 @@ class FlowReadings:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a reader must know about the curve itself."""
+        """Warnings about the curve itself."""
         law = SHEARED[self.scene.material.law]
         missed = scatter(self.curve, law)
-        said = f"{law} misses the flow curve by {missed:.2g} of its stress even alone: its part is weighted by that"
-        return (*self.curve.warnings, *((said,) if missed > _SMALL else ()))
+        said = (
+            f"even without films the best {law} law misses the flow curve by {missed:.2g} of its stress: this is taken "
+            "as the relative error of the curve"
+        )
+        return (*self.curve.warnings, *((said,) if missed > _MAX_SCATTER else ()))

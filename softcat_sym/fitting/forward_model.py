@@ -1,4 +1,4 @@
-"""What a camera sees of a filament, as a function of what is unknown, with derivatives."""
+"""Readings of a camera or a load cell as functions of the free parameters, with derivatives."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from softcat_sym.solvers.solution import watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
-_STEP = 1e-6  # in unknowns of order one, of the interpolation, which is smooth
+_STEP = 1e-6  # In unknowns of order one, for the interpolation, which is smooth
 _STENCIL = 4
 
 
 class ForwardReadings:
-    """Readings that follow from some unknowns at their times, for any values of what is free, with derivatives."""
+    """Readings that depend on some unknowns at their times, for any values of the free parameters, with derivatives."""
 
     def __init__(
         self,
@@ -49,11 +49,11 @@ class ForwardReadings:
         self._shifts = any(one.path == TIME_OFFSET for one in free)
 
     def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
-        """Some of the readings: of their unknowns, row by row, and of what is free, at these times."""
+        """Some of the readings, from their unknowns row by row, the free parameters and the times."""
         raise NotImplementedError
 
     def readings(self, q: Floats) -> tuple[Floats, Floats]:
-        """Readings, those of a camera's zero aside, and their derivatives."""
+        """Readings without the offset of a camera's zero, and their derivatives."""
         q = np.asarray(q, dtype=float)
         ours = np.array([x for one, x in zip(self._free, q, strict=True) if not one.of_measurement])
         times = (self._times - self._value(q, TIME_OFFSET)) / self._filament.scale
@@ -101,14 +101,14 @@ class ForwardReadings:
 
 
 class ForwardForces(ForwardReadings):
-    """Force of the right support on the filament along its way, 0 outwards and 1 upwards [N]."""
+    """Force of the right support on the filament, outwards (way 0) or upwards (way 1) [N]."""
 
     def __init__(
         self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, way: int, max_steps: int
     ) -> None:
         graph = filament.graph
         if not graph.program.support or graph.grid.last.name == "FREE":
-            found = "a force of the right support is known of filaments that it holds, that stretch and stay in a plane"
+            found = "a force of the right support is known only for stretchable plane filaments that this support holds"
             raise SoftcatError(f"forces: {found}; leave the column of forces out")
         super().__init__(filament, free, times, tuple(range(len(graph.x_kinds) + len(graph.z_kinds))), max_steps)
         self._way = way
@@ -141,7 +141,7 @@ class ForwardShapes(ForwardReadings):
         }
 
     def heights(self, q: Floats) -> tuple[Floats, Floats]:
-        """Heights and their derivatives, the camera's zero among them."""
+        """Heights, with the offset of the camera's zero, and their derivatives."""
         height, derivatives = self.readings(q)
         for column, one in enumerate(self._free):
             if one.path == INITIAL_SAG:
@@ -158,7 +158,7 @@ class ForwardShapes(ForwardReadings):
         grid, length = self._filament.graph.grid, rest_length(scene)
         rows = [(0.0, 0.0, 0.0), *scene.ends.motion]
         along, up = (np.interp(seconds, [row[0] for row in rows], [row[axis] for row in rows]) for axis in (1, 2))
-        # Supports, and the places of a theory that has no others.
+        # Supports, and the nodes of a theory in which they do not move along x.
         xs = np.tile(grid.nodes * (scene.filament.span / length), (len(values), 1))
         ys = np.zeros_like(xs)
         xs[:, -1] += along / length
@@ -173,7 +173,7 @@ class ForwardShapes(ForwardReadings):
 
 
 def _cubic(xs: Floats, ys: Floats, x: Floats) -> Floats:
-    """Lagrange's cubic through the four nodes around each place; NaN where there are none, or x is not increasing."""
+    """Lagrange's cubic through the four nodes nearest to x; NaN outside of the nodes, or if x does not increase."""
     nodes = xs.shape[1]
     first = np.clip(np.sum(xs < x[:, None], axis=1) - _STENCIL // 2, 0, nodes - _STENCIL)
     rows, columns = np.arange(len(x))[:, None], first[:, None] + np.arange(_STENCIL)
@@ -193,7 +193,7 @@ _X, _Z = "start x", "start z"
 
 
 class StoredEvaluations:
-    """Each evaluation with where it left the filament: the start of the next is followed from there."""
+    """Stored evaluations, each with its starting state, from which the next starting state is found."""
 
     def __init__(self, filament: FrozenFilament, model: tuple[object, ...]) -> None:
         self._filament, self._model = filament, model
@@ -215,7 +215,7 @@ class StoredEvaluations:
         return found
 
     def aside(self, compute: Callable[[], int]) -> int:
-        """Compute something from where the filament was at first, whatever was evaluated since, and leave no trace."""
+        """Compute something from the first starting state, and restore the present one afterwards."""
         near, self._filament.near = self._filament.near, self._first
         try:
             return compute()
@@ -226,12 +226,12 @@ class StoredEvaluations:
 _MAX_STEPS, _MIN_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
 
 
-_NO_START = "no shape in balance was found to start from, or the filament would be slack where the scene's is taut"
+_NO_START = "no equilibrium was found to start from, or the filament would be slack where the scene's is taut"
 
 
 @dataclass(frozen=True)
 class _Answer:
-    """Midpoint in the data's own terms, and its derivatives if they were asked for."""
+    """Heights of the midpoint at the times of the data, and their derivatives if they were requested."""
 
     midpoint: Floats
     derivatives: Floats | None
@@ -239,11 +239,11 @@ class _Answer:
 
 
 class ForwardModel(Unknowns):
-    """What a camera sees of the midpoint (X = 0), for any values of the free parameters.
+    """Height of the midpoint (X = 0) as a camera shows it, for any values of the free parameters.
 
     Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
-    smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the filament begins to
-    move the midpoint is where it begins. A parameter that makes no difference is refused, or left out on request.
+    smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the release the
+    midpoint is at its initial height. The model refuses a parameter that has no effect, or omits it on request.
     """
 
     def __init__(
@@ -274,21 +274,21 @@ class ForwardModel(Unknowns):
 
     @property
     def terms(self) -> Terms:
-        """What they left of the equations."""
+        """Terms of the equations that the effects keep."""
         return self._filament.graph.terms
 
     @property
     def backend(self) -> str:
-        """What integrates, and why."""
+        """The backend that integrates, with the reason."""
         return str(self._filament.backend)
 
     @property
     def compiled(self) -> bool:
-        """Whether generated C integrates."""
+        """Whether the backend is generated C."""
         return self._filament.backend.compiled
 
     def scene(self, q: Floats) -> Scene:
-        """The scene with these unknowns."""
+        """The scene with the values of these unknowns."""
         return self._filament.scene_of(self._of_scene(q))
 
     def midpoints(self, q: Floats) -> Floats:
@@ -296,7 +296,7 @@ class ForwardModel(Unknowns):
         return self._answer(q, slopes=False).midpoint.copy()
 
     def with_derivatives(self, q: Floats) -> tuple[Floats, Floats]:
-        """The same, with derivatives of the discrete solution."""
+        """Heights of the midpoint with the derivatives of the discrete solution."""
         answer = self._answer(q, slopes=True)
         if answer.derivatives is None:
             raise SoftcatError("the forward model kept no derivatives")
@@ -305,7 +305,7 @@ class ForwardModel(Unknowns):
     def gradient(self, q: Floats, weights: Floats) -> Floats:
         """Derivatives of the weighted sum of the midpoints.
 
-        By the adjoint of the discrete solution where it is interpreted, otherwise from :meth:`with_derivatives`.
+        The interpreted backend uses the adjoint of the discrete solution, the compiled one :meth:`with_derivatives`.
         """
         integrator, weights = self._filament.integrator, np.asarray(weights, dtype=float)
         timing, point = self._timing(q), self._filament.point(self._of_scene(q), slopes=True)
@@ -384,7 +384,7 @@ class ForwardModel(Unknowns):
 
     @cached_property
     def _max_steps(self) -> int:
-        """A multiple of what the typical filament takes: absurd values are to fail within a second or so."""
+        """Maximum number of time steps: a multiple of the typical filament's, so that absurd values fail soon."""
         q = self.typical
 
         def counted() -> int:

@@ -1,4 +1,4 @@
-"""Which numbers of a scene and of its measurement are free: names, units, bounds, and their values put into a scene."""
+"""Free parameters of a scene and of its measurement: names, units, bounds, and scenes with other values of them."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ _OF_SHAPE = ("span", "rest_length", "curvature", "twist", "drop", "left_angle", 
 
 @dataclass(frozen=True)
 class Candidate:
-    """A number that may be free, or would be if it were not for the `trouble`."""
+    """A number that may be free, unless there is some `trouble`."""
 
     name: str  # Leaf, dotted path, SI unit
     path: str
@@ -75,7 +75,7 @@ class Candidate:
     logarithmic: bool  # Whether it is positive by nature
     bounds: tuple[float, float]  # By default, and the widest that make sense; SI
     limits: tuple[float, float]
-    constant: str = ""  # What it determines: shear data and the tensile constant that follows from them are the same
+    constant: str = ""  # The constant that it determines: the same for shear data and for the tensile constant
     trouble: str = ""  # Why it cannot be free in this scene, and what would help; empty if it can
     remedy: str = ""
 
@@ -88,7 +88,7 @@ class Candidate:
             return number
         accepted = f"a number in {self.unit}, or text with a unit" if self.unit else "a number without a unit"
         if self.path.startswith("temperature."):
-            # Their units hold kelvin and mole.
+            # These units contain kelvin and mole.
             return float(kinds_of(Temperature)[self.name].read(value))
         try:
             if self.unit.count("^") and self.path.startswith("material."):
@@ -109,11 +109,11 @@ def candidates(scene: Scene) -> tuple[Candidate, ...]:
 
 
 def _without_shape(scene: Scene, one: Candidate) -> Candidate:
-    """A number that a curve in space follows from cannot be free: the curve is sampled once."""
+    """A number on which a given curve depends cannot be free, as the curve is sampled once."""
     curve = "filament.shape" if has_shape(scene) else "initial.centreline" if scene.initial.centreline else ""
     if not curve or one.name not in _OF_SHAPE or one.trouble:
         return one
-    return replace(one, trouble=f"{curve} says where the filament begins, once for all values", remedy="a known one")
+    return replace(one, trouble=f"{curve} fixes the initial shape for all values", remedy="a known one")
 
 
 _ANY = (0.0, math.inf)
@@ -123,7 +123,7 @@ def _positive(path: str, unit: str, value: float, limits: tuple[float, float] = 
     name = path.rpartition(".")[2]
     low = limits[0] if limits[0] > 0 else 0.0
     if value <= 0:
-        found = "zero in the scene, so that nothing says how large it may be, and its physics is left out"
+        found = "zero in the scene, so that its magnitude is unknown, and its physics is left out"
         return Candidate(
             name, path, unit, value, 1.0, True, (0, 0), limits, path, found, f"a rough {path} in the scene"
         )
@@ -191,7 +191,7 @@ def _of_filament(scene: Scene) -> Iterator[Candidate]:
     across = distance(scene)
     span = (filament.thickness * (1 + 1e-9), math.inf)
     if filament.rest_length is not None:
-        # Beyond this the filament would be slack, or no longer so: it would begin in another way.
+        # Beyond this span a taut filament would be slack, or a slack one taut, with an initial shape of another kind.
         edge = math.sqrt(max(0.0, filament.rest_length**2 - scene.ends.drop**2))
         span = (span[0], edge * (1 - 1e-9)) if slack else (max(span[0], edge), edge * math.e)
     yield _positive("filament.span", "m", filament.span, span)
@@ -235,7 +235,7 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
             found, remedy = "zero in the scene, so that its physics is left out", f"a rough {path} in the scene"
             yield Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
         elif turned and is_symmetric(scene):
-            found = "half of a symmetric filament is computed, whose clamps turn alike"
+            found = "only half of a symmetric filament is computed, whose clamps have equal angles"
             yield Candidate(**{**vars(plain), "trouble": found, "remedy": "clamps at different angles in the scene"})
         else:
             yield plain
@@ -298,7 +298,7 @@ def _stretch(scene: Scene) -> Candidate:
         limits = (1 + 1e-9, math.e) if stretch > 1 else (0.05, 1 - 1e-9)
     plain = _positive("initial.stretch", "", stretch, limits)
     if scene.filament.rest_length is not None:
-        found, remedy = "filament.rest_length is given, and says how long it is", "rest_length"
+        found, remedy = "filament.rest_length is given, and determines the length", "rest_length"
     elif stretch == 1:
         found, remedy = "1 in the scene: neither stretched nor slack", "a rough initial.stretch in the scene"
     else:
@@ -326,7 +326,7 @@ def why_not_free(scene: Scene, name: str, known: Mapping[str, Candidate]) -> Fau
         return Fault(where, f"the law '{law}' has no {leaf}{_other_shear(leaf, known)}", usable)
     tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
     if tables and tables != ["groups"]:
-        return Fault(where, "no number that the motion of a filament could tell", usable)
+        return Fault(where, "not a number that the motion of a filament depends on", usable)
     return Fault(where, f"unknown{did_you_mean(leaf, [one.name for one in known.values()])}", usable)
 
 
@@ -350,18 +350,18 @@ class FreeParameter:
     """One unknown of a fit."""
 
     name: str  # Leaf name, as in tables and reports
-    path: str  # Dotted path in the scene; of the measurement the name itself
-    unit: str  # SI; ``"1"`` of a pure number
-    typical: float  # What the scene says; zero of the measurement, but for its scale
+    path: str  # Dotted path in the scene; the name itself for parameters of the measurement
+    unit: str  # SI; ``"1"`` for a pure number
+    typical: float  # Value in the scene; for parameters of the measurement zero, except for its scale
     logarithmic: bool  # Whether q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
-    prior: float = math.inf  # Standard deviation of q about the typical one; infinite where nothing is known
-    film: int | None = None  # Number of the only film that has it, from 1; None of what all share
+    prior: float = math.inf  # Prior standard deviation of q about the typical one; infinite without a prior
+    film: int | None = None  # Number of the only film that has it, from 1; None if all films share it
 
     @property
     def of_measurement(self) -> bool:
-        """Whether the camera has it, and not the filament."""
+        """Whether it is a parameter of the camera, not of the filament."""
         return self.path in OF_CAMERA
 
     @property
@@ -393,17 +393,17 @@ class FreeParameter:
 
 
 def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = None) -> tuple[FreeParameter, ...]:
-    """Find what is free in a scene."""
+    """Find the free parameters of a scene by their names."""
     refuse_settled(scene, "the filament is compared at the times of its measurements")
     found, faults = _found(scene, names)
-    chosen, wrong = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
-    if faults or wrong:
-        raise SceneError([*faults, *wrong])
+    chosen, of_bounds = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
+    if faults or of_bounds:
+        raise SceneError([*faults, *of_bounds])
     return tuple(chosen)
 
 
 def _found(scene: Scene, names: Sequence[str]) -> tuple[list[Candidate], list[Fault]]:
-    """What the names mean, and which mean nothing."""
+    """Candidates with these names, and a fault for every name without one."""
     known = candidates(scene)
     by_name = {one.name: one for one in known} | {one.path: one for one in known}
     found: list[Candidate] = []
@@ -495,17 +495,17 @@ class Unknowns:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the k unknowns."""
+        """Names of the k unknowns."""
         return tuple(one.name for one in self.free)
 
     @property
     def lower(self) -> Floats:
-        """Least possible q, shape (k,)."""
+        """Lower bounds of q, shape (k,)."""
         return np.array([one.lower for one in self.free])
 
     @property
     def upper(self) -> Floats:
-        """Largest possible q, shape (k,)."""
+        """Upper bounds of q, shape (k,)."""
         return np.array([one.upper for one in self.free])
 
     @property
@@ -518,10 +518,10 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 def with_values(scene: Scene, free: Sequence[FreeParameter], values: Sequence[float]) -> Scene:
-    """Return the scene with other values of what is free.
+    """Return the scene with other values of its free parameters.
 
-    What follows from a value follows again, as in :meth:`softcat_sym.Scene.replace`: a width that was not given is the
-    thickness, tensile constants follow from shear data and the index. What belongs to the measurement is not in it.
+    Dependent values are derived again, as in :meth:`softcat_sym.Scene.replace`: a width that was not given is the
+    thickness, tensile constants follow from shear data and the index. Parameters of the measurement are ignored.
     """
     tables: dict[str, dict[str, float]] = {}
     for one, value in zip(free, values, strict=True):
@@ -555,7 +555,7 @@ _NUMBERED = re.compile(r"(.+)_(\d+)")
 
 
 def _with_histories(material: Material, changes: dict[str, float]) -> dict[str, float]:
-    """The changes with whole histories: one that is free is scaled, to begin with its value; or its numbers change."""
+    """The changes with whole histories: a history is scaled to its new initial value, or single numbers change."""
     found = dict(changes)
     for key, value in changes.items():
         whole, numbered = getattr(material, key, None), _NUMBERED.fullmatch(key)
@@ -596,7 +596,7 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
 
 
 def _following(material: Material, changes: dict[str, float]) -> dict[str, object]:
-    """What follows from shear data and other names when some values change."""
+    """Values that follow from shear data and other constants when some values change."""
     follows: dict[str, object] = {}
     index = changes.get("index", material.index)
     poisson = poisson_in_shear(material.law, changes.get("poisson", material.poisson))
@@ -605,7 +605,7 @@ def _following(material: Material, changes: dict[str, float]) -> dict[str, objec
             continue
         others = {one.shear for one in FROM_SHEAR if one.constant == rule.constant} - {rule.shear}
         if rule.constant in changes or others & set(changes):
-            # Else it would be said twice.
+            # Otherwise the constant would be given twice.
             follows[rule.shear] = None
             continue
         shear = changes.get(rule.shear, getattr(material, rule.shear))
@@ -618,8 +618,8 @@ def _following(material: Material, changes: dict[str, float]) -> dict[str, objec
 
 
 def _copied(part: AnyPart, given: Mapping[str, object], follows: Mapping[str, object]) -> AnyPart:
-    """A copy in which some values were given, and others follow from them."""
+    """A copy with some given values, and with others that follow from them."""
     result = part.model_copy(update={**given, **follows})
-    # The copy's own set: what follows shall still do so after further changes.
+    # Derived values do not count as given, so that they are derived again after further changes.
     result.model_fields_set.difference_update(follows)
     return result

@@ -1,4 +1,4 @@
-"""What data determine: noise, Fisher information, standard errors, combinations, and whether residuals are white."""
+"""Noise, Fisher information, standard errors, identified combinations, and tests whether residuals are white."""
 
 from __future__ import annotations
 
@@ -25,18 +25,17 @@ class Estimate:
     """A fitted constant."""
 
     value: float  # In SI units
-    # Linearised, from the Jacobian at the optimum; None where it means nothing: on a bound, or with a singular
-    # Jacobian.
+    # Linearised, from the Jacobian at the optimum; None where it is undefined: on a bound, or with a singular Jacobian.
     standard_error: float | None
     # 95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
     interval: tuple[float, float] | None
-    half_width: float | None  # Of the 95 % interval before it is cut at the bounds; None with the standard error
+    half_width: float | None  # Of the 95 % interval, without the bounds; None if there is no standard error
     # ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
     verdict: Determination
 
 
 def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> Estimate:
-    """Judge a constant that stands between its bounds."""
+    """Standard error, interval and verdict of a constant that lies between its bounds."""
     if not math.isfinite(error):
         return Estimate(value, None, None, None, "undetermined")
     half = quantile * error
@@ -65,18 +64,18 @@ def student_quantile(freedom: int) -> float:
 
 
 def two_sided_quantile(freedom: int | None) -> float:
-    """Of Student's t, or of the normal distribution where the noise is known.
+    """The 97.5 % quantile of Student's t, or of the normal distribution where the noise is known.
 
-    Its square is the 95 % quantile of F with one degree of freedom above `freedom`, or of chi^2 with one.
+    Its square is the 95 % quantile of F with 1 and `freedom` degrees of freedom, or of chi^2 with one.
     """
     return float(stats.norm.ppf(0.5 + 0.5 * LEVEL)) if freedom is None else student_quantile(freedom)
 
 
-# To which the model is evaluated, relative to what a unit of q changes: less cannot be the noise of data.
+# Accuracy of the model over its change by a unit of q: the smallest noise that can be estimated.
 _MODEL_ACCURACY = 1e-7
-# Of the mean slope of psi: a loss with less charges nothing but outliers, and tells next to nothing.
+# Smallest mean slope of psi: below it nearly all residuals count as outliers, and the covariance has no meaning.
 _MIN_SLOPE = 1e-3
-# Of a normal distribution, over the median of magnitudes.
+# Standard deviation of a normal distribution over the median of magnitudes.
 _MEDIAN_TO_DEVIATION = 1.4826
 
 
@@ -84,50 +83,50 @@ _MEDIAN_TO_DEVIATION = 1.4826
 class Noise:
     """The noise of a fit, in the unit of its residuals r."""
 
-    # tau: the covariance of the unknowns is tau^2 (J^T J)^-1. Of least squares the standard deviation of r.
+    # tau: the covariance of the unknowns is tau^2 (J^T J)^-1. For least squares, the standard deviation of r.
     deviation: float
-    score: float  # Standard deviation of psi(r), by which each residual pulls; of least squares again that of r
-    # What twice the minimised value rises by for each unit of chi^2: tau^2 times the mean of psi'.
+    score: float  # Standard deviation of psi(r), the weighted residuals; for least squares, that of r
+    # Rise of twice the minimised value for each unit of chi^2: tau^2 times the mean of psi'.
     per_chi_square: float
-    reading: float  # Standard deviation of r without outliers: one if it is known
+    reading: float  # Standard deviation of r without outliers: one if the noise is known
     freedom: int | None  # m - k; None where the noise is known
 
 
 def leverages(jacobian: Floats) -> Floats:
-    """Diagonal of the hat matrix: how much of each residual the unknowns take up, shape (m,)."""
-    # By singular values, as the squares of the Jacobian lose what is hardly determined.
+    """Diagonal of the hat matrix, shape (m,): the degrees of freedom that the unknowns take from each residual."""
+    # By singular values, as J^T J loses poorly determined directions to rounding.
     left = np.linalg.svd(jacobian / np.maximum(np.linalg.norm(jacobian, axis=0), 1e-300), full_matrices=False)[0]
     return np.asarray(np.sum(left**2, axis=1))
 
 
 def taken(jacobian: Floats, readings: int) -> float:
-    """How many readings the unknowns take up; of unknowns with priors less than each."""
+    """Degrees of freedom that the unknowns take from the readings: less than one for an unknown with a prior."""
     return float(jacobian.shape[1] if readings == len(jacobian) else leverages(jacobian)[:readings].sum())
 
 
 def noise_of(
     residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR, readings: int | None = None
 ) -> Noise:
-    """Estimate the noise at an optimum, from the first residuals, those of readings: of priors the others are.
+    """Estimate the noise at an optimum from the first residuals, which are those of readings; the others are priors'.
 
-    Of a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with residuals that are alike
-    (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m var(psi')/mean(psi')^2. It is
-    taken from the data even where their errors are stated, for outliers are part of it.
+    For a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with identically distributed
+    residuals (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m
+    var(psi')/mean(psi')^2. It is estimated from the data even where errors are stated, as it includes the outliers.
     """
     readings = residuals.size if readings is None else readings
     unknowns = taken(jacobian, readings)
     residuals, freedom = residuals[:readings], math.floor(readings - unknowns + 1e-6)
-    # With no more data than unknowns every loss meets them all: none is an outlier.
+    # With no more data than unknowns the model meets all data: none is an outlier.
     if noise_known and (loss.kind == "linear" or freedom < 1):
         return Noise(1.0, 1.0, 1.0, 1.0, None)
     if freedom < 1:
         raise SoftcatError(
-            f"{readings} data for {unknowns:.3g} unknowns leave nothing to tell the noise by; accepted: at least "
+            f"{readings} data for {unknowns:.3g} unknowns do not determine the noise; accepted: at least "
             f"{math.ceil(unknowns) + 1} data, or their standard errors"
         )
     least = max(_MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2))), float(np.finfo(float).tiny))
     psi = residuals if loss.kind == "linear" else loss.weights(residuals) * residuals
-    # Priors are in units of their own: with them the noise has been found before, and is one, or the least there is.
+    # With priors the residuals are already in units of the estimated noise, whose deviation is at least one then.
     least = max(least, 1.0 if readings < len(jacobian) and loss.kind == "linear" else 0.0)
     score = max(math.sqrt(float(psi @ psi) / freedom), least)
     if loss.kind == "linear":
@@ -140,9 +139,9 @@ def noise_of(
     return Noise(tau, score, tau**2 * slope, 1.0 if noise_known else max(middle, least), freedom)
 
 
-# A combination is worth a name if it is known this well, in standard errors of a logarithm.
+# Largest standard error, of a logarithm, of a combination that is reported.
 _KNOWN = 0.5
-# How much worse a combination of rounded exponents may be known than the best one: by half.
+# Largest factor by which rounded exponents may increase the standard error of a combination.
 _ROUNDED = 1.5
 # Exponents that occur in formulas of mechanics.
 _DENOMINATORS = (1, 2, 3, 4)
@@ -155,11 +154,11 @@ class Combination:
 
     names: tuple[str, ...]  # The unknowns that take part
     exponents: tuple[float, ...]  # Their weights, the largest in magnitude being one
-    # ``"youngs_modulus^1 * viscosity^-1"``, or ``"1 * log(youngs_modulus) - 2 * offset"`` where an unknown is none of
-    # a logarithm.
+    # ``"youngs_modulus^1 * viscosity^-1"``, or ``"1 * log(youngs_modulus) - 2 * offset"`` where an unknown is not
+    # logarithmic.
     text: str
     value: float  # The sum of exponent times q: the logarithm of the product over that of the typical values
-    standard_error: float  # Of `value`: the relative one of the product, where it is small
+    standard_error: float  # Of `value`; where it is small, the relative standard error of the product
     interval: tuple[float, float]  # 95 % interval of `value`
 
     def product(self, typical: Sequence[float]) -> tuple[float, float, float]:
@@ -194,7 +193,7 @@ def combinations(
 
 
 def _echelon(rows: Floats) -> Floats:
-    """Reduced row echelon form, each pivot the largest entry that is left."""
+    """Reduced row echelon form; each pivot is the largest remaining entry."""
     rows = rows.copy()
     pivots: list[int] = []
     for k in range(len(rows)):
@@ -210,7 +209,7 @@ def _echelon(rows: Floats) -> Floats:
 
 
 def _simplified(weights: Floats, root: Floats) -> Floats:
-    """Round every weight to the simplest number with which the combination is known nearly as well."""
+    """Round every weight to the simplest number that hardly increases the standard error of the combination."""
     allowed = _ROUNDED * float(np.linalg.norm(weights @ root)) + 1e-6
     # All at once first: rounding one of two exponents alone would spoil their ratio.
     for denominator in _DENOMINATORS:
@@ -229,7 +228,7 @@ def _simplified(weights: Floats, root: Floats) -> Floats:
 
 
 def _text(terms: Sequence[tuple[str, float, bool]]) -> str:
-    """A product of powers, or a sum where an unknown is none of a logarithm."""
+    """A product of powers, or a sum where an unknown is not logarithmic."""
 
     def number(weight: float) -> str:
         fraction = Fraction(weight).limit_denominator(_DENOMINATORS[-1])
@@ -247,15 +246,15 @@ def _text(terms: Sequence[tuple[str, float, bool]]) -> str:
 
 
 MAX_ERROR = 1.0
-"""Standard error of q from which on the data do not determine it: a factor e, or the whole of a typical value."""
+"""Largest standard error of a determined q: a factor e, or the typical value itself."""
 
 DERIVATIVE_ACCURACY = 1e-6
-"""Of the largest singular value: a smaller one is what the derivatives' own errors leave of zero."""
+"""Share of the largest singular value below which a singular value is an error of the derivatives."""
 
 
 @dataclass(frozen=True, eq=False)
 class Information:
-    """What the curvature of the sum of squares at the optimum says.
+    """Fisher information: the curvature of the sum of squares at the optimum.
 
     A direction of the unknowns is determined if its standard error is less than `MAX_ERROR` and its singular value is
     more than `DERIVATIVE_ACCURACY` of the largest. Along the others the linear theory has no meaning beyond the bounds:
@@ -269,13 +268,13 @@ class Information:
     standard_errors: Floats  # shape (k,); Square roots of its diagonal, of q
     singular_values: Floats  # shape (k,); Of J/s, the largest first: reciprocal standard errors of the directions
     directions: Floats  # shape (k, k); In columns
-    determined: NDArray[np.bool_]  # shape (k,); Which directions are
-    # What is determined of the others; empty if every unknown and every direction is identified.
+    determined: NDArray[np.bool_]  # shape (k,); Which directions are determined
+    # Combinations that are determined; empty if every unknown and every direction is.
     combinations: tuple[Combination, ...]
 
     @property
     def noise(self) -> float:
-        """Standard deviation s of the residuals, one if it is known; of a robust loss that of its M-estimator, tau."""
+        """Standard deviation s of the residuals, one if it is known; for a robust loss tau, of its M-estimator."""
         return self.spread.deviation
 
     @property
@@ -297,7 +296,7 @@ class Information:
 
     @property
     def rank(self) -> int:
-        """How many directions are determined."""
+        """Number of determined directions."""
         return int(self.determined.sum())
 
     @property
@@ -307,7 +306,7 @@ class Information:
 
 
 def marginal(jacobian: Floats, asked: int) -> Floats:
-    """Derivatives by the first unknowns, of the residuals that the others leave: J^T J is their marginal precision."""
+    """Jacobian of the first unknowns, with the others projected out: J^T J is their marginal precision."""
     others = jacobian[:, asked:]
     if not others.size:
         return jacobian
@@ -327,7 +326,7 @@ def information(
     loss: Loss = LINEAR,
     readings: int | None = None,
 ) -> Information:
-    """Judge an optimum by its Jacobian, for the first of its unknowns; the others are integrated out."""
+    """Fisher information of the first unknowns at an optimum, from its Jacobian; the others are integrated out."""
     spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss, readings=readings)
     unknowns = len(names)
     jacobian = marginal(jacobian, unknowns)
@@ -356,26 +355,26 @@ def information(
 
 
 SIGNIFICANCE = 0.01
-"""Probability with which white residuals are called not white, at most."""
+"""Largest probability of calling white residuals not white."""
 
 FEWEST = 20
-"""Residuals in a row below which the approximations of these tests do not hold."""
+"""Smallest number of consecutive residuals for which the approximations of these tests hold."""
 
 _LAGS = 10
 
 
 @dataclass(frozen=True)
 class Statistic:
-    """What one test of the hypothesis that residuals are white finds."""
+    """Result of one test of the hypothesis that residuals are white."""
 
-    name: str  # Whose test it is
+    name: str  # Name of the test
     value: float  # Standard normal, or chi^2
     p_value: float  # Probability of a statistic at least as extreme from white residuals
 
 
 @dataclass(frozen=True)
 class ResidualChecks:
-    """What the residuals of a fit say about its model."""
+    """Tests of the residuals of a fit."""
 
     # ``"white"``; ``"not white"``: the model misses something that the data show, and intervals are too narrow; or
     # ``"cannot tell"``: fewer than `FEWEST` in every series.
@@ -405,7 +404,7 @@ def check_residuals(series: Sequence[Floats], unknowns: int, *, noise_known: boo
     first, sizes = np.zeros(len(long)), np.array([row.size for row in long])
     for k, row in enumerate(long):
         lags = np.arange(1, min(_LAGS, row.size // 5) + 1)
-        # Without subtraction of a mean: that of residuals is to be zero.
+        # The mean is not subtracted, as that of white residuals is zero.
         correlations = np.array([float(row[lag:] @ row[:-lag]) for lag in lags]) / float(row @ row)
         box += row.size * (row.size + 2) * float((correlations**2 / (row.size - lags)).sum())
         first[k], freedom = correlations[0], freedom + lags.size
@@ -430,7 +429,7 @@ def _runs(series: Sequence[Floats]) -> float:
             excess += 1 + int((signs[1:] != signs[:-1]).sum()) - (both / count + 1)
             variance += both * (both - count) / (count**2 * (count - 1))
     if variance <= 0:
-        # One sign only, throughout: the mean of the residuals is not zero.
+        # All residuals have one sign: their mean is not zero.
         return -math.inf
-    # Half a run of continuity.
+    # Continuity correction of half a run.
     return math.copysign(max(abs(excess) - 0.5, 0.0), excess) / math.sqrt(variance)

@@ -1,4 +1,4 @@
-"""Profile likelihoods at an optimum, and what a fit may say of each unknown."""
+"""Profile likelihoods at an optimum, and a verdict on each unknown."""
 
 from __future__ import annotations
 
@@ -32,24 +32,25 @@ Flag = Literal["crosses", "reaches the bound", "the model has no answer beyond",
 
 TOO_MANY: Flag = "too many steps"
 
-# Roots of the increase, as shares of the threshold's, that the steps aim at; the last one lies beyond the crossing, so
-# that a picture shows the curve go through the line.
+# Roots of the increase at which steps aim, as shares of the threshold's root; the second lies beyond the crossing, so
+# that a plot shows the profile cross the threshold.
 _AIMS = (0.5, 1.05)
 _FIRST_AIM_UNTIL = 0.3
-# A step is at most this share of the box, and this many times the one before.
+# Largest step, as a share of the box and as a multiple of the step before.
 _MAX_STEP, _GROWTH = 1 / 8, 3.0
 _MAX_STEPS = 30
-# Of the model for each point: a warm start needs four, and where nothing is identified it may go on for ever.
+# Maximum evaluations of the model for one point: a warm start needs four; where nothing is identified a search may not
+# end.
 _MAX_EVALUATIONS = 30
 _HALVINGS = 4
-# A fit better than the optimum by this share of the threshold, 0.6 standard errors away, is another optimum: by less it
-# may be so for what grid, fibres and time steps err by.
+# A point that is better than the optimum by this share of the threshold, or 0.6 standard errors, belongs to another
+# optimum; a smaller difference may be discretization error.
 _BETTER = 0.1
-# A crossing is found when the root of the increase is the threshold's to this share, and interpolated from there.
+# Relative accuracy of the root of the increase at a crossing, which is interpolated from there.
 _ACCURACY = 0.01
-# Share of the threshold by which the increase may be wrong: that of the root is half of it.
+# Tolerance of the increase, as a share of the threshold; the relative error of its root is half of that.
 _GAIN = 3e-3
-# Where evaluations are counted: root of the increase below which a point is taken as it is.
+# If evaluations are limited, a point is not re-optimised where the root of the increase is below this.
 _SUFFICIENT = 0.3
 
 
@@ -62,7 +63,7 @@ class Side:
     # Other unknowns that lie on a bound at the crossing though not at the optimum: with wider bounds for them, this
     # one's interval would be wider.
     held_back: tuple[str, ...] = ()
-    # Whether the evaluations sufficed to optimise the others there: otherwise it may lie further out.
+    # Whether the evaluations sufficed to optimise the other unknowns there; if not, the crossing may lie further out.
     certain: bool = True
 
 
@@ -72,17 +73,17 @@ class Profile:
 
     name: str
     optimum: float  # Its q in the best fit
-    q: Floats  # shape (points,); Where it was held, increasing, with the optimum among them
+    q: Floats  # shape (points,); Values at which the unknown was held, increasing, the optimum among them
     # shape (points,); (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k))
-    # otherwise. Of a robust loss the rise of sum rho over
+    # otherwise. For a robust loss, the rise of sum rho over
     # :attr:`softcat_sym.fitting.identifiability.Noise.per_chi_square`.
     increase: Floats
     others: Floats  # shape (points, k - 1); The other unknowns there
     threshold: float  # Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k)
     lower: Side
     upper: Side
-    unconverged: int  # Points at which the others were not found with certainty: the profile may be lower there
-    # shape (k,); A fit better than the optimum that was met on the way: the optimum was a local one.
+    unconverged: int  # Points at which the other unknowns did not converge: the profile may be lower there
+    # shape (k,); A point of the profile that is better than the optimum, which is a local one then.
     better: Floats | None
 
 
@@ -128,7 +129,7 @@ def profile(
 
 
 class _Path:
-    """The problem with one unknown held, measured against its optimum."""
+    """The problem with one unknown held, compared with the optimum."""
 
     def __init__(
         self,
@@ -151,7 +152,7 @@ class _Path:
         slope = -np.asarray(np.linalg.lstsq(others, jacobian[:, index], rcond=1e-8)[0], dtype=np.float64)
         self.start = _Held(float(q[index]), np.delete(q, index), slope, 0.0, 0.0, True)
         alone = float(np.linalg.norm(jacobian[:, index] + others @ slope))
-        # Where the parabola crosses.
+        # Distance at which the quadratic approximation crosses the threshold.
         self.distance = math.sqrt(noise.deviation**2 * self.threshold) / alone if alone > 0 else math.inf
 
     def branch(self, bound: float) -> tuple[list[_Held], Side]:
@@ -163,7 +164,7 @@ class _Path:
         while abs(bound - here.q) > 1e-9 * box:
             if len(points) == _MAX_STEPS or self.left <= 0:
                 return points, Side(None, TOO_MANY)
-            # Less far where the model has no answer.
+            # The step is halved where the model has no answer.
             lengths = (min(length, abs(bound - here.q)) / 2**halving for halving in range(_HALVINGS + 1))
             ahead = next((held for step in lengths if (held := self._held(here, here.q + sign * step))), None)
             if ahead is None:
@@ -187,7 +188,7 @@ class _Path:
             if nearest.q != q:
                 held = self._held(nearest, q) if self.left > 0 else None
                 if held is None:
-                    # Ends the search: the bracket that there is has to do.
+                    # A zero ends Brent's search; the present bracket is used.
                     return 0.0
                 near.append(held)
                 nearest = held
@@ -224,22 +225,22 @@ class _Path:
         return math.copysign(math.sqrt(abs(increase) / self.threshold), increase)
 
     def _optimised(self, fixed: Fixed, start: Floats) -> tuple[Floats, float, bool] | None:
-        """The others optimised, twice the loss, and whether that is certain; None without an answer at the start."""
+        """The other unknowns optimised, twice the loss, and whether they converged; None without an answer at start."""
         if not start.size or self.budget < math.inf:
             residuals = fixed.residuals(start)
             self.left -= 1
             if not np.isfinite(residuals).all():
                 return None
             value = 2 * self.loss.value(residuals)
-            # Along a valley that the data do not tell apart a point that fits is taken as it is.
+            # Along an undetermined direction a point that fits well is not re-optimised.
             if not start.size or abs(self._root(value)) < _SUFFICIENT:
                 return start, value, True
         if not np.isfinite(fixed.linearised(start)[1]).all() or not np.isfinite(fixed.residuals(start)).all():
             self.left -= 1
             return None
-        most = int(max(min(self.left, _MAX_EVALUATIONS), 1))
+        allowed = int(max(min(self.left, _MAX_EVALUATIONS), 1))
         gain = _GAIN * self.threshold * self.variance
-        found = minimise(fixed, start, loss=self.loss, gain=gain, max_evaluations=most)
+        found = minimise(fixed, start, loss=self.loss, gain=gain, max_evaluations=allowed)
         self.left -= found.evaluations
         return found.q, 2 * found.value, found.converged
 
@@ -249,18 +250,18 @@ Word = Literal["identified", "one-sided", "not identified", "at a bound"]
 
 @dataclass(frozen=True)
 class ParameterVerdict:
-    """What is known of one unknown, in q."""
+    """Verdict on one unknown, in q."""
 
     name: str
-    # ``"identified"``: the 95 % interval ends on both sides, within its own bounds and with less than a factor e for
-    # a standard error. ``"one-sided"``: it ends on one side. ``"not identified"``: it ends on no side, or says next
-    # to nothing. ``"at a bound"``: the best value lies on a bound and the data pull it beyond: the bound or the model
+    # ``"identified"``: the 95 % interval ends on both sides, within the bounds, and the standard error is less than a
+    # factor e. ``"one-sided"``: it ends on one side. ``"not identified"``: it ends on no side, or is too wide.
+    # ``"at a bound"``: the best value lies on a bound and the data pull it further: the bound or the model is wrong.
     word: Word
     value: float | None  # The best q; None where a number would mislead: not identified, or one-sided
-    best: float  # The q of the best fit, whatever it is worth
+    best: float  # The q of the best fit, identified or not
     standard_error: float | None  # Of q from the Fisher information; None unless identified
-    # Ends of the 95 % interval of q; None where it has no end within the bounds. A single end is exceeded with a
-    # probability of at most 5 %.
+    # Ends of the 95 % interval of q; None where it has no end within the bounds. The probability that q lies beyond a
+    # single end is at most 5 %.
     lower: float | None
     upper: float | None
     reason: str  # One sentence why; empty for an identified unknown
@@ -275,19 +276,19 @@ def verdicts(
 ) -> tuple[ParameterVerdict, ...]:
     """Judge every unknown, by its profile or by the curvature alone."""
     if not optimum.converged:
-        reason = "the fit did not converge, so that nothing follows from where it ended"
+        reason = "the fit did not converge, so that its last values have no meaning"
         last = zip(known.names, optimum.q.tolist(), strict=False)
         return tuple(ParameterVerdict(name, "not identified", None, q, None, None, None, reason) for name, q in last)
-    pulls = _pulls(optimum, known, loss)
+    scores = _score_statistics(optimum, known, loss)
     found = []
     for k in range(len(known.names)):
         one = profiles[k] if profiles else None
-        pulled = bool(optimum.at_bound[k]) and pulls[k] > known.quantile
+        pulled = bool(optimum.at_bound[k]) and scores[k] > known.quantile
         verdict = _verdict(k, float(optimum.q[k]), _ends(k, problem, optimum, known, one), known, pulled=pulled)
         sides = () if one is None else (one.lower, one.upper)
         if verdict.word != "identified" and any(not side.certain or side.flag == TOO_MANY for side in sides):
-            unseen = "; its profile was not followed to its end, which would have taken too long"
-            verdict = replace(verdict, reason=verdict.reason + unseen)
+            cut_short = "; its profile was not followed to its end, which would have taken too long"
+            verdict = replace(verdict, reason=verdict.reason + cut_short)
         found.append(verdict)
     return tuple(found)
 
@@ -297,7 +298,7 @@ def _ends(
 ) -> tuple[float | None, float | None]:
     """Ends of the 95 % interval within the bounds."""
     if one is not None:
-        # Of an undetermined direction not those that only bounds of other unknowns or haste make.
+        # For an undetermined unknown, not those that bounds of other unknowns or the limit on evaluations cause.
         sides = [(side, side.certain and not side.held_back) for side in (one.lower, one.upper)]
         low, high = (side.crossing if sure or known.identified[k] else None for side, sure in sides)
         return low, high
@@ -319,47 +320,47 @@ def _verdict(
         reason = "every value between the bounds fits the data about equally well" + combined
         return ParameterVerdict(name, "not identified", None, best, None, None, None, reason)
     if lower is None or upper is None:
-        reason = f"the data tell only the {'largest' if lower is None else 'least'} possible value" + combined
+        reason = f"the data determine only its {'upper' if lower is None else 'lower'} limit" + combined
         return ParameterVerdict(name, "one-sided", None, best, None, lower, upper, reason)
     if upper - lower > 2 * known.quantile * MAX_ERROR:
-        reason = "its 95 % interval is wider than a standard error of a factor e would make it" + combined
+        reason = "its 95 % interval is wider than that of a standard error of a factor e" + combined
         return ParameterVerdict(name, "not identified", None, best, None, lower, upper, reason)
-    # The profile knows better than the curvature at the optimum, if it closes where that does not.
+    # Where the curvature at the optimum does not identify the unknown, the profile gives the standard error.
     error = float(known.standard_errors[k]) if known.identified[k] else 0.5 * (upper - lower) / known.quantile
     return ParameterVerdict(name, "identified", best, best, error, lower, upper, "")
 
 
-def _pulls(optimum: Optimum, known: Information, loss: Loss) -> Floats:
-    """Score statistic of each unknown, shape (k,): weighted residuals along its column, without the free others.
+def _score_statistics(optimum: Optimum, known: Information, loss: Loss) -> Floats:
+    """Score statistic of each unknown, shape (k,): weighted residuals along its column, the free others projected out.
 
-    Near zero where the optimum lies inside the box; large where a bound holds the unknown back (Rao 1948).
+    It is near zero where the optimum lies inside the box, and large where a bound holds the unknown back (Rao 1948).
     """
     weighted = loss.weights(optimum.residuals) * optimum.residuals
     others = optimum.jacobian[:, ~optimum.at_bound]
-    pulls = np.zeros(optimum.q.size)
+    scores = np.zeros(optimum.q.size)
     for k in np.flatnonzero(optimum.at_bound):
         column = optimum.jacobian[:, k]
         alone = column - others @ np.linalg.lstsq(others, column, rcond=1e-8)[0]
         length = float(np.linalg.norm(alone))
-        # Where the data hardly see the unknown, a pull is that of a single datum and moves nothing.
+        # Where the data hardly depend on the unknown, the score is that of a single datum, and is ignored.
         if length * MAX_ERROR > known.noise:
-            pulls[k] = abs(float(alone @ weighted)) / (length * known.spread.score)
-    return pulls
+            scores[k] = abs(float(alone @ weighted)) / (length * known.spread.score)
+    return scores
 
 
 MAX_RESTARTS = 2
-"""Better optima that are followed; beyond them the starts tell how rugged the problem is."""
+"""Largest number of restarts from a better optimum that a profile has found."""
 
-# Where directions are undetermined: a profile may take as many evaluations as the starts did together, at least these.
+# Where directions are undetermined, a profile may take as many evaluations as all starts together, and at least these.
 _MIN_EVALUATIONS = 40
 
 
 class Judged(LeastSquares, Protocol):
-    """A problem that also knows its noise and how its unknowns are scaled."""
+    """A problem with the properties of its noise and of its unknowns."""
 
     @property
     def noise_known(self) -> bool:
-        """Whether the residuals are in standard errors that were measured."""
+        """Whether the residuals are in standard errors that are stated with the data."""
 
     @property
     def logarithmic(self) -> tuple[bool, ...]:
@@ -367,23 +368,23 @@ class Judged(LeastSquares, Protocol):
 
     @property
     def asked(self) -> int:
-        """How many unknowns are asked for: the first; what is known of the others beforehand is in the residuals."""
+        """Number of free parameters, which are the first unknowns; the others have priors among the residuals."""
 
     @property
     def readings(self) -> int:
-        """How many residuals are those of readings: the first; the others are those of priors."""
+        """Number of residuals of readings, which come first; the others are those of priors."""
 
 
 @dataclass(frozen=True, eq=False)
 class Inference:
-    """What is known of the unknowns."""
+    """Information, profiles and verdicts at the best optimum."""
 
-    starts: MultiStartResult  # As it was, or with the better optima in front
-    information: Information  # At the best of them
+    starts: MultiStartResult  # All starts, with better optima that profiles found in front
+    information: Information  # At the best optimum
     profiles: tuple[Profile, ...]  # From there; empty if they were not requested
     verdicts: tuple[ParameterVerdict, ...]
-    restarts: int  # How many better optima the profiles led to
-    late: bool = False  # Whether the time limit came before all profiles
+    restarts: int  # Number of better optima that profiles found
+    late: bool = False  # Whether the time limit passed before all profiles
 
 
 def infer(
@@ -396,7 +397,7 @@ def infer(
     gain: float | None = None,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:
-    """Judge the best of several optima, and whichever better one its profiles come upon."""
+    """Judge the best of several optima, or a better one that its profiles find."""
     restarts = 0
     how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     while True:
@@ -413,14 +414,14 @@ def infer(
             loss=loss,
             readings=problem.readings,
         )
-        most, traced, better = None, list[Profile](), None
+        allowed, traced, better = None, list[Profile](), None
         if not (known.determined.all() and known.identified.all()):
-            most = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
+            allowed = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
         try:
             of_noise: dict[str, Any] = {"noise_known": problem.noise_known, "loss": loss, "readings": problem.readings}
             for k in range(asked if profiles and best.converged else 0):
                 on_progress(k, asked)
-                traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=most))
+                traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=allowed))
                 better = _improved(problem, starts, traced[-1], how) if restarts < MAX_RESTARTS else None
                 if better is not None:
                     break
@@ -435,7 +436,7 @@ def infer(
 def _improved(
     problem: Judged, starts: MultiStartResult, traced: Profile, how: Mapping[str, Any]
 ) -> MultiStartResult | None:
-    """Put the optimum that a profile led to in front of the others; None if it is no better."""
+    """Put the better optimum that a profile found in front of the others; None if there is none."""
     if traced.better is None:
         return None
     start: Floats = np.clip(traced.better, problem.lower, problem.upper)

@@ -1,4 +1,4 @@
-"""One filament integrated for all values of what is free, with derivatives, interpreted or compiled."""
+"""Integration of one filament for any values of its free parameters, with derivatives, interpreted or compiled."""
 
 from __future__ import annotations
 
@@ -43,18 +43,18 @@ _Unknown = tuple[str, int]
 
 
 class Starts:
-    """Starting states of a filament whose numbers change."""
+    """Starting states of a filament whose parameters change."""
 
     def __init__(self, assembled: Assembled, newton: Newton | None = None, *, follow: bool = True) -> None:
         self._graph, self._newton = assembled.graph, newton
-        # In three dimensions the way from the natural shape is short, and takes milliseconds in C.
+        # In three dimensions the continuation from the natural shape takes only milliseconds in C.
         spatial = assembled.theory.is_spatial
         self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
-        # Without algebraic unknowns nothing is sought: the straight filament as it is.
+        # Without algebraic unknowns no balance is solved: the straight filament is the starting state.
         self._bare = replace(self._graph, still=Layout([]))
         self._settles = self._graph.is_dae and not spatial
-        # Its shape at rest may be that of another graph, without inertia and viscous stress.
+        # The shape at rest may belong to another graph, without inertia and viscous stress.
         is_followed = not self._straight and not self._graph.positions_are_algebraic
         self._at_rest = cache(assembled.at_rest)
         self._followed = (
@@ -64,7 +64,7 @@ class Starts:
         self.last: Start | None = None
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
-        """Where the filament begins; None if no shape in balance is found, or it is of another kind."""
+        """Starting state; None if no equilibrium is found, or if the filament is slack or straight unlike the first."""
         if is_slack(scene) != self._slack or is_straight(scene) != self._straight:
             return None
         near = near or self.last
@@ -94,13 +94,13 @@ class Starts:
         return None if z is None else Start(x, z)
 
     def _balanced(self, graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
-        """Algebraic unknowns in balance: found in C, or by CasADi where that has none or finds none."""
+        """Algebraic unknowns in balance, solved in C, or by CasADi where there is no C code or it fails."""
         found = None if self._newton is None else self._newton(graph, x, p, guess)
         return self._equilibrium(graph).search(0.0, x, p, [guess]) if found is None else found
 
 
 class _Followed:
-    """A shape at rest, as unknowns of the filament that moves."""
+    """Shapes at rest, followed from one to the next, as unknowns of the moving filament."""
 
     def __init__(self, graph: Graph, rest: Graph, balanced: Newton) -> None:
         self._graph, self.rest, self._balanced = graph, rest, balanced
@@ -144,29 +144,29 @@ def _pairs(
 
 @dataclass(frozen=True)
 class Begin:
-    """Where a run begins and with which numbers, and how these move with the unknowns of a fit."""
+    """Starting state and parameters of a run, with their derivatives by the unknowns of a fit."""
 
     start: Start  # Differential and algebraic states
     parameters: Floats  # shape (p,); In the order of the graph
     times: Floats  # shape (n,); Increasing and positive, in units of the time scale
-    d_parameters: Floats  # shape (k, p); By each unknown
-    d_x: Floats  # Of the start
+    d_parameters: Floats  # shape (k, p); Derivatives by each unknown
+    d_x: Floats  # Derivatives of the start
     d_z: Floats
 
     def moved(self, unknown: int, step: float) -> Begin:
-        """The same with one unknown moved, to first order."""
+        """The start of a run with one unknown changed, to first order."""
         start = Start(self.start.x + step * self.d_x[unknown], self.start.z + step * self.d_z[unknown])
         return replace(self, start=start, parameters=self.parameters + step * self.d_parameters[unknown])
 
 
 @dataclass(frozen=True)
 class Path:
-    """Some unknowns at the times asked for; NaN where the integration did not get."""
+    """Some unknowns at the requested times; NaN at times that the integration did not reach."""
 
-    values: Floats  # shape (n, seen); The unknowns that are seen
+    values: Floats  # shape (n, seen); The unknowns that were requested
     slopes: Floats | None  # shape (k, n, seen); Their derivatives
-    steps: int  # Taken
-    message: str = ""  # What went wrong; empty if nothing did
+    steps: int  # Number of time steps
+    message: str = ""  # Why the integration failed; empty if it did not
 
 
 _AT_START = 1e-12  # of the longest time
@@ -175,12 +175,12 @@ _BESIDE = 1e-6  # of the longest time, to either side, where no unknown is the v
 
 @dataclass(frozen=True)
 class Timing:
-    """Where the times of the data are among those of the integrator."""
+    """Correspondence between the times of the data and those of the integrator."""
 
     model: Floats  # shape (m,); Increasing and positive, in units of the time scale
     after: NDArray[np.bool_]  # shape (n,); Which data were taken after the filament began to move
-    row: NDArray[np.int64]  # shape (sum(after); Number of their time in `model`
-    # shape (sum(after); Numbers of the times beside them, for the velocity; the same as `row` where it is an unknown.
+    row: NDArray[np.int64]  # shape (sum(after),); Number of their time in `model`
+    # shape (sum(after),); Numbers of neighbouring times, for the velocity; the same as `row` where it is an unknown.
     sooner: NDArray[np.int64]
     later: NDArray[np.int64]
 
@@ -199,7 +199,7 @@ def timing_of(times: Floats, *, beside: bool) -> Timing:
     return Timing(model, after, row, sooner, later)
 
 
-_FAILED = "the integrator gave up: its steps ran out, or the state became infinite"
+_FAILED = "the integrator failed: it reached the maximum number of steps, or the state became infinite"
 
 
 class InterpretedForward:
@@ -207,7 +207,7 @@ class InterpretedForward:
 
     def __init__(self, graph: Graph, settings: Settings) -> None:
         self._graph, self._settings = graph, settings
-        # One for each pattern of times and each number of directions; both hardly ever change.
+        # One function for each pattern of times and each number of directions; both rarely change.
         self._function = lru_cache(maxsize=8)(self._make)
         self._forward = lru_cache(maxsize=8)(lambda key, count: self._function(*key).forward(count))
         self._reverse = lru_cache(maxsize=8)(lambda key: self._function(*key).reverse(1))
@@ -230,7 +230,7 @@ class InterpretedForward:
         return self._path(values, slopes, begin, seen)
 
     def pull_back(self, begin: Begin, seen: tuple[int, ...], max_steps: int, weights: Floats) -> Floats:
-        """Derivatives of a weighted sum of what is seen, by the adjoint of the discrete solution."""
+        """Derivatives of a weighted sum of the requested unknowns, by the adjoint of the discrete solution."""
         key, inputs = self._key(begin, seen, max_steps), _inputs(begin)
         values = _called(self._function(*key), *inputs)
         if values is None:
@@ -244,7 +244,7 @@ class InterpretedForward:
         return np.asarray(begin.d_x @ x + begin.d_z @ z + begin.d_parameters @ p, dtype=float)
 
     def _key(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> tuple[tuple[float, ...], Any, int]:
-        # Later times as distances from the first, so that a shift of the clock asks for no other integrator.
+        # Later times are distances from the first, so that a shift of the clock needs no new integrator.
         later = tuple(round(float(time), 12) for time in begin.times[1:] - begin.times[0])
         return later, seen, max_steps
 
@@ -272,7 +272,7 @@ class InterpretedForward:
         if graph.is_dae:
             dae |= {"z": graph.z, "alg": alg}
         options: dict[str, Any] = {"reltol": self._settings.rtol, "abstol": self._settings.atol}
-        # What fails is seen in the answer; a fit tries many values at which it does.
+        # A failure shows in the result, and is common in a fit: no warnings.
         options |= {"max_num_steps": max_steps, "show_eval_warnings": False}
         call = ca.integrator("filament", "rosenbrock", dae, 0.0, list(taus), options)
         algebraic = {"z0": z} if graph.is_dae else {}
@@ -296,7 +296,7 @@ def _inputs(begin: Begin) -> tuple[Floats, Floats, Floats, float]:
 
 
 def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
-    """The only output; None where it fails."""
+    """The only output of a function; None where the evaluation fails."""
     with watched() as interrupts:
         try:
             found = function(*inputs)
@@ -307,27 +307,27 @@ def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
     return found if np.all(np.isfinite(np.asarray(found))) else None
 
 
-_LOOK = 0.1  # s between two looks whether somebody wants it to stop
-_SIZE = 1e-5  # in unknowns of order one: what bends in them errs by 1e-10, and rounding by 1e-11 of a step's condition
+_LOOK = 0.1  # s between two checks for an interrupt
+_SIZE = 1e-5  # In unknowns of order one: truncation errs by 1e-10, and rounding by 1e-11 of a step's condition
 _TIGHTENINGS = (1.0, 0.1, 0.01)
 _APART, _MIN_APART = 0.5, 1e-4
-"""Steps of differences between runs of their own: this times the root of the relative tolerance, and at least that."""
+"""Difference steps between separate runs: this times the root of the relative tolerance, and at least that."""
 _RINGING, _APART_RINGING = 1e-6, 2e-3
-"""Absolute tolerance, over the rest length, below which a run follows a ringing; and their steps then."""
+"""Absolute tolerance, over the rest length, below which a run follows a ringing; and the difference steps then."""
 
 Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
 class CompiledForward:
-    """The C runtime with some unknowns picked out."""
+    """Integration by the C runtime, at some unknowns."""
 
-    filament: CompiledFilament  # What is integrated
+    filament: CompiledFilament  # The compiled filament
     settings: Settings  # Tolerances
-    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
+    kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
     controls_work: bool  # Whether the error of the work limits the steps, as it must where little else does
-    # Whether the discrete solution jumps where its parameters move, by about its tolerance: fibres that begin to
-    # yield change the Jacobian at once, from which a linearly implicit step is made.
+    # Whether the discrete solution is a discontinuous function of its parameters, with jumps of about the tolerance:
+    # fibres that begin to yield change the Jacobian of a linearly implicit step discontinuously.
     jumps: bool = False
 
     def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
@@ -339,14 +339,14 @@ class CompiledForward:
     def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with two-sided differences in lock-step; their error is about 1e-9.
 
-        Neighbours have no step control of their own, and may be lost where the run itself is not: then the steps are
-        chosen more tightly. Where the discrete solution jumps, a short difference sees the jumps and not the slope:
-        there neighbours lie further apart, on one side each, with step control of their own, and err by about the root
-        of the tolerance, which hardly moves an optimum. What rings bends more with its unknowns, and is integrated more
-        tightly: its neighbours lie nearer, on both sides.
+        The neighbouring runs share the steps of the base run, and may fail where it does not: then the tolerance is
+        tightened. Where the discrete solution jumps, a short difference would measure the jumps instead of the slope.
+        There each neighbour is a separate run, further away and on one side; the error of the differences is about the
+        root of the tolerance, which hardly moves an optimum. A ringing run depends more nonlinearly on its unknowns and
+        has a tighter tolerance: its neighbours lie nearer, on both sides.
         """
         if self.jumps:
-            return self._apart(begin, seen, max_steps)
+            return self._separate_runs(begin, seen, max_steps)
         for tightening in _TIGHTENINGS:
             run = self._run(begin, max_steps, tightening)
             path, code = self._with_slopes(run, begin, seen)
@@ -354,8 +354,8 @@ class CompiledForward:
                 break
         return path
 
-    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate, and a neighbour for every unknown, or one to either side, as many at a time as there are cores."""
+    def _separate_runs(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+        """Integrate the base run and one or two neighbours for every unknown, as many at a time as there are cores."""
         rings = self.settings.atol < _RINGING
         size = _APART_RINGING if rings else max(_APART * self.settings.rtol**0.5, _MIN_APART)
         steps = (-size, size) if rings else (size,)
@@ -375,7 +375,7 @@ class CompiledForward:
         return replace(base, slopes=(ends[:, -1] - low) / across)
 
     def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
-        """One integration for each core, with its share of the neighbours beside it: all take the same steps."""
+        """Integrate once on each core, each with a share of the neighbouring runs; all take the same steps."""
         count, sites = len(begin.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
         moved[:, sites.x], moved[:, sites.z] = begin.d_x, begin.d_z
@@ -390,7 +390,7 @@ class CompiledForward:
             return lambda stop: self.filament.model.sensitivities(run, directions, status, stop)
 
         answers = _watched(*(part(number) for number in range(len(shares))))
-        # A share whose neighbours were lost speaks for all.
+        # If the neighbours of one share failed, its status is that of all.
         worst = next((status for status in statuses if status.code != compiled.SOLVED), statuses[0])
         slopes = np.concatenate([slopes for _, slopes in answers])
         states = answers[statuses.index(worst)][0]
@@ -421,7 +421,7 @@ class CompiledForward:
 
 
 def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
-    """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it."""
+    """Run functions in parallel threads, so that Ctrl-C can stop them."""
     stop = ct.c_int(0)
     with ThreadPoolExecutor(max(1, min(worker_count(None), len(works)))) as pool:
         answers = [pool.submit(work, stop) for work in works]
@@ -433,18 +433,18 @@ def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
     return [answer.result() for answer in answers]
 
 
-_STEP = 1e-5  # in unknowns of order one; differences of smooth formulas err by 1e-10
-_FURTHER = 1e-3  # in unknowns, for what of the supports is free to move
+_STEP = 1e-5  # In unknowns of order one; differences of smooth formulas err by 1e-10
+_FURTHER = 1e-3  # In unknowns, to find the supports that free parameters move
 
 
 @dataclass(frozen=True)
 class Point:
     """The filament with given values."""
 
-    start: Start  # Where it begins
+    start: Start  # Starting state
     parameters: Floats  # shape (p,); Of the graph
     length: float  # Rest length [m]
-    d_parameters: Floats  # By each unknown of the scene; k = 0 if they were not asked for
+    d_parameters: Floats  # Derivatives by each unknown of the scene; k = 0 if they were not requested
     d_x: Floats
     d_z: Floats
     d_length: Floats
@@ -466,7 +466,7 @@ class FrozenFilament:
         parts = _assembled(scene, effects, self.all_free)
         self.graph = parts.graph
         stays = scene.initial.surface == "fresh" and all(one.path != "initial.stretch" for one in self.all_free)
-        self.integrator = self._made(parts, effects)
+        self.integrator = self._integrator_for(parts, effects)
         newton = None
         if isinstance(self.integrator, CompiledForward):
             newton = CompiledNewton(parts.graph, self.integrator.filament, parts.code_at_rest, self.integrator.settings)
@@ -484,7 +484,7 @@ class FrozenFilament:
 
     @property
     def near(self) -> Start | None:
-        """Where the last evaluation began; the next start is followed from there."""
+        """Starting state of the last evaluation, from which the next one is found."""
         return self._starts.last
 
     @near.setter
@@ -493,26 +493,26 @@ class FrozenFilament:
 
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
-        """Those of the scene."""
+        """Free parameters of the scene, without those of the measurement."""
         return tuple(one for one in self.all_free if not one.of_measurement)
 
     def scene_of(self, q: Floats) -> Scene:
-        """The scene with these unknowns, those of the measurement left out."""
+        """The scene with the values of these unknowns, without those of the measurement."""
         return with_values(self._scene, self.free, [one.value(float(x)) for one, x in zip(self.free, q, strict=True)])
 
     def parameters(self, q: Floats) -> Floats:
-        """Numbers of the graph with these unknowns of the scene."""
+        """Parameters of the graph for these unknowns of the scene."""
         return self.graph.vector(parameter_values(self.scene_of(q)) | {TIME_SCALE: self.scale})
 
     @cached_property
     def support(self) -> Callable[[int], ca.Function]:
-        """For so many times: (t, x, z, p) to the stress of the right support, shape (2, times)."""
+        """For a number of times: (t, x, z, p) to the stress of the right support, shape (2, times)."""
         function = self.graph.symbolic.support
-        # The numbers of the graph are the same at all times: CasADi spreads one column over them.
+        # The parameters of the graph are the same at all times: CasADi repeats their single column.
         return cache(function.map)
 
     def point(self, q: Floats, *, slopes: bool) -> Point | None:
-        """The filament with these unknowns of the scene, and how it moves with them; None if it cannot begin so."""
+        """The filament with these unknowns of the scene, and its derivatives by them; None without a starting state."""
         base = self._at(q, None, settle=True)
         if base is None:
             return None
@@ -544,7 +544,7 @@ class FrozenFilament:
         p, x, z = (np.zeros((0, part.size)) for part in (values, start.x, start.z))
         return Point(start, values, rest_length(scene), p, x, z, np.zeros(0))
 
-    def _made(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
+    def _integrator_for(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
         scene = self._scene
         settings = compiled_settings(scene, effects)
         kinks = np.array(
@@ -560,10 +560,10 @@ class FrozenFilament:
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
     def _idle(self) -> list[FreeParameter]:
-        """What makes no difference at the scene's own values."""
+        """Free parameters that change neither start nor equations at the scene's own values."""
         point = self.point(np.array([one.scaled(one.typical) for one in self.free]), slopes=True)
         if point is None:
-            found = "no shape in balance was found to start from"
+            found = "no equilibrium was found to start from"
             raise SceneError([Fault("ends", found, "supports between which a filament can rest")])
         columns = point.d_parameters, point.d_x, point.d_z, point.d_length[:, None]
         return [one for one, row in zip(self.free, np.concatenate(columns, axis=1), strict=True) if not row.any()]
@@ -572,8 +572,8 @@ class FrozenFilament:
 def frozen_filament(
     scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None, *, without_idle: bool = False
 ) -> FrozenFilament:
-    """Choose once what holds for all values."""
-    # Whichever backend: a linearly implicit method, whose discrete solution can be differentiated.
+    """Choose effects, grid and backend once, for all values of the free parameters."""
+    # Every backend uses a linearly implicit method, whose discrete solution can be differentiated.
     update: dict[str, object] = {"solver": None}
     if backend != "auto":
         update["backend"] = backend
@@ -582,13 +582,13 @@ def frozen_filament(
     scene = scene.model_copy(update={"numerics": scene.numerics.model_copy(update=update)})
     effects = choose_effects(scene)
     if not effects.terms().integrates:
-        found = "without inertia or flow nothing of the motion depends on time"
+        found = "without inertia or flow the motion does not depend on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
     return FrozenFilament(scene, free, effects, choose_backend(scene, effects), without_idle=without_idle)
 
 
 def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) -> Assembled:
-    """The filament, with every support that may move an input of its graph."""
+    """The assembled filament; every support that a free parameter can move is an input of its graph."""
     typical = assembled(scene, effects)
     moved = with_values(scene, free, [one.value(one.scaled(one.typical) - _FURTHER) for one in free])
     if choose_body(moved, choose_grid(scene, effects)).supports == typical.body.supports:

@@ -20,10 +20,10 @@ Method = Literal["gauss-newton", "ipopt"]
 
 
 class TimeLimitError(SoftcatError):
-    """A problem is asked for another evaluation after its time limit."""
+    """An evaluation is requested after the time limit."""
 
     def __init__(self) -> None:
-        super().__init__("the time limit came before the first start was evaluated; accepted: a longer one")
+        super().__init__("the time limit passed before the first start was evaluated; accepted: a longer one")
 
 
 class LeastSquares(Protocol):
@@ -74,7 +74,7 @@ class Loss:
         if self.kind == "linear":
             return 0.5 * float(residuals @ residuals)
         z = (residuals / self.scale) ** 2
-        # Without the difference of nearly equal numbers that small residuals would make.
+        # This form avoids cancellation for small residuals.
         rho = 2 * z / (np.sqrt(1 + z) + 1) if self.kind == "soft-l1" else np.log1p(z)
         return 0.5 * self.scale**2 * float(rho.sum())
 
@@ -97,8 +97,8 @@ class Fixed:
     """A problem with one unknown held at a value."""
 
     whole: LeastSquares
-    index: int  # Which unknown is held
-    at: float  # Its q
+    index: int  # Number of the unknown that is held
+    at: float  # Value of q at which it is held
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -120,7 +120,7 @@ class Fixed:
         return self.whole.residuals(np.insert(q, self.index, self.at))
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Residuals of the whole problem, and derivatives without the column of the unknown that is held."""
+        """Residuals of the whole problem, and their derivatives by the other unknowns."""
         residuals, jacobian = self.whole.linearised(np.insert(q, self.index, self.at))
         return residuals, np.delete(jacobian, self.index, axis=1)
 
@@ -129,48 +129,48 @@ AT_BOUND = 1e-4
 """An unknown this close to a bound, as a share of the box, lies on it."""
 
 REACHED = 0.2
-"""Offset of an optimum that is reached as far as data can tell (Bates and Watts 1981)."""
+"""Largest offset of a converged optimum, in standard errors (Bates and Watts 1981)."""
 
 SOLVED = "Solve_Succeeded"
 STUCK = "Search_Direction_Becomes_Too_Small"
 _CUT_SHORT = "Maximum_Evaluations_Exceeded"
 OUT_OF_TIME = "Time_Limit_Exceeded"
 
-# Of the residuals' variance: what twice the loss would still fall by in a step that is not worth making.
+# Default tolerance: predicted decrease of twice the loss in the next step, as a share of the residuals' variance.
 _GAIN = 1e-12
-# Of the residuals' variance for a step of one in q: directions that matter less hardly move.
+# Damping of a step of one in q, as a share of the residuals' variance, for directions that hardly change the residuals.
 _DAMPING = 1e-6
-# Steps that together let twice the loss fall by less than this share of the residuals' variance lead nowhere.
+# The search ends if so many accepted steps lower twice the loss by less than this share of the residuals' variance.
 _PATIENCE, _LITTLE = 6, 0.25
-# Of SciPy: relative fall of the loss, and relative length of a step.
-_RELATIVE, _LEAST_STEP = 1e-14, 1e-8
-# Of the first value: less is rounding.
+# Tolerances of SciPy: relative decrease of the loss, and relative length of a step.
+_FTOL, _XTOL = 1e-14, 1e-8
+# Share of the loss at the start below which a loss is rounding error.
 _ROUNDING = 1e-18
 
 
 @dataclass(frozen=True, eq=False)
 class Optimum:
-    """End of one optimisation."""
+    """Result of one optimisation."""
 
     q: Floats  # shape (k,); The unknowns
     value: float  # 1/2 sum rho(r^2)
-    residuals: Floats  # shape (m,); At `q`, before the loss
+    residuals: Floats  # shape (m,); At `q`, without the loss
     jacobian: Floats  # shape (m, k); Their derivatives
     iterations: int  # Steps of the method, and evaluations of the model with or without derivatives
     evaluations: int
-    status: str  # How it ended
-    converged: bool  # Whether that is success, and `offset` is small
+    status: str  # Why the search ended
+    converged: bool  # Whether the search succeeded and `offset` is small
     at_bound: NDArray[np.bool_]  # shape (k,); Which unknowns lie on a bound
     # Norm of that part of the residuals that a step of at most one inside the box would remove to first order, over the
-    # root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means nothing
-    # where the data are met to rounding.
+    # root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. It has no
+    # meaning where the residuals are rounding errors.
     offset: float
-    begun: float  # Norm of the residuals where it started
+    begun: float  # Norm of the residuals at the start
 
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """The model at one point; the value is NaN where it has no answer."""
+    """The model at one point; `value` is NaN where the model has no answer."""
 
     q: Floats
     value: float
@@ -198,23 +198,23 @@ class _Model:
         return self.last
 
     def variance(self, point: _Point) -> float:
-        """Mean square of the residuals, or what rounding makes of it."""
+        """Mean square of the residuals, at least that of rounding errors."""
         least = float(np.finfo(float).tiny) + _ROUNDING * self.first.value
         return 2 * max(point.value, least) / point.residuals.size
 
     def system(self, point: _Point) -> tuple[Floats, Floats]:
-        """Matrix and vector, half whose squared difference is the loss to second order."""
+        """Matrix A and vector b; 1/2 |A s + b|^2 is the loss after a step s, to second order and up to a constant."""
         weights = self.loss.weights(point.residuals)
         # Where the loss of an outlier curves downwards its Hessian would be indefinite.
         roots = np.sqrt(np.maximum(self.loss.slopes(point.residuals), 0.01 * weights))
         return roots[:, None] * point.jacobian, weights * point.residuals / roots
 
     def optimum(self, point: _Point, iterations: int, status: str) -> Optimum:
-        """Say where it ended."""
+        """Return the result of a search that ended at a point."""
         variance = self.variance(point)
-        fall = max(_step(self, point, variance)[1], 0.0)
+        fall = max(_gauss_newton_step(self, point, variance)[1], 0.0)
         offset = math.sqrt(fall / variance)
-        # Nor is there a nearer one where the next step is not worth making, however well the data are met.
+        # A point is an optimum, too, where the next step gains too little, or where the residuals are rounding errors.
         met = offset < REACHED or fall <= (self.gain or 0.0) or point.value <= 1e4 * _ROUNDING * self.first.value
         return Optimum(
             q=point.q,
@@ -242,76 +242,80 @@ def minimise(
 ) -> Optimum:
     """Minimise 1/2 sum rho(r^2) in the box of the problem, from one start.
 
-    By SciPy's ``least_squares`` (dogbox: Gauss-Newton steps in a rectangular region of trust), or by IPOPT
-    (``method="ipopt"``), which takes three times as many evaluations. It ends where twice the loss would fall by less
-    than `gain` in the next step, by default 1e-12 of the residuals' variance, so that the valley of undetermined
-    unknowns is not walked to its end.
+    The method is SciPy's ``least_squares`` (dogbox: Gauss-Newton steps in a rectangular trust region), or IPOPT
+    (``method="ipopt"``), which takes three times as many evaluations. The search ends where the next step would lower
+    twice the loss by less than `gain`, by default 1e-12 of the residuals' variance, so that it does not follow
+    undetermined unknowns to their bounds.
     """
     model = _Model(problem, loss, start, gain)
     if method == "ipopt":
         return _by_ipopt(model, max_evaluations)
     search, status = _Search(model), SOLVED
     how: dict[str, Any] = {"loss": loss.kind.replace("-", "_"), "f_scale": loss.scale, "method": "dogbox"}
-    how |= {"ftol": _RELATIVE, "xtol": _LEAST_STEP, "gtol": None, "max_nfev": max_evaluations}
+    how |= {"ftol": _FTOL, "xtol": _XTOL, "gtol": None, "max_nfev": max_evaluations}
     try:
         found = least_squares(search.residuals, model.first.q, search.jacobian, (problem.lower, problem.upper), **how)
         status = SOLVED if found.success else _CUT_SHORT
-    except _FoundError:
+    except _EndOfSearchError:
         pass
     except TimeLimitError:
         status = OUT_OF_TIME
     return model.optimum(search.best, search.iterations, status)
 
 
-class _FoundError(Exception):
-    """The next step is not worth making."""
+class _EndOfSearchError(Exception):
+    """Raised by a callback to end SciPy's search."""
 
 
 class _Search:
-    """A model as SciPy asks for it, which remembers the best point and says when it will do."""
+    """Callbacks of SciPy's search; they keep the best point and end the search."""
 
     def __init__(self, model: _Model) -> None:
         self._model, self._gain = model, model.gain
         self.best, self._accepted = model.first, list[float]()
 
     def residuals(self, q: Floats) -> Floats:
-        """Residuals; NaN where the model has no answer or no derivatives, from where SciPy steps back."""
+        """Residuals; NaN where the model has no answer or no derivatives, so that SciPy shortens its step."""
         point = self._model.at(np.clip(q, self._model.problem.lower, self._model.problem.upper))
         if point.value < self.best.value:
             self.best = point
-        elif point is not self.best and self._gain is not None and self._fall() < REACHED**2 * self._variance:
-            # Where a step fails by the noise of the model's own arithmetic, there is no nearer.
-            raise _FoundError
+        elif (
+            point is not self.best
+            and self._gain is not None
+            and self._predicted_decrease() < REACHED**2 * self._variance
+        ):
+            # The step fails by the model's integration error: the search cannot come closer to the optimum.
+            raise _EndOfSearchError
         found: Floats = np.where(np.isfinite(point.value), point.residuals, np.nan)
         return found
 
     def jacobian(self, q: Floats) -> Floats:
-        """Derivatives at a point that was accepted, the best."""
+        """Derivatives at the point that SciPy has accepted, which is the best."""
         self._accepted.append(self.best.value)
         if len(self._accepted) > _PATIENCE and self._gain is not None:
             together = 2 * (self._accepted[-1 - _PATIENCE] - self.best.value)
             if together < _LITTLE * self._variance:
-                # The noise of the model's own arithmetic leads about.
-                raise _FoundError
-        if self._fall() <= (_GAIN * self._variance if self._gain is None else self._gain):
-            raise _FoundError
+                # The accepted steps follow the model's integration error.
+                raise _EndOfSearchError
+        if self._predicted_decrease() <= (_GAIN * self._variance if self._gain is None else self._gain):
+            raise _EndOfSearchError
         return self.best.jacobian
 
     @property
     def iterations(self) -> int:
-        """Points that were accepted."""
+        """Number of accepted points."""
         return len(self._accepted)
 
     @property
     def _variance(self) -> float:
         return self._model.variance(self.best)
 
-    def _fall(self) -> float:
-        return _step(self._model, self.best, self._variance)[1]
+    def _predicted_decrease(self) -> float:
+        return _gauss_newton_step(self._model, self.best, self._variance)[1]
 
 
-def _step(model: _Model, point: _Point, variance: float) -> tuple[Floats, float]:
-    """A step inside the box, of one at the most, and by how much twice the loss would fall to second order."""
+def _gauss_newton_step(model: _Model, point: _Point, variance: float) -> tuple[Floats, float]:
+    """Step inside the box, of at most one, and the decrease of twice the loss that it predicts to second order."""
     columns, values = model.system(point)
     damped = np.vstack([columns, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
     low = np.maximum(model.problem.lower - point.q, -1.0)
@@ -322,7 +326,7 @@ def _step(model: _Model, point: _Point, variance: float) -> tuple[Floats, float]
 
 
 def on_bound(problem: LeastSquares, q: Floats) -> NDArray[np.bool_]:
-    """Find the unknowns within `AT_BOUND` of the box of one of their bounds; shape (k,)."""
+    """Find the unknowns that lie on a bound, shape (k,)."""
     room = np.minimum(q - problem.lower, problem.upper - q)
     near: NDArray[np.bool_] = room <= AT_BOUND * (problem.upper - problem.lower)
     return near
@@ -348,15 +352,15 @@ def check_in_box(problem: LeastSquares, q: Floats) -> Floats:
 _INPUTS = {"value": ("x",), "gradient": ("x", "p"), "hessian": ("x", "p", "lam_f", "lam_g")}
 
 
-def _by_ipopt(model: _Model, most: int) -> Optimum:
-    """Let IPOPT minimise the loss, scaled so that it begins as half the number of data, within the box."""
+def _by_ipopt(model: _Model, max_evaluations: int) -> Optimum:
+    """Minimise by IPOPT within the box; the loss is scaled to half the number of data at the start."""
     problem, start, raised = model.problem, model.first.q, list[BaseException]()
     scale = 1 / model.variance(model.first)
 
     def outputs(kind: str, arguments: Sequence[ca.DM]) -> list[ca.DM]:
-        if model.evaluations >= most:
+        if model.evaluations >= max_evaluations:
             return []
-        # Rounding may not take the unknowns out of the box.
+        # Rounding must not take the unknowns out of the box.
         point = model.at(np.clip(np.asarray(arguments[0], dtype=float).ravel(), problem.lower, problem.upper))
         columns, values = model.system(point)
         if kind == "hessian":
@@ -365,7 +369,7 @@ def _by_ipopt(model: _Model, most: int) -> Optimum:
 
     x = ca.MX.sym("x", start.size)
     value, gradient, hessian = (_Callback(outputs, kind, start.size, raised) for kind in _INPUTS)
-    # The model is not asked outside the box, and its scale is that of its noise.
+    # The model is not evaluated outside the box, and the loss is already scaled.
     own = {"print_level": 0, "sb": "yes", "bound_relax_factor": 0.0, "nlp_scaling_method": "none", "max_soc": 0}
     quiet = {"print_time": False, "show_eval_warnings": False, "error_on_fail": False}
     settings: dict[str, Any] = {
@@ -373,7 +377,7 @@ def _by_ipopt(model: _Model, most: int) -> Optimum:
         "hess_lag": hessian,
         "calc_lam_p": False,
         "no_nlp_grad": True,
-        "ipopt": {**own, "tol": 1e-7, "max_iter": most, "mu_init": 1e-2},
+        "ipopt": {**own, "tol": 1e-7, "max_iter": max_evaluations, "mu_init": 1e-2},
         **quiet,
     }
     solver = ca.nlpsol("fit", "ipopt", {"x": x, "f": value(x)}, settings)
@@ -387,7 +391,7 @@ def _by_ipopt(model: _Model, most: int) -> Optimum:
     if raised:
         raise raised[0]
     status, solved = str(solver.stats()["return_status"]), ("Solve_Succeeded", "Solved_To_Acceptable_Level")
-    if model.evaluations >= most:
+    if model.evaluations >= max_evaluations:
         status = _CUT_SHORT
     end = model.at(np.clip(np.asarray(found["x"], dtype=float).ravel(), problem.lower, problem.upper))
     best = end if math.isfinite(end.value) else model.first
@@ -395,7 +399,7 @@ def _by_ipopt(model: _Model, most: int) -> Optimum:
 
 
 class _Callback(ca.Callback):
-    """Value, gradient or Hessian as CasADi calls it."""
+    """Value, gradient or Hessian of the loss as a CasADi function."""
 
     def __init__(
         self,
@@ -436,49 +440,49 @@ class _Callback(ca.Callback):
                     return found[: self.get_n_out()]
             except BaseException as error:  # noqa: BLE001 - CasADi would swallow it; the caller of IPOPT raises it
                 self._raised.append(error)
-        # IPOPT steps back from what is not a number, and soon gives up when nothing else comes.
+        # IPOPT shortens its step at NaN, and ends soon if every further value is NaN.
         return [ca.DM(self.get_sparsity_out(k), np.nan) for k in range(self.get_n_out())]
 
 
 SAME_FIT = 0.1
 """Two fits whose residuals differ by less than this share of a standard deviation are one fit."""
 
-# Of the residuals of the starts: less is rounding.
+# Share of the residuals at the starts below which a difference of two fits is rounding error.
 _SAME_OPTIMUM = 1e-6
-# Of a drawn start: what has not come to rest by then is a corner of the box that no filament would survive.
+# Maximum evaluations of a drawn start: one that has not converged by then lies in an unrealistic corner of the box.
 _MAX_OF_DRAWN = 40
-# Evaluations after which a drawn start is hopeless if its loss is so many times that of the best.
+# After so many evaluations the search from a drawn start ends if its loss is so many times that of the best.
 _FIRST_LOOK, _HOPELESS = 10, 10.0
-# Share of the residuals' variance that an unknown changes the sum of squares by, where it does nothing.
+# An unknown has no effect if a unit step changes the sum of squares by less than this share of the residuals' variance.
 _FLAT, _HALVINGS = 1e-3, 3
 
 
 @dataclass(frozen=True, eq=False)
 class StartResult:
-    """End of one start."""
+    """Result of one start."""
 
     start: Floats  # shape (k,)
     optimum: Optimum
-    # Which fit that is, 0 the best: starts that end in the same curve through the data share it, even where their
+    # Number of the fit, 0 for the best: starts that end in the same curve through the data share it, even where their
     # unknowns differ because the data do not determine them.
     cluster: int
 
 
 @dataclass(frozen=True, eq=False)
 class MultiStartResult:
-    """All starts, the best first."""
+    """Results of all starts, the best first."""
 
     results: tuple[StartResult, ...]  # Sorted by value, those that converged first
     rejected: int  # Starts at which the model has no answer
 
     @property
     def best(self) -> Optimum:
-        """The least optimum."""
+        """The optimum with the smallest loss."""
         return self.results[0].optimum
 
     @property
     def reached_best(self) -> int:
-        """Number of starts that end in the best fit: one of many is a warning."""
+        """Number of starts that end in the best fit; only one of many suggests that a better optimum exists."""
         return sum(result.cluster == 0 for result in self.results)
 
 
@@ -497,9 +501,9 @@ def multi_start(
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
-    No other is tried once the best has converged and is good enough; one that is drawn and still far above the best
-    after some steps is hopeless, and given up. Only the first `asked` unknowns are drawn: the others, known beforehand,
-    begin where they are expected.
+    No further start is tried once the best has converged and `enough` accepts it. The search from a drawn start ends
+    early if its loss is still far above the best after some steps. Only the first `asked` unknowns are drawn; the
+    others have priors and start at their expected values.
     """
     starts = [check_in_box(problem, start) for start in given]
     if count:
@@ -507,26 +511,26 @@ def multi_start(
         drawn = qmc.LatinHypercube(asked, seed=np.random.default_rng(seed)).random(count)
         box = problem.lower[:asked], problem.upper[:asked]
         starts += [np.concatenate([row, starts[0][asked:]]) for row in qmc.scale(drawn, *box)]
-    ended, late = list[tuple[Floats, Optimum]](), False
+    ended, timed_out = list[tuple[Floats, Optimum]](), False
     how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
-        # Stuck is one whose values differ by their own noise: smaller time steps will take it further.
+        # A stuck search is limited by integration error, and continues with smaller time steps.
         reached = (one for _, one in ended if one.converged or one.status == STUCK)
         best = min(reached, key=lambda one: one.value, default=None)
-        late = late or any(one.status == OUT_OF_TIME for _, one in ended)
-        # A search that is stuck may be in the valley beside: the other given starts are tried then.
-        if late or (best is not None and (best.converged or number >= len(given)) and enough(best)):
+        timed_out = timed_out or any(one.status == OUT_OF_TIME for _, one in ended)
+        # A stuck search may be near a neighbouring optimum: the other given starts are tried then.
+        if timed_out or (best is not None and (best.converged or number >= len(given)) and enough(best)):
             starts = starts[:number]
             break
         try:
             is_drawn = number >= len(given)
-            found = _fallen(problem, start, best, how) if is_drawn else _begun(problem, start, 300, how)
+            found = _from_drawn(problem, start, best, how) if is_drawn else _from_start(problem, start, 300, how)
         except TimeLimitError:
-            found, late = None, True
+            found, timed_out = None, True
         ended += [(start, found)] if found is not None else []
     if not ended:
-        if late:
+        if timed_out:
             raise TimeLimitError
         remedy = "bounds or starting values for which it can be solved"
         raise SoftcatError(f"the model has no answer at any of {len(starts)} starts; accepted: {remedy}")
@@ -543,17 +547,17 @@ def multi_start(
     return MultiStartResult(tuple(results), len(starts) - len(ended))
 
 
-def _begun(problem: LeastSquares, start: Floats, most: int, how: Mapping[str, Any]) -> Optimum | None:
-    """The optimum reached from a start; None where the model has no answer there."""
+def _from_start(problem: LeastSquares, start: Floats, max_evaluations: int, how: Mapping[str, Any]) -> Optimum | None:
+    """The optimum reached from a start; None where the model has no answer at the start."""
     residuals = problem.residuals(start)
     if not (np.isfinite(residuals).all() and np.isfinite(problem.linearised(start)[1]).all()):
         return None
-    return minimise(problem, start, **how, max_evaluations=most)
+    return minimise(problem, start, **how, max_evaluations=max_evaluations)
 
 
-def _fallen(problem: LeastSquares, start: Floats, best: Optimum | None, how: Mapping[str, Any]) -> Optimum | None:
-    """The same from a start that is drawn: given up after a first look if it is hopeless."""
-    found = _begun(problem, _off_plateau(problem, start), _FIRST_LOOK, how)
+def _from_drawn(problem: LeastSquares, start: Floats, best: Optimum | None, how: Mapping[str, Any]) -> Optimum | None:
+    """The optimum reached from a drawn start; the search ends early if its loss stays far above the best."""
+    found = _from_start(problem, _off_plateau(problem, start), _FIRST_LOOK, how)
     if found is None or found.converged or (best is not None and found.value > _HOPELESS * best.value):
         return found
     further = minimise(problem, found.q, **how, max_evaluations=_MAX_OF_DRAWN)
@@ -561,7 +565,7 @@ def _fallen(problem: LeastSquares, start: Floats, best: Optimum | None, how: Map
 
 
 def _off_plateau(problem: LeastSquares, start: Floats) -> Floats:
-    """Half-way to the middle of the box, once or more, from where some unknown does nothing."""
+    """Move a start towards the middle of the box until every unknown affects the residuals."""
     middle = 0.5 * (problem.lower + problem.upper)
     for _ in range(_HALVINGS):
         if not np.isfinite(problem.residuals(start)).all():

@@ -1,4 +1,4 @@
-"""Films of falling filaments, read from CSV files as people, spreadsheets and trackers write them."""
+"""Films of falling filaments, read from CSV files of spreadsheets and image trackers."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
 
 TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
 VERTICAL, HORIZONTAL = "vertical_force", "horizontal_force"
-"""What a column may hold; STD is the standard error of the midpoint or of y, that of a force has its name before it."""
+"""Quantities of columns; STD is the standard error of the midpoint or of y, that of a force begins with its name."""
 
 WAYS = (HORIZONTAL, VERTICAL)
 """Forces of the right support on the filament, outwards and upwards."""
@@ -44,7 +44,7 @@ _OF_FORCE = {way: f"{way}_{STD}" for way in WAYS}
 FORCE, FRAME = "force", "frame"
 _TIME_UNITS, _LENGTH_UNITS, _FORCE_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um"), ("N", "mN", "uN")
 
-# A name before its unit: what it is, and whether it counts downwards.
+# For a name before its unit: the quantity, and whether it counts downwards.
 _KNOWN = {
     "time": (TIME, False),
     "t": (TIME, False),
@@ -65,7 +65,7 @@ _NAME = header_pattern(_KNOWN)
 
 
 def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list[Fault]]:
-    """Find the columns that are read; others are left alone."""
+    """Find the columns to read; others are ignored."""
     where = f"line {table.line}"
     candidates: dict[str, list[Column]] = {}
     unreadable: dict[str, Fault] = {}
@@ -81,19 +81,19 @@ def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list
         except NotAQuantity as found:
             fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
             if bracketed and not is_pixels(unit):
-                # What stands in brackets is meant as a unit, wherever else there is one of ours.
+                # Text in brackets is meant as a unit, even if another column has the quantity with a known unit.
                 unknown.append(fault)
             unreadable.setdefault(quantity, fault)
             continue
         candidates.setdefault(quantity, []).append(Column(name, place, si, down))
     found_columns = {quantity: several[0] for quantity, several in candidates.items()}
-    # Frames stand for times where there are none.
+    # Frames replace times where there are none.
     of_frames = found_columns.pop(FRAME, None), unreadable.pop(FRAME, None)
     candidates.pop(FRAME, None)
     if TIME not in {*found_columns, *unreadable}:
         found_columns |= {} if of_frames[0] is None else {TIME: of_frames[0]}
         unreadable |= {} if of_frames[1] is None else {TIME: of_frames[1]}
-    # Of a tracker that writes pixels besides: what is there in units will do.
+    # A tracker may write further columns in pixels: columns with a known unit suffice.
     there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
     unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
     faults = [
@@ -104,7 +104,7 @@ def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list
     for quantity in unneeded:
         found_columns.pop(quantity, None)
         unreadable.pop(quantity, None)
-    # A name of ours without a unit of ours is another's column (time_stamp) where ours is there too.
+    # A known name with an unknown unit (time_stamp) is ignored if the quantity has another column with a known unit.
     faults += [
         fault for quantity, fault in unreadable.items() if quantity not in found_columns and fault not in unknown
     ]
@@ -112,12 +112,12 @@ def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list
 
 
 def _si(quantity: str, unit: str, camera: Camera) -> float:
-    """SI value of the unit of a column; of frames and pixels by what is known of the camera."""
+    """SI value of the unit of a column; the camera gives that of frames and pixels."""
     if quantity == FORCE:
-        raise NotAQuantity("a force without its way")
+        raise NotAQuantity("a force without its direction")
     if quantity == FRAME:
         if camera.fps is None:
-            raise NotAQuantity("frames, which only their rate turns into times: # camera.fps = 240 in the file")
+            raise NotAQuantity("frames without a frame rate: write # camera.fps = 240 in the file")
         return 1 / camera.fps
     in_pixels = is_pixels(unit) or (not unit and quantity in (X, Y))
     if in_pixels and camera.pixel is not None:
@@ -130,7 +130,7 @@ def _si(quantity: str, unit: str, camera: Camera) -> float:
 
 
 def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
-    """What the columns that are there do not make up: a midpoint over time, or whole shapes."""
+    """Faults of a combination of columns that is neither a midpoint over time, nor whole shapes, nor forces."""
     faults, where = [], f"line {table.line}"
     if TIME not in there:
         faults.append(absent("column of times", "time_s", _names(TIME), table, _NAME))
@@ -187,7 +187,7 @@ def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
         value = match["rest"].lstrip().removeprefix("=").split(" #")[0].rstrip(",;\t ").lstrip()
         if table not in tables:
             near = get_close_matches(table, tables, n=1, cutoff=0.75)
-            # Another program's setting (camera.fps = 60) is a comment; a misspelt one of ours is not.
+            # A setting of another program (camera.fps = 60) is a comment; a misspelt table of a scene is a fault.
             if assigned and near:
                 faults.append(
                     Fault(where, f"unknown table in {shown(path)} (did you mean '{near[0]}'?)", ", ".join(tables))
@@ -206,16 +206,16 @@ def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
 
 Floats = NDArray[np.float64]
 SAME_TIME = 1e-9
-"""Of the last time: what two clocks' arithmetic makes of one instant; no camera is that fast for that long."""
+"""Difference of two times, as a share of the last time, below which they are equal up to rounding."""
 
-# Of the range of all heights: before its release a filament hardly moves, and one filament is at one height at a time.
+# Shares of the range of heights: motion before the release, and difference of two readings at one time, at most.
 _AT_REST, _SAME = 0.05, 0.1
 # Standard errors by which two readings of one height may differ.
 _DEVIATIONS = 6.0
 
 
 def repaired(table: Table, row: Callable[[int], str]) -> tuple[Table, tuple[str, ...], list[Fault]]:
-    """Correct what needs no guess."""
+    """Correct faults whose correction is unambiguous: missing rows, early rows, their order and repeated times."""
     notes: list[str] = []
     faults: list[Fault] = []
     rows = np.arange(table[TIME].size)
@@ -312,11 +312,11 @@ def _no_point_twice(table: Table, rows: NDArray[np.intp], row: Callable[[int], s
 
 
 FEWEST = 5
-"""Distinct times, or points of shapes, that are needed: below it a trend and its noise cannot be told apart."""
+"""Smallest number of distinct times, or points of shapes: with fewer, trend and noise cannot be separated."""
 
-# A filament is neither filmed for longer than 30 000 years nor known better than to a thousandth of an atom.
+# Largest magnitude of a number, and smallest standard error, in SI units.
 _MOST, _FINEST = 1e12, 1e-15
-# Of the largest height: what is left of no movement after arithmetic.
+# Largest range of heights that is rounding error, as a share of the largest height.
 _ROUNDING = 1e-12
 
 
@@ -344,7 +344,7 @@ class Shapes:
 
 @dataclass(frozen=True, eq=False)
 class Forces:
-    """Force of the right support on the filament, as a load cell reads it; alike at both of a symmetric filament."""
+    """Force of the right support on the filament, as a load cell reads it; a symmetric filament has equal forces."""
 
     time: Floats  # shape (n,); [s] since the release, increasing
     force: Floats  # shape (n,); [N], outwards or upwards
@@ -373,13 +373,13 @@ class Series:
     # shape (n,); Standard errors of the midpoint [m]; None if they are not known, then they are estimated from the
     # residuals.
     std: Floats | None = None
-    shapes: Shapes | None = None  # Whole shapes besides, or instead; then `time` and `midpoint` may be empty
-    # Values of the scene that this filament has of its own: ``{"filament.span": "5 mm"}``.
+    shapes: Shapes | None = None  # Whole shapes, besides the midpoint or instead; `time`, `midpoint` may be empty then
+    # This filament's own values of the scene: ``{"filament.span": "5 mm"}``.
     overrides: Mapping[str, str] = field(default_factory=dict)
-    path: Path | None = None  # The file they come from
-    notes: tuple[str, ...] = ()  # What was corrected, a sentence each
-    forces: tuple[Forces, ...] = ()  # Forces of a support besides, or instead; at times of their own
-    label: str = ""  # What to call it, where that is not the name of its file
+    path: Path | None = None  # The file of the measurements
+    notes: tuple[str, ...] = ()  # Corrections, a sentence each
+    forces: tuple[Forces, ...] = ()  # Forces of a support, besides the midpoint or instead; at times of their own
+    label: str = ""  # Name of the film where that is not the name of its file
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "overrides", dict(self.overrides))
@@ -439,7 +439,7 @@ class Measurements:
         std: ArrayLike | None = None,
         overrides: Mapping[str, str] | None = None,
     ) -> Measurements:
-        """Take one filament from arrays; what a file would be corrected for is corrected here too, and noted.
+        """Take one filament from arrays, with the same corrections and notes as for a file.
 
         Parameters
         ----------
@@ -450,7 +450,7 @@ class Measurements:
         std : array_like, shape (n,), optional
             Standard errors of the midpoint [m]; one number stands for all.
         overrides : mapping of str to str, optional
-            Values of the scene that this filament has of its own.
+            This filament's own values of the scene.
 
         Returns
         -------
@@ -474,7 +474,7 @@ class Measurements:
                 table[STD] = np.full(table[TIME].shape, table[STD])
             faults = _unequal(table)
         if not faults:
-            faults = [fault for name, values in table.items() for fault in _wrong(name, values, missing=True)]
+            faults = [fault for name, values in table.items() for fault in _implausible(name, values, missing=True)]
         if faults:
             raise refusal("measurements", None, faults)
         corrected, notes, faults = repaired(table, lambda k: f"index {k}")
@@ -485,7 +485,7 @@ class Measurements:
 
 
 def _adopt(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Fault]:
-    """Replace the fields of a frozen owner by read-only arrays of their own, and say what is wrong with them."""
+    """Replace the fields of a frozen owner by read-only copies, and return their faults."""
     table: dict[str, Floats] = {}
     for name in names:
         if getattr(owner, name) is None:
@@ -500,7 +500,7 @@ def _adopt(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Faul
     faults = _unequal(table)
     if faults:
         return faults
-    faults = [fault for name, values in table.items() for fault in _wrong(name, values)]
+    faults = [fault for name, values in table.items() for fault in _implausible(name, values)]
     time = table["time"]
     if not faults and time.size and time.min() < 0:
         faults = [Fault(f"time[{int(time.argmin())}]", f"{time.min():g} s, before the release", "times from 0 s on")]
@@ -520,8 +520,8 @@ def _unequal(table: Mapping[str, Floats]) -> list[Fault]:
     return [Fault("", found, "lists of the same length")]
 
 
-def _wrong(name: str, values: Floats, missing: bool = False) -> list[Fault]:
-    """Numbers that cannot be measurements; with `missing`, NaN stands for one that was not made."""
+def _implausible(name: str, values: Floats, missing: bool = False) -> list[Fault]:
+    """Faults of numbers that cannot be measurements; with `missing`, NaN marks a missing measurement."""
     faults = []
     positive = name == STD
     for k in np.flatnonzero(~(np.abs(values) <= _MOST) | (positive & ~(values >= _FINEST))).tolist():
@@ -531,7 +531,7 @@ def _wrong(name: str, values: Floats, missing: bool = False) -> list[Fault]:
 
 
 def what_is_wrong(value: float, is_std: bool = False) -> tuple[str, str] | None:
-    """Say why a number in SI units cannot be a time, a height or, if so asked, a standard error; None if it can."""
+    """Return why a number in SI units cannot be a time or height, or, with `is_std`, an error; None if it can."""
     accepted = "a positive number" if is_std else "a finite number"
     if not np.isfinite(value):
         return f"{value} is not finite", accepted
@@ -562,12 +562,12 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
         ``horizontal_force_N`` (outwards) of the right support, with perhaps ``vertical_force_std_N``, stand beside the
         midpoint or alone; either may have rows in which the other is empty. Other columns are not read. Cells are
         separated by commas, or by semicolons or tabs, then with decimal points or commas. Lines that start with ``#``
-        are comments; ``# filament.span = 5 mm`` gives this filament a value of its own.
+        are comments; ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
 
     Returns
     -------
     Measurements
-        In SI, in the order of the paths; what was corrected is in the notes of each series.
+        In SI, in the order of the paths; the notes of each series name its corrections.
 
     Raises
     ------
@@ -598,7 +598,7 @@ def _same(one: Path, other: Path) -> bool:
 
 
 def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tuple[Table, tuple[str, ...]]:
-    """Times from the release, and places from halfway between the supports, where they are counted otherwise."""
+    """Count times from the release, and positions from halfway between the supports, as the camera's comments state."""
     placed, notes = dict(table), []
     if camera.release and columns[TIME].name.lower() == FRAME and camera.fps is not None:
         placed[TIME] = table[TIME] - camera.release / camera.fps
@@ -610,7 +610,7 @@ def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tupl
 
 
 def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
-    """Columns of heights, named by nothing, and of each force for themselves; of several those rows that each fills."""
+    """Split a table into heights, with an empty name, and forces; if there are several, each with its filled rows."""
     names = {"": MIDPOINT if MIDPOINT in table else Y, **{way: way for way in WAYS}}
     names = {part: name for part, name in names.items() if name in table}
     found = {}
@@ -663,7 +663,7 @@ def _of_parts(
     file: Path,
     notes: Sequence[str],
 ) -> Series:
-    """One film of what its columns hold."""
+    """One film from the parts of its table."""
     forces = tuple(
         Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
     )

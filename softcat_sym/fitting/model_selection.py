@@ -1,4 +1,4 @@
-"""Which law: several fitted to the same films, and ranked by information criteria."""
+"""Selection of a law: several are fitted to the same films, and ranked by information criteria."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ from softcat_sym.scene.units import did_you_mean
 from softcat_sym.solvers.solution import Progress
 
 CLOSE = 10.0
-"""Difference of the criterion from which on a law is ruled out (Burnham and Anderson 2002, section 2.6), one constant
-being charged 2; proportionally more where it is charged more."""
+"""Difference of the criterion above which a law is ruled out (Burnham and Anderson 2002, section 2.6) if the penalty of
+a constant is 2; the difference is proportional to that penalty."""
 
 CANNOT = "cannot tell"
 
-# Mean squares below this share of the data's are rounding, and choose no law.
+# Mean squares below this are rounding errors, and do not decide between laws.
 _ROUNDING = 1e-18
 
 
 @dataclass(frozen=True)
 class FittedLaw:
-    """What the comparison needs of a fit."""
+    """Data of a fit for the comparison."""
 
     name: str  # The law
-    unknowns: int  # How many were fitted
+    unknowns: int  # Number of fitted unknowns
     squares: float  # Sum of the squared residuals; chi^2 where the noise is known
     failure: str = ""  # Why there is no fit; empty if there is one
 
@@ -52,8 +52,8 @@ class Ranked:
     """A law in the table."""
 
     law: FittedLaw  # The fit
-    # `CRITERION`, which ranks, Akaike's (1974) and Schwarz' (1978); without their common constant. All infinite for a
-    # fit that failed.
+    # `CRITERION`, by which the laws are ranked, and those of Akaike (1974) and Schwarz (1978); up to a common constant.
+    # All are infinite for a fit that failed.
     criterion: float
     aic: float
     bic: float
@@ -67,9 +67,9 @@ class ModelChoice:
 
     table: tuple[Ranked, ...]  # All laws
     close: tuple[str, ...]  # The best law, and those that are not ruled out
-    wider: tuple[str, ...]  # Laws that contain the best, and gain nothing by it: a test can never rule them out
-    verdict: str  # The name of the best law, or `CANNOT` if it is not alone
-    reason: str = ""  # Why it cannot be told; empty if it can
+    wider: tuple[str, ...]  # Laws that contain the best, and gain nothing by it: no test can rule them out
+    verdict: str  # The name of the best law, or `CANNOT` if others are not ruled out
+    reason: str = ""  # Why there is no verdict; empty if there is one
 
 
 def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, independent: float = 1.0) -> ModelChoice:
@@ -85,13 +85,13 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, i
         Whether the squares are chi^2: then the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
         :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
     independent : float
-        Share of the data that are independent of each other, by which differences count less.
+        Share of the data that are independent of each other; differences count by this share.
 
     Returns
     -------
     ModelChoice
         The best law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the
-        best and gains less by its further constants than half their charge.
+        best and gains less by its further constants than half their penalty.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
@@ -109,11 +109,11 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, i
     )
     close = [best.name] * math.isfinite(least)
     wider: list[str] = []
-    charged = {law.name: charges(points, law.unknowns, noise_known=noise_known) for law in laws}
+    penalties = {law.name: charges(points, law.unknowns, noise_known=noise_known) for law in laws}
     for row in table[1:]:
-        one, most = row.law, max(row.law.unknowns, best.unknowns)
-        limit = CLOSE / 2 * charge(points, most, noise_known=noise_known) / independent
-        enough = _contains(one.name, best.name) and 2 * row.difference > charged[one.name] - charged[best.name]
+        one, unknowns = row.law, max(row.law.unknowns, best.unknowns)
+        limit = CLOSE / 2 * charge(points, unknowns, noise_known=noise_known) / independent
+        enough = _contains(one.name, best.name) and 2 * row.difference > penalties[one.name] - penalties[best.name]
         if row.difference < limit:
             (wider if enough else close).append(one.name)
     reason = _undecided(table, close, points)
@@ -126,12 +126,12 @@ def _contains(wider: str, narrower: str) -> bool:
 
 
 def _undecided(table: Sequence[Ranked], close: Sequence[str], points: int) -> str:
-    """Why no law is alone; empty if one is."""
+    """Why there is no verdict; empty if there is one."""
     failed = [row.law.name for row in table if row.law.failure]
-    crowded = [row.law.name for row in table if math.isinf(row.criterion) and not row.law.failure]
+    undetermined = [row.law.name for row in table if math.isinf(row.criterion) and not row.law.failure]
     objections = [
         (close[1:], "{} not ruled out"),
-        (crowded, f"{points} data too few to weigh {{}}"),
+        (undetermined, f"{points} data are too few for {{}}"),
         (failed, "no fit of {}"),
     ]
     found = [words.format(", ".join(names)) for names, words in objections if names]
@@ -148,21 +148,21 @@ def _criteria(law: FittedLaw, points: int, *, noise_known: bool) -> tuple[float,
 
 
 _STIFFER = 50.0
-"""Young's modulus of what flows over the one that alone would hold it: then most of the sag is flow."""
+"""Young's modulus of a flowing law over the modulus that alone explains the sag, so that most of the sag is flow."""
 
 _SOONER = 0.1
-"""Viscosity of what a solid or a yield stress holds, over the one that alone would slow it: it arrives early."""
+"""Viscosity of a law with a final sag over the viscosity that alone explains the duration: the filament stops early."""
 
-# Where nothing was seen, or nothing pulls: a sag of a tenth, and a soft material.
+# Without a sag or without weight: a sag of a tenth of the span, and a weight rho g L of 1 kPa.
 _SAG, _WEIGHT = 0.1, 1e3
 
 
 def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, float]:
-    """Guess constants by what they would be if each alone were to explain the largest sag.
+    """Guess constants such that each alone would explain the largest sag.
 
-    A string of modulus E under its weight hangs down by w with E = (3/64) rho g L (L/w)^3, a clamped beam with E = rho
-    g L^4/(32 h^2 w) (THEORY, small slopes); both share the load. A viscosity is that modulus times the time that it
-    took, a yield stress the tension rho g L^2/(8 w).
+    A string of modulus E sags under its weight by w with E = (3/64) rho g L (L/w)^3, a clamped beam with E = rho
+    g L^4/(32 h^2 w) (THEORY, small slopes); both share the load. The viscosity is that modulus times the duration, the
+    yield stress the tension rho g L^2/(8 w).
     """
     span, thickness = scene.filament.span, scene.filament.thickness
     weight = scene.filament.density * scene.load.gravity * span or _WEIGHT
@@ -183,7 +183,7 @@ def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, fl
 
 
 FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("custom", *POLYMERS))
-"""Laws with a fixed set of constants that a sag alone says roughly; a film does not tell chains from a solvent."""
+"""Laws with a fixed set of constants that a sag determines roughly; a film cannot separate polymer and solvent."""
 
 
 def constants_of(law: str) -> tuple[str, ...]:
@@ -192,10 +192,10 @@ def constants_of(law: str) -> tuple[str, ...]:
 
 
 def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
-    """Give a scene another law, with its own values where it has them and rough ones otherwise."""
+    """Give a scene another law, with the scene's own constants where it has them and rough ones otherwise."""
     material, rough = scene.material, rough_constants(scene, films, law)
     index = material.index if law in INDEXED and material.law in INDEXED else 1.0
-    # A consistency is no viscosity, and its rough value is only right for an index of one.
+    # A consistency is not a viscosity, and the rough value holds only for an index of one.
     same = (material.law in INDEXED) == (law in INDEXED) or material.index == 1
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes["material.law"] = law
@@ -214,7 +214,7 @@ def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
 
 
 def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
-    """The listed effects that another law can have, and those of published theory that only it has, not the former."""
+    """The listed effects that apply to the new law, and published effects that apply to the new law only."""
     able = {one.name: one for one in REGISTRY if one.applies(scene)}
     own = [name for name, one in able.items() if one.in_paper and not one.applies(former)]
     kept = [name for name in listed if name in able]
@@ -224,22 +224,22 @@ def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
     return names
 
 
-# Factors on rough constants: a modulus so large that it stretches nothing, a stress or modulus so small that it holds
-# nothing. A fit reaches a thousand times further either way, so that it may leave the limit again.
+# Factors on rough constants in the limit of a narrower law: a modulus so large that elastic stretch is negligible, or a
+# stress or modulus so small that it carries no load. A fit's bounds are a thousand times wider either way.
 _STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
 
 
 @dataclass(frozen=True)
 class _Limit:
-    """What a wider law needs to be a narrower one."""
+    """Constants with which a wider law behaves as a narrower one."""
 
-    factors: Mapping[str, float]  # Of rough constants, for what only the wider has
-    # Constants of the wider that are another one of the narrower.
+    factors: Mapping[str, float]  # Factors on rough constants, for constants that only the wider law has
+    # Constants of the wider law that equal a constant of another name of the narrower law.
     renamed: Mapping[str, str] = field(default_factory=dict)
 
 
-# By the wider, then by the narrower; an index begins at one. What only holds, the elastic law, is left out: whatever
-# flows needs a time to be told from it.
+# Keys are the wider law, then the narrower one; an index starts at one. The elastic law is left out: a law that flows
+# has a relaxation time that distinguishes it.
 LIMITS: dict[str, dict[str, _Limit]] = {
     "maxwell": {"newtonian": _Limit({"youngs_modulus": _STIFF})},
     "kelvin-voigt": {"newtonian": _Limit({"youngs_modulus": _WEAK})},
@@ -276,13 +276,13 @@ def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
 
 @dataclass(frozen=True, eq=False)
 class LawComparison:
-    """Several laws beside the same films."""
+    """Fits of several laws to the same films, and their ranking."""
 
     fits: dict[str, Fit]  # Of the laws that could be fitted
-    failures: dict[str, str]  # Why others could not
+    failures: dict[str, str]  # Why the others could not be fitted
     choice: ModelChoice  # Their ranking; its verdict is a law, or ``"cannot tell"``
-    # Wider laws whose own starts ended worse than a law that they contain, which is named, and that were therefore
-    # started from its optimum.
+    # For each wider law whose own starts ended worse than a narrower law: that narrower law, from whose optimum the
+    # wider law was started again.
     restarted: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -305,7 +305,7 @@ class LawComparison:
         return "; ".join([f"the films speak for {self.choice.verdict}", *doubts])
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``fit.json`` says of the laws, in SI; infinite where there are too few readings, or no fit."""
+        """Entry of the laws in ``fit.json``, in SI; infinite where there are too few readings, or no fit."""
         return {
             "verdict": self.choice.verdict,
             "sentence": self.sentence,
@@ -332,7 +332,7 @@ class LawComparison:
         }
 
     def to_frame(self) -> pd.DataFrame:
-        """Content of ``laws.csv``: the ranking, the best law first; what is not known is missing."""
+        """Content of ``laws.csv``: the ranking, the best law first; unknown values are missing."""
         frame = pd.DataFrame([self._row(row) for row in self.choice.table]).drop(columns=["effects", "parameters"])
         frame.insert(0, "rank", range(1, len(frame) + 1))
         return frame.replace([math.inf, -math.inf], math.nan)
@@ -346,20 +346,20 @@ def compared(
         raise SoftcatError("none of the laws can be fitted:\n" + "\n".join(f"  {k}: {v}" for k, v in failures.items()))
     table = _ranked(laws, fits, failures, loss, besides).table
     best, above = table[0].law.name, {row.law.name: row.difference for row in table}
-    # An optimum that was not reached would lie lower still: no objection to the best law, nor where even the step that
-    # the derivatives promise would leave a law ruled out.
+    # A search that did not converge could only improve. That cannot harm the best law's rank; nor does it help a law
+    # that would be ruled out even after the decrease that its derivatives predict.
     unreached = {
         law: one.outcome.value
         for law, one in fits.items()
-        if not one.outcome.converged and law != best and above[law] < CLOSE + _promised(one)
+        if not one.outcome.converged and law != best and above[law] < CLOSE + _predicted_decrease(one)
     }
     failed = {**failures, **unreached}
     reached = {law: one for law, one in fits.items() if law not in unreached}
     return LawComparison(reached, failed, _ranked(laws, reached, failed, loss, besides, judge=fits[best]))
 
 
-def _promised(one: Fit) -> float:
-    """Fall of the criterion in the next step to first order, where the search was stuck; infinite where it was not."""
+def _predicted_decrease(one: Fit) -> float:
+    """Decrease of the criterion in the next step, to first order, where the search got stuck; infinite otherwise."""
     best = one.starts.best
     return best.offset**2 if best.status == STUCK else math.inf
 
@@ -372,10 +372,10 @@ def _ranked(
     besides: int,
     judge: Fit | None = None,
 ) -> ModelChoice:
-    """Rank fits, given the best of them by what its residuals say of the noise.
+    """Rank fits, with the noise that the residuals of the best one show.
 
-    Errors that are stated too small are estimated instead, and neighbours that are correlated by r count as
-    (1 - r)/(1 + r) independent readings each.
+    Stated errors that are too small are replaced by estimated ones, and readings with a correlation r of neighbours
+    count as (1 - r)/(1 + r) independent readings each.
     """
     first, values = next(iter(fits.values())), loss_values(loss, fits)
     rows = [
@@ -394,9 +394,10 @@ def _ranked(
 
 
 def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
-    """The same loss of every fit, in one unit of residuals: where the noise is not known a metre, and the least noise.
+    """Loss of every fit in a common unit of residuals, which is 1 m if the noise is not known.
 
-    Rows of priors are among the residuals: what a law takes of the camera's and the theory's error counts against it.
+    The scale of a robust loss is that of the smallest noise. The residuals include those of priors, so that fitted
+    errors of camera and theory count against a law.
     """
     known = next(iter(fits.values())).noise_known
     units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
@@ -405,7 +406,7 @@ def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
     return {name: loss.value(units[name] * one.starts.best.residuals) for name, one in fits.items()}
 
 
-# By which a wider law's sum of squares may exceed that of one it contains: the limit is never quite reached.
+# Relative excess of a wider law's sum of squares over a narrower law's that is allowed: the limit is not quite reached.
 _NO_WORSE = 1e-6
 
 Bounds = Mapping[str, tuple[object, object]]
@@ -413,7 +414,7 @@ Bounds = Mapping[str, tuple[object, object]]
 
 @dataclass(frozen=True)
 class _Request:
-    """How every law is to be fitted."""
+    """Options with which every law is fitted."""
 
     films: Measurements
     also_free: tuple[str, ...]
@@ -425,7 +426,7 @@ class _Request:
         names = [*constants_of(scene.material.law), *self.also_free]
         leaves = {name.rpartition(".")[2] for name in names}
         bounds = {name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves}
-        # Films as they were read: a fit notes its own corrections.
+        # Films without corrections: a fit makes and notes its own.
         how: dict[str, Any] = {"starts": starts, "profiles": profiles, "progress": progress, **self.how}
         return fit(self.films, scene, names, bounds=bounds, **how)
 
@@ -447,7 +448,7 @@ def fit_law(
     flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     progress: Progress | None = None,
 ) -> Fit:
-    """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
+    """Fit every constant of one law, which may differ from the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     how = {"loss": loss, "seed": seed, "calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
@@ -477,21 +478,21 @@ def fit_laws(
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
 
-    A law that contains another, as Herschel and Bulkley's contains Bingham's, need not end worse than it: where its own
-    starts do, it is started again from the other's optimum, and the better of both fits counts.
+    A law that contains another, as Herschel-Bulkley contains Bingham, cannot fit worse at its global optimum. Where its
+    starts end in a worse fit, it is started again from the narrower law's optimum, and the better of both fits counts.
 
     Parameters
     ----------
     scene : Scene
-        The filament; its material's values, where a law has them, are where that law's fit starts.
+        The filament; the constants of its material are starting values of every law that has them.
     laws : sequence of str
         Two or more of :data:`FITTED`.
     also_free : sequence of str
-        What else is not known, ``["time_offset"]`` say.
+        Further free parameters, such as ``["time_offset"]``.
     bounds : mapping, optional
         As for :func:`softcat_sym.fitting.fit`; each law takes those of its own constants.
     profiles : bool
-        Whether the law that ranks first is fitted once more, with intervals from profile likelihoods.
+        Whether the law that ranks first is fitted again, with intervals from profile likelihoods.
     time_limit : float, optional
         Seconds for each law.
     measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, flow_curve, progress
@@ -512,7 +513,7 @@ def fit_laws(
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}
     restarted: dict[str, str] = {}
-    # Every law after those that it contains.
+    # Every law is fitted after those that it contains.
     for number, law in enumerate(sorted(laws, key=lambda law: len(LIMITS.get(law, {})))):
         if progress is not None:
             progress.stage(law)
@@ -529,14 +530,14 @@ def fit_laws(
     found = replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
     if not profiles:
         return found
-    # Once more, as thoroughly as a single fit is, from where its best fit began.
+    # The best law is fitted again with profiles, from the scene of its best fit.
     name = found.choice.table[0].law.name
     again = request.fitted(found.best.scene, starts, profiles=True, progress=progress)
     return replace(found, fits={**found.fits, name: again})
 
 
 def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
-    """The best law that this one contains, if its own fit is none or worse; otherwise nothing."""
+    """The best law that this one contains, if this one has no fit or a worse one; otherwise empty."""
     near = {name: fits[name] for name in (law, *LIMITS.get(law, {})) if name in fits and fits[name].outcome.converged}
     if not near or set(near) == {law}:
         return ""
@@ -547,7 +548,7 @@ def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
 
 
 def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, fits: dict[str, Fit]) -> bool:
-    """Fit a law from the optimum of one that it contains; keep that fit if it is better, and say so."""
+    """Fit a law from the optimum of a narrower one; keep that fit if it is better, and return whether it is."""
     try:
         again = request.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
     except SoftcatError:
@@ -563,7 +564,7 @@ def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, f
 
 def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:
     faults = [
-        Fault(f"law {law}", f"none that can be fitted{did_you_mean(law, FITTED)}", ", ".join(FITTED))
+        Fault(f"law {law}", f"cannot be fitted{did_you_mean(law, FITTED)}", ", ".join(FITTED))
         for law in laws
         if law not in FITTED
     ]
@@ -574,10 +575,10 @@ def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewes
     if not faults:
         constants = {name for law in laws for name in constants_of(law)}
         own = [name for name in also_free if name.rpartition(".")[2] in constants]
-        accepted = "what is no constant of a law, such as time_offset or density"
+        accepted = "names that are not constants of a law, such as time_offset or density"
         faults += [Fault(f"free {name}", "a constant of a law is free without being named", accepted) for name in own]
         known = {*constants, *(name.rpartition(".")[2] for name in also_free)}
-        strange = [name for name in bounds if name.rpartition(".")[2] not in known]
-        faults += [Fault(f"bounds of {name}", "not free in any law", ", ".join(sorted(known))) for name in strange]
+        unknown = [name for name in bounds if name.rpartition(".")[2] not in known]
+        faults += [Fault(f"bounds of {name}", "not free in any law", ", ".join(sorted(known))) for name in unknown]
     if faults:
         raise SceneError(faults)

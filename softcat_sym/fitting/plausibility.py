@@ -1,4 +1,4 @@
-"""Measurements held against the scene they are said to come from: signs, units and clocks."""
+"""Checks of measurements against their scene: signs, units and clocks."""
 
 from __future__ import annotations
 
@@ -28,21 +28,22 @@ from softcat_sym.scene.toml import read_overrides
 Floats = NDArray[np.float64]
 
 _REACH = 10.0
-"""Lengths of the filament or distances of its supports beyond which none has been drawn by its own weight."""
+"""Largest plausible height, over the length of the filament or the distance of its supports, whichever is longer."""
 
 _UNUSUAL, _INVISIBLE = 2.0, 1e-6
-"""Likewise, sags that are possible but rarely meant."""
+"""In the same unit: heights outside of this range are possible, but probably wrong."""
 
 _SOONER, _LATER = 1e-2, 100.0
-"""Factors between a scene's times and a film's. In a hundredth of sqrt(L/g) a body falls by L/20 000."""
+"""Plausible range of a film's times over a scene's. In a hundredth of sqrt(L/g) a body falls by L/20 000."""
 
-# Of the largest height: what noise and a skewed zero may put on the other side of the supports' level.
+# Share of the largest height that noise and a wrong zero may put on the other side of the supports' level.
 _OTHER_SIDE = 0.2
+# Share of the range of heights by which a falling midpoint differs from the settled one.
 _FALLING = 0.1
-# Times the free fall since time 0: beyond the first something is early, beyond the second no clock's start mends it.
+# Multiples of free fall since time 0: beyond the first the release was earlier, beyond the second the film is wrong.
 _EARLY, _IMPOSSIBLE = 4.0, 100.0
 _BEYOND_THE_SUPPORTS = 1.1
-# Times half the weight: thickness and density may be rough, a thousand is a unit.
+# Largest ratio of a force to half the weight: thickness and density may be rough; a ratio of 1000 is a wrong unit.
 _TOO_STRONG = 100.0
 
 _LENGTHS = ((1e-3, "mm", "m"), (1e-6, "um", "m"), (1e-2, "cm", "m"), (1e-1, "mm", "cm"))
@@ -52,7 +53,7 @@ _LONGER_TIMES = ((1e3, "s", "ms"), (60.0, "min", "s"), (3600.0, "h", "s"))
 
 
 def checked(measurements: Measurements, scene: Scene) -> Measurements:
-    """Hold measurements against their scene."""
+    """Check measurements against their scene, and return them with corrected signs and notes."""
     series, refused = [], []
     for one in measurements.series:
         try:
@@ -65,7 +66,7 @@ def checked(measurements: Measurements, scene: Scene) -> Measurements:
 
 
 def own_scene(series: Series, scene: Scene) -> Scene:
-    """Return the scene of one filament: the common one with the values that the filament has of its own."""
+    """Return the scene of one filament: the common scene with this filament's own values."""
     changes, _ = read_overrides(series.overrides)
     if not changes:
         return scene
@@ -93,9 +94,9 @@ def _checked(series: Series, scene: Scene) -> Series:
             turn[track.name], note, fault = _sign(track)
             notes += note
             faults += fault
-        for test in (_too_far, _wrong_clock, _faster_than_free_fall):
-            # A wrong unit is one fault, not two.
-            note, fault = test(track, scene) if not faults or test is _wrong_clock else ([], [])
+        for test in (_implausible_height, _implausible_times, _faster_than_free_fall):
+            # A wrong unit is reported once.
+            note, fault = test(track, scene) if not faults or test is _implausible_times else ([], [])
             notes += note
             faults += fault
     faults += _beside_the_supports(series.shapes, scene) if series.shapes is not None else []
@@ -116,8 +117,8 @@ def _checked(series: Series, scene: Scene) -> Series:
 
 
 def _force(one: Forces, scene: Scene) -> tuple[Forces, list[str], list[Fault]]:
-    """A force with the sign that a sagging filament gives it, what to say of it, and what is wrong with it."""
-    notes, faults = _wrong_clock(_Track(one.way, one.time, one.force), scene)
+    """A force with the sign that a sagging filament gives it, notes on it, and faults."""
+    notes, faults = _implausible_times(_Track(one.way, one.time, one.force), scene)
     if not _sags(scene):
         return one, notes, faults
     settled = float(one.force[-max(1, one.force.size // 3) :].mean())
@@ -145,7 +146,7 @@ def _tracks(series: Series) -> Iterator[_Track]:
 
 
 def _sags(scene: Scene) -> bool:
-    """Tell whether the filament hangs below its supports at all times, with nothing that could lift it."""
+    """Whether the filament hangs below its supports at all times, as nothing can lift it."""
     ends, filament = scene.ends, scene.filament
     bent = ends.left_angle > 0 or ends.right_angle < 0 or filament.curvature != 0 or any(scene.initial.C)
     return scene.load.gravity > 0 and scene.load.shake == 0 and not bent and ends.drop == 0 and not ends.motion
@@ -155,7 +156,7 @@ Findings = tuple[list[str], list[Fault]]
 
 
 def _sign(track: _Track) -> tuple[bool, list[str], list[Fault]]:
-    """Tell whether the heights must be turned; what else to say of their sign."""
+    """Whether the heights have the wrong sign; notes and faults."""
     height = track.height
     top, bottom = float(height.max()), float(height.min())
     if top <= 0 or top <= -_OTHER_SIDE * bottom:
@@ -168,7 +169,7 @@ def _sign(track: _Track) -> tuple[bool, list[str], list[Fault]]:
         return False, [note], []
     settled = float(height[-max(1, height.size // 3) :].mean())
     much = _FALLING * (top - bottom)
-    # Lengths that count downwards start small and grow; a film that starts in the midst of ringing starts in between.
+    # Lengths that count downwards start small and grow; a film that starts during the ringing starts in between.
     if height[0] - settled > much and height[0] > top - much:
         found = (
             f"above the supports' level and falling, from {height[0]:g} m to {height[-1]:g} m, while the filament sags"
@@ -182,7 +183,7 @@ def _sign(track: _Track) -> tuple[bool, list[str], list[Fault]]:
     return True, [note], []
 
 
-def _too_far(track: _Track, scene: Scene) -> Findings:
+def _implausible_height(track: _Track, scene: Scene) -> Findings:
     apart = farthest(scene)
     length = max(apart, stress_free_length(scene))
     worst = int(np.abs(track.height).argmax())
@@ -193,13 +194,15 @@ def _too_far(track: _Track, scene: Scene) -> Findings:
         hint = _in_another_unit(height, 1e-3 * length, length, _LENGTHS, "m")
         return [], [Fault(track.name, found, f"at most {_REACH * length:g} m from the supports' level{hint}")]
     if ratio > _UNUSUAL:
-        return [f"The {track.name} gets to {height:g} m, {ratio:.3g} times the length of the filament: right unit?"], []
+        found = f"reaches {height:g} m, {ratio:.3g} times the length of the filament"
+        return [f"The {track.name} {found}: is the unit right?"], []
     if ratio < _INVISIBLE:
-        return [f"The {track.name} never gets farther than {abs(height):g} m, less than is ever seen: right unit?"], []
+        found = f"never exceeds {abs(height):g} m, less than a camera can resolve"
+        return [f"The {track.name} {found}: is the unit right?"], []
     return [], []
 
 
-def _wrong_clock(track: _Track, scene: Scene) -> Findings:
+def _implausible_times(track: _Track, scene: Scene) -> Findings:
     first, last = float(track.time[0]), float(track.time[-1])
     fall, duration = gravity_time(scene), scene.run.duration
     groups = groups_of(scene)
@@ -208,11 +211,11 @@ def _wrong_clock(track: _Track, scene: Scene) -> Findings:
     known = f"the scene runs for {duration:g} s" + (f", sqrt(span/gravity) is {fall:.3g} s" if fall < math.inf else "")
     if last < _SOONER * shortest:
         hint = _in_another_unit(last, shortest, longest, _LONGER_TIMES, "s")
-        found = f"the last is {last:g} s, before anything is seen to move: {known}"
+        found = f"the last time is {last:g} s, before any visible motion: {known}"
         return [], [Fault("time", found, f"times beyond {_SOONER * shortest:.3g} s{hint}")]
     if last > _LATER * longest:
         hint = _in_another_unit(last, shortest, longest, _SHORTER_TIMES, "s")
-        found = f"the last is {last:g} s, long after the scene: {known}"
+        found = f"the last time is {last:g} s, long after the end of the scene: {known}"
         accepted = f"times from the release up to {_LATER * longest:.3g} s, or a longer run.duration{hint}"
         return [], [Fault("time", found, accepted)]
     if track.time.size > 1 and first > last - first:
@@ -221,7 +224,7 @@ def _wrong_clock(track: _Track, scene: Scene) -> Findings:
 
 
 def _faster_than_free_fall(track: _Track, scene: Scene) -> Findings:
-    """No midpoint between supports outruns a body let go at time 0; one that does was let go before."""
+    """Check that the midpoint does not fall faster than a free body; if it does, its release was before time 0."""
     if not track.time[-1] > 0 or not _sags(scene) or not is_held(scene) or is_slack(scene):
         return [], []
     fallen = 0.5 * scene.load.gravity * track.time**2
@@ -236,8 +239,8 @@ def _faster_than_free_fall(track: _Track, scene: Scene) -> Findings:
         return [], []
     k = int(early[0])
     note = (
-        f"At {track.time[k]:g} s the {track.name} is at {track.height[k]:g} m already, and a body let go at time 0 has "
-        f"fallen {fallen[k]:.3g} m by then: is time 0 the release, and the supports' level the zero of the heights?"
+        f"At {track.time[k]:g} s the {track.name} is at {track.height[k]:g} m already, while a free body released at "
+        f"time 0 has fallen {fallen[k]:.3g} m: is time 0 the release, and the supports' level the zero of the heights?"
     )
     return [note], []
 
@@ -256,10 +259,10 @@ def _beside_the_supports(shapes: Shapes, scene: Scene) -> list[Fault]:
     return [Fault("x", f"from {left:g} m to {right:g} m", accepted)]
 
 
-def _in_another_unit(value: float, least: float, most: float, units: Sequence[tuple[float, str, str]], si: str) -> str:
-    """Name the confusion of units that would bring a value between two bounds; empty if none does."""
+def _in_another_unit(value: float, low: float, high: float, units: Sequence[tuple[float, str, str]], si: str) -> str:
+    """Name the mistaken unit that would bring a value between two bounds; empty if none does."""
     for factor, meant, written in units:
-        if least <= abs(value) * factor <= most:
+        if low <= abs(value) * factor <= high:
             return f"; wrong unit? {value * factor:.4g} {si} would do, as of {meant} in a column named for {written}"
     return ""
 
@@ -269,6 +272,6 @@ Films = Measurements | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 
 
 def taken(films: Films, scene: Scene) -> Measurements:
-    """Read measurements where they are files, and hold them against their scene."""
+    """Return measurements, read from files if need be, after the checks against their scene."""
     read = films if isinstance(films, Measurements) else read_measurements(films)
     return checked(read, scene)

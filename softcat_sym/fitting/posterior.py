@@ -1,4 +1,4 @@
-"""The posterior of a fit: drawn by nutpie's NUTS with the derivatives of the model, kept and judged by ArviZ."""
+"""The posterior of a fit: sampled by nutpie's NUTS with the derivatives of the model, assessed by ArviZ."""
 
 from __future__ import annotations
 
@@ -30,35 +30,35 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.result import Fit
 
 DRAWS, TUNE, CHAINS, TIME_LIMIT = 500, 100, 2, 900.0
-"""By default: draws and steps of tuning of each chain, chains, and seconds that they may take."""
+"""Defaults: draws and tuning steps of each chain, number of chains, and time limit of all [s]."""
 
 MAX_R_HAT = 1.01
 MIN_ESS = 100
 """Effective draws for each chain (Vehtari et al. 2021, section 4)."""
 
 _PRIOR_DRAWS = 1000
-# Evaluations of the model for a draw, in whitened unknowns; only to say beforehand what it will take.
+# Evaluations of the model for a draw in whitened unknowns, to estimate the duration beforehand.
 _STEPS = 4
-# A tree of more steps says nothing in whitened unknowns that the next one would not.
+# Maximum depth of a tree: deeper trees gain nothing in whitened unknowns.
 _MAX_DEPTH = 6
-# Share of the width between the bounds: a best fit on a bound is taken as this far from it.
+# Smallest distance of the centre from a bound, as a share of the width between the bounds.
 _EDGE = 1e-4
-# Instead of infinite where the model has no answer, in the search for the mode.
+# Value of the function that is minimised for the mode, where the model has no answer.
 _NO_ANSWER = 1e15
 _LEVEL = 0.95
 _POLL = 0.1
 
 
 class Sampled(LeastSquares, Protocol):
-    """A problem of least squares that says whether its residuals are in standard deviations of their noise."""
+    """A problem of least squares that states whether its noise is known."""
 
     @property
     def noise_known(self) -> bool:
-        """Whether they are; otherwise in units of one unknown deviation."""
+        """Whether residuals are in known standard deviations; otherwise in units of one unknown deviation."""
 
 
 class PosteriorOutcome(Enum):
-    """What a posterior is worth; ``name`` with blanks for underscores goes into ``fit.json``."""
+    """Whether a posterior can be used; ``name`` with blanks for underscores goes into ``fit.json``."""
 
     sampled = "the chains agree, and their draws suffice for 95 % intervals"
     not_mixed = (
@@ -78,7 +78,7 @@ class PosteriorOutcome(Enum):
 
     @property
     def word(self) -> str:
-        """As files and terminals say it."""
+        """The name with blanks, for files and terminals."""
         return self.name.replace("_", " ")
 
 
@@ -91,15 +91,16 @@ class Posterior:
     data : arviz.InferenceData
         Groups `posterior` (SI, by the names of the parameters), `sample_stats`, `prior` and `observed_data`.
     parameters : dict of str to dict
-        Of each: mean, sd, median, hdi95, eti95 (highest density, and between the quantiles), ess_bulk, ess_tail, r_hat.
+        For each: mean, sd, median, hdi95 and eti95 (interval of highest density, and between quantiles), ess_bulk,
+        ess_tail, r_hat.
     priors : tuple of Prior
         In the order of the parameters.
     outcome : PosteriorOutcome
-        What it is worth.
+        Whether the posterior can be used.
     divergences, draws, asked : int
-        Steps that failed after tuning; draws of each chain, and how many were asked for.
+        Steps that failed after tuning; draws of each chain, and the requested number of draws.
     evaluations, seconds : int, float
-        Of the model with its derivatives, and what they took.
+        Evaluations of the model with its derivatives, and their duration.
     """
 
     data: Any
@@ -114,7 +115,7 @@ class Posterior:
 
     @property
     def message(self) -> str:
-        """What the outcome rests on, in a line."""
+        """Diagnostics behind the outcome, in one line."""
         worst = max(one["r_hat"] for one in self.parameters.values())
         least = min(min(one["ess_bulk"], one["ess_tail"]) for one in self.parameters.values())
         stopped = f" of {self.asked} (out of time)" if self.draws < self.asked else ""
@@ -161,24 +162,24 @@ def posterior_of(
     time_limit: float = TIME_LIMIT,
     progress: Progress | None = None,
 ) -> Posterior:
-    """Draw from the posterior of a fit's parameters; noise, camera and the theory's error as the fit has them.
+    """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
     Parameters
     ----------
     fit : Fit
         With an optimum.
     priors : mapping of str to str, optional
-        By parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them.
+        Prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them.
     draws, seed, time_limit, progress
         As for :func:`sample`.
 
     Raises
     ------
     SoftcatError
-        As :func:`sample`; or if no optimum was found.
+        As for :func:`sample`; or if no optimum was found.
     """
     if not fit.outcome.converged:
-        raise SoftcatError(f"a posterior begins at an optimum, and the fit ended as {fit.outcome.word!r}")
+        raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem = Marginal(fit.problem, fit.starts.best)
     fit.problem.deadline = math.inf
     best, read = fit.starts.best.q[: fit.problem.asked], read_priors(priors or {}, problem.free)
@@ -202,9 +203,9 @@ def sample(
 ) -> Posterior:
     """Draw from the posterior of a problem of least squares.
 
-    The likelihood is Gaussian. Where the noise is not known its deviation has Jeffreys' prior 1/s and is integrated
-    out: the logarithm is then -m/2 log(r.r) of m residuals r. Unknowns are mapped from between their bounds to all
-    numbers, and whitened by the curvature at the mode, so that a short tuning suffices. Chains follow one another: a
+    The likelihood is Gaussian. Where the noise is not known, its deviation has Jeffreys' prior 1/s and is integrated
+    out: the logarithm is then -m/2 log(r.r) of m residuals r. Unknowns are mapped from their bounds to the real line,
+    and whitened by the curvature at the mode, so that a short tuning suffices. Chains run one after another: a
     model with a memory of its last evaluation gives the same draws again.
 
     Parameters
@@ -216,23 +217,23 @@ def sample(
     priors : sequence of Prior
         Of the k unknowns: :func:`softcat_sym.fitting.priors.read_priors`.
     draws, tune, chains, seed : int
-        Draws of each chain after so many for tuning; a chain alone cannot be judged.
+        Draws of each chain after `tune` tuning steps; convergence cannot be assessed with a single chain.
     time_limit : float
-        Seconds. More than that is refused beforehand, or ends the chains with what they have.
+        Seconds. A longer estimate is refused beforehand; chains that reach the limit end with the draws so far.
     observed : mapping of str to ndarray, optional
-        What was measured, to be kept with the draws.
+        Measurements, stored with the draws.
     progress : Progress, optional
-        Hears how far it is.
+        Receiver of progress reports.
 
     Returns
     -------
     Posterior
-        With an outcome, which is to be looked at.
+        Draws and an outcome, which tells whether they can be used.
 
     Raises
     ------
     SoftcatError
-        If nutpie is missing, the time does not suffice, or the model has no answer around the best fit.
+        If nutpie is missing, the time does not suffice, or the model has no answer near the best fit.
     """
     nutpie, arviz = packages()
     if min(draws, tune, chains) < 1:
@@ -245,18 +246,18 @@ def sample(
     needed = chains * (tune + draws) * _STEPS * density.quickest
     if needed > time_limit:
         raise SoftcatError(
-            f"the posterior would take about {needed / 60:.1f} min, of which {time_limit / 60:.1f} are allowed; "
+            f"the posterior would take about {needed / 60:.1f} min, but {time_limit / 60:.1f} min are allowed; "
             "accepted: a longer time, fewer draws, or cheaper physics (run.effects, numerics.cells)"
         )
     left, parts = time_limit, []
     for chain in range(chains):
         until = time.perf_counter() + left / (chains - chain)
 
-        def heard(done: int, chain: int = chain) -> None:
+        def report(done: int, chain: int = chain) -> None:
             share = (chain + done / (tune + draws)) / chains
             listener.reach(share, f"chain {chain + 1} of {chains}, {done} of {tune + draws} draws")
 
-        parts.append(_chain(nutpie, density, heard, draws=draws, tune=tune, seed=[seed, chain], until=until))
+        parts.append(_chain(nutpie, density, report, draws=draws, tune=tune, seed=[seed, chain], until=until))
         left = begin + time_limit - time.perf_counter()
     least = min(part.posterior.sizes["draw"] for part in parts)
     if least < 4:
@@ -280,7 +281,7 @@ def sample(
 
 
 def packages() -> tuple[Any, Any]:
-    """Import nutpie and ArviZ, or say how they are installed."""
+    """Import nutpie and ArviZ, or say how to install them."""
     try:
         with warnings.catch_warnings():
             # ArviZ announces its next version on import.
@@ -289,14 +290,13 @@ def packages() -> tuple[Any, Any]:
             import arviz
     except ImportError:
         raise SoftcatError(
-            "a posterior is drawn by nutpie and kept by ArviZ, which are not installed: "
-            "pip install 'softcat_sym[bayes]'"
+            "a posterior needs nutpie and ArviZ, which are not installed: pip install 'softcat_sym[bayes]'"
         ) from None
     return nutpie, arviz
 
 
 class _Density:
-    """The logarithm of the posterior density in whitened unknowns z, of which all numbers are allowed.
+    """The logarithm of the posterior density in whitened unknowns z, which are unbounded.
 
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
@@ -306,7 +306,7 @@ class _Density:
         self._lower = np.array([one.lower for one in priors])
         self._width = np.array([one.upper for one in priors]) - self._lower
         self._centre, self._spread = np.zeros(len(priors)), np.eye(len(priors))
-        self.evaluations, self.quickest = 0, math.inf  # How many, and the shortest that one took [s]
+        self.evaluations, self.quickest = 0, math.inf  # Number of evaluations, and duration of the fastest [s]
 
     def q(self, z: Floats) -> Floats:
         """The unknowns of the problem."""
@@ -324,7 +324,7 @@ class _Density:
         fit = -0.5 * squares
         if not self._problem.noise_known and squares > 0:
             fit, weight = -0.5 * residuals.size * math.log(squares), residuals.size / squares
-        # Of the map from y to q.
+        # Logarithm of the Jacobian of the map from y to q.
         stretch = log_expit(y) + log_expit(-y)
         value = fit + float(before.sum() + stretch.sum())
         by_q = slopes - weight * (jacobian.T @ residuals)
@@ -341,7 +341,7 @@ class _Density:
         return found
 
     def whiten(self, best: Floats) -> None:
-        """Find the mode near the best fit, and take the curvature there for unity."""
+        """Find the mode near the best fit, and scale the unknowns to unit curvature there."""
         self._curve(best)
 
         def downhill(z: Floats) -> tuple[float, Floats]:
@@ -374,12 +374,12 @@ def _second(prior: Prior, q: float, step: float = 1e-3) -> float:
     return (prior.slope(high) - prior.slope(low)) / (high - low)
 
 
-def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
-    """Draw one chain, until a time at the latest; as ArviZ's data."""
+def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
+    """Draw one chain, until a given time at the latest; return ArviZ's data."""
     names = [one.free.name for one in density._priors]
     failure, done = list[BaseException](), 0
     random = np.random.default_rng(seed)
-    # The store's own variables belong to the thread that asked.
+    # The context variables of the store are those of the calling thread.
     context = contextvars.copy_context()
 
     def logarithm(z: Floats) -> tuple[float, Floats]:
@@ -414,15 +414,15 @@ def _chain(nutpie: Any, density: _Density, heard: Any, *, draws: int, tune: int,
             try:
                 return run.wait(timeout=_POLL)
             except TimeoutError:
-                heard(done)
+                report(done)
                 if failure:
                     raise failure[0] from None
                 if time.perf_counter() > until:
                     return run.abort()
             except RuntimeError as error:
-                # Rust adds a stack of its own.
+                # Rust appends a stack trace.
                 reason = str(error).partition("\n")[0]
-                raise SoftcatError(f"no chain could begin around the best fit: {reason}") from None
+                raise SoftcatError(f"no chain could start near the best fit: {reason}") from None
     finally:
         run.cancel()
 
@@ -432,7 +432,7 @@ def _in_si(prior: Prior, q: Floats) -> Floats:
 
 
 def _summary(arviz: Any, data: Any) -> dict[str, dict[str, Any]]:
-    """By name."""
+    """Statistics of the draws by parameter name."""
     table = arviz.summary(data, hdi_prob=_LEVEL, round_to="none")
     found = {}
     for name in data.posterior.data_vars:
@@ -449,7 +449,7 @@ def _summary(arviz: Any, data: Any) -> dict[str, dict[str, Any]]:
 
 
 def _outcome(parameters: Mapping[str, Mapping[str, Any]], divergences: int, chains: int) -> PosteriorOutcome:
-    # Written so that what is not a number, as of one chain, is no success.
+    # The comparison is false for NaN, which a single chain gives.
     if not all(one["r_hat"] <= MAX_R_HAT for one in parameters.values()):
         return PosteriorOutcome.not_mixed
     if divergences:

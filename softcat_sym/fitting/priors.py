@@ -1,4 +1,4 @@
-"""What is believed of a parameter before the film is seen: a distribution of scipy.stats, written with units."""
+"""Prior distributions of free parameters: those of scipy.stats, written with units."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ FORM = "NAME=DISTRIBUTION, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"
 
 _CALL = re.compile(r"\s*([A-Za-z]\w*)\s*\((.*)\)\s*", re.DOTALL)
 _KEYWORD = re.compile(r"\s*([A-Za-z]\w*)\s*=(.*)", re.DOTALL)
-# Commas outside of parentheses, which units may have.
+# Commas outside of parentheses, as units may contain some.
 _COMMA = re.compile(r",(?![^(]*\))")
-# Of a two-sided difference in q, a number of order one.
+# Step of a two-sided difference in q, which is of order one.
 _STEP = 1e-5
-# Shapes that are values of the variable itself, where no scale is given.
+# Distributions whose shape arguments are values of the parameter and replace a scale.
 _ENDS = {"loguniform": ("a", "b"), "reciprocal": ("a", "b")}
 
 
@@ -42,11 +42,11 @@ class Prior:
     free : FreeParameter
         The unknown.
     law : frozen distribution of scipy.stats or None
-        Of the value in SI; None is flat in q: of a positive parameter in the logarithm.
+        Distribution of the value in SI; None is flat in q, which is the logarithm of a positive parameter.
     text : str
-        As it was written.
+        The prior as the user wrote it.
     lower, upper : float
-        Bounds of q, cut to where the density is not zero.
+        Bounds of q, restricted to where the density is not zero.
     """
 
     free: FreeParameter
@@ -56,13 +56,13 @@ class Prior:
     upper: float
 
     def log_density(self, q: float) -> float:
-        """Logarithm of the density in q, short of a constant: what the bounds cut off is not made up for."""
+        """Logarithm of the density in q, up to a constant: the density is not normalised between the bounds."""
         if self.law is None:
             return 0.0
         return float(self.law.logpdf(self.free.value(q))) + math.log(abs(self.free.slope(q)))
 
     def slope(self, q: float) -> float:
-        """Derivative of :meth:`log_density` by q, of a two-sided difference within the bounds."""
+        """Derivative of :meth:`log_density` by q, from a two-sided difference within the bounds."""
         if self.law is None:
             return 0.0
         low, high = max(q - _STEP, self.lower), min(q + _STEP, self.upper)
@@ -80,14 +80,14 @@ class Prior:
 
 
 def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tuple[Prior, ...]:
-    """Read the priors of all unknowns; of those without one it is flat in q between the bounds.
+    """Read the priors of all unknowns; an unknown without one has a flat prior in q between its bounds.
 
     Parameters
     ----------
     texts : mapping of str to str
-        By the name of a parameter a continuous distribution of :mod:`scipy.stats` of its value, such as
+        For a parameter's name, a continuous distribution of :mod:`scipy.stats` of its value, such as
         ``"lognorm(s=0.5, scale=30 Pa*s)"``, ``"loguniform(1 kPa, 1 MPa)"`` or ``"norm(0 ms, 2 ms)"``. The order of the
-        arguments is SciPy's: shapes, `loc`, `scale`. Those of the parameter's dimension have a unit, the others none.
+        arguments is SciPy's: shapes, `loc`, `scale`. Arguments of the parameter's dimension have a unit, others none.
     free : sequence of FreeParameter
         The unknowns of the fit.
 
@@ -99,7 +99,7 @@ def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tupl
     Raises
     ------
     SceneError
-        If a name is not free, or a distribution unknown or without sense; all faults at once.
+        If a name is not free, or a distribution is unknown or invalid; all faults at once.
     """
     names = [one.name for one in free]
     faults = [
@@ -123,7 +123,7 @@ def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tupl
 
 
 def refuse_excluded(priors: Sequence[Prior], q: Floats) -> None:
-    """Refuse priors that exclude the best fit: the chains would begin where there is no density."""
+    """Refuse priors that exclude the best fit, as the chains would start where the density is zero."""
     faults = [
         Fault(
             f"prior of {one.free.name}",
@@ -146,7 +146,7 @@ def _known() -> dict[str, Any]:
 def _read(free: FreeParameter, text: str) -> Prior:
     call = _CALL.fullmatch(text)
     if call is None:
-        raise refusal(f"{shown(text)} is no distribution with its arguments", FORM)
+        raise refusal(f"{shown(text)} is not a distribution with arguments", FORM)
     name, inside = call.groups()
     if name not in _known():
         raise refusal(
@@ -199,7 +199,7 @@ def _number(free: FreeParameter, text: str, accepted: str, *, is_pure: bool) -> 
         if is_pure or free.unit == "1":
             number = float(text)
         elif free.path.startswith("temperature."):
-            # Their units hold kelvin and mole.
+            # These units contain kelvin and mole.
             number = float(kinds_of(Temperature)[free.name].read(text))
         else:
             number = to_si(text, "quantity", free.unit)

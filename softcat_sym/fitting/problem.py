@@ -1,4 +1,4 @@
-"""Films beside their models: residuals whose Gaussian likelihood knows of noise, camera and theory's own error."""
+"""Residuals of films against their models, with a Gaussian likelihood of noise, camera and theory error."""
 
 from __future__ import annotations
 
@@ -36,43 +36,43 @@ from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.scene.scene import Scene
 
 CAMERA = {SCALE: 0.02, INITIAL_SAG: 0.02, TIME_OFFSET: 1.0, TILT: math.radians(1)}
-"""Standard deviations with which a camera's own numbers are known unless it is said to be calibrated.
+"""Prior standard deviations of a camera's parameters, unless it is said to be calibrated.
 
-The scale as a share, the sag at the start as a share of the largest height, the clock in frames, the tilt in radians.
+The scale is a share, the sag at the start a share of the largest height, the clock in frames, the tilt in radians.
 """
 
 THEORY = "theory_error"
 
-# Of the variance of a reading's noise: directions in which the theory's error has less are not followed.
-_SEEN = 0.05
-_MOST_COMPONENTS, _MOST_DIRECTIONS = 300, 24
-# Of the largest height: no camera tells less, and the integrator has as much of its own.
-_LEAST_NOISE = 1e-4
-_WIDE = 8.0  # Bounds of what has a prior, in its standard deviations
+# Share of the variance of a reading's noise above which a direction of the theory's error has an amplitude of its own.
+_MIN_VARIANCE = 0.05
+_MAX_COMPONENTS, _MAX_DIRECTIONS = 300, 24
+# Smallest noise, as a share of the largest height: cameras resolve no less, and the integration error is as large.
+_MIN_NOISE = 1e-4
+_WIDE = 8.0  # Bounds of an unknown with a prior, in its standard deviations
 _SIGNIFICANT = 2.6  # Standard normal, 1 %
-_MOST_CORRELATED = 0.98
-_RANK = 1e-6  # Of the largest singular value
-_FEWEST = 20  # Readings in a row from which on a correlation of neighbours can be estimated
+_MAX_CORRELATION = 0.98
+_RANK = 1e-6  # Smallest significant singular value, as a share of the largest
+_FEWEST = 20  # Smallest number of consecutive readings whose correlation can be estimated
 _RTOL_OF_FORCES = 1e-4
-"""Of the time steps beside forces, which err a hundred times as much as heights: a thousandth of them then."""
+"""Relative tolerance beside forces: they err a hundred times as much as heights, by about a thousandth then."""
 
 EACH = "each"
-"""Behind the @ of a parameter that every film has for itself."""
+"""Suffix after the @ of a parameter with a separate value for every film."""
 
-# Relative change of the noise that is worth another round.
+# Relative change of the noise above which the fit is repeated.
 _SAME_NOISE = 0.1
 
 
 @dataclass(frozen=True)
 class Noise:
-    """What is known of a camera's noise beside the errors that its film states."""
+    """Noise of the readings, as far as a film does not state their errors."""
 
     deviation: float  # Of a height without a stated error [m]
-    correlation: float = 0.0  # Of neighbours
-    of_force: float = 1.0  # Of a force without a stated error [N]
+    correlation: float = 0.0  # Of neighbouring readings
+    of_force: float = 1.0  # Standard deviation of a force without a stated error [N]
 
     def is_like(self, other: Noise) -> bool:
-        """Whether nothing is gained by fitting again with the other."""
+        """Whether the other noise differs so little that the fit need not be repeated."""
         pairs = (self.deviation, other.deviation), (self.of_force, other.of_force)
         same = all(abs(math.log(one / another)) < _SAME_NOISE for one, another in pairs)
         return same and abs(self.correlation - other.correlation) < _SAME_NOISE
@@ -80,52 +80,52 @@ class Noise:
 
 @dataclass(frozen=True, eq=False)
 class Filmed:
-    """One series, the model of its filament, and which unknowns of the problem that model has."""
+    """One series, the model of its filament, and the unknowns of the problem on which that model depends."""
 
-    series: Series  # What was measured
-    model: ForwardModel  # What it is compared with
-    columns: tuple[int, ...]  # For each unknown of the model its number in the problem
+    series: Series  # The measurements
+    model: ForwardModel  # The model that they are compared with
+    columns: tuple[int, ...]  # Number in the problem of each unknown of the model
     time: Floats  # shape (n,); Of every reading [s]: of the midpoint, then of points of whole shapes, then of forces
-    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of all others
+    place: Floats  # shape (n,); x of a point of a shape from halfway between the supports [m]; NaN for other readings
     data: Floats  # shape (n,); Heights [m] and forces [N]
     std: Floats  # shape (n,); Standard errors
     is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces
     scale: int | None = None  # Numbers of the camera's scale and tilt in the problem
     tilt: int | None = None
-    theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error, and
-    basis: Floats | None = None  # shape (n, their number); what each of them adds [m]
+    theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error in the problem
+    basis: Floats | None = None  # shape (n, amplitudes); Height for a unit of each amplitude [m]
     theory_size: float = 0.0  # Standard deviation of the theory's error over the heights
-    # Directions of the theory's error that have no amplitudes, shape (n, their number), of whitened residuals, and by
-    # how much they are to be shortened.
+    # Directions of the theory's error without amplitudes, shape (n, directions), of whitened residuals; and the shares
+    # by which the residuals are shortened along them.
     rest: tuple[Floats, Floats] | None = None
     correlation: float = 0.0  # Of the noise of neighbouring readings of the midpoint
 
     @property
     def force_way(self) -> NDArray[np.int64]:
-        """Number of its way of each force, -1 of each height, shape (n,)."""
+        """Number of the direction of each force in `WAYS`, -1 for heights, shape (n,)."""
         ways = [np.full(one.time.size, WAYS.index(one.way)) for one in self.series.forces]
         return np.concatenate([np.full(int(np.sum(~self.is_force)), -1), *ways])
 
     @property
     def name(self) -> str:
-        """Its label, or its file; empty if it has neither."""
+        """Label of the film, or the name of its file; empty if it has neither."""
         return self.series.label or (self.series.path.name if self.series.path else "")
 
     def heights(self, q: Floats) -> Floats:
-        """What the model says at every reading [m], [N], shape (n,), of the unknowns of the whole problem."""
+        """Values of the model at every reading [m], [N], shape (n,), for the unknowns of the whole problem."""
         own, shapes = q[list(self.columns)], self.series.shapes
         parts = [self.model.midpoints(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
         parts += [self._force(own, number)[0] for number in range(len(self.series.forces))]
-        return self._seen(np.concatenate(parts), q)
+        return self._observed(np.concatenate(parts), q)
 
     def _force(self, own: Floats, number: int) -> tuple[Floats, Floats]:
         one = self.series.forces[number]
         return self.model.forces(own, one.time, WAYS.index(one.way))
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """The same with derivatives by the unknowns of the whole problem, shape (n, k)."""
+        """Values of the model, with derivatives by the unknowns of the whole problem, shape (n, k)."""
         own, shapes = q[list(self.columns)], self.series.shapes
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
@@ -134,37 +134,37 @@ class Filmed:
         slopes, plain = np.zeros((self.data.size, q.size)), np.concatenate([part[0] for part in parts])
         slopes[:, list(self.columns)] = np.concatenate([part[1] for part in parts])
         if self.scale is not None:
-            slopes *= self._scaled(q)[:, None]
-            slopes[:, self.scale] = np.where(self.is_force, 0.0, self._scaled(q) * plain)
+            slopes *= self._magnification(q)[:, None]
+            slopes[:, self.scale] = np.where(self.is_force, 0.0, self._magnification(q) * plain)
         if self.tilt is not None:
-            slopes[:, self.tilt] = self._across
+            slopes[:, self.tilt] = self._height_by_tilt
         if self.basis is not None:
             slopes[:, list(self.theory)] = self.basis
-        return self._seen(plain, q), slopes
+        return self._observed(plain, q), slopes
 
-    def _seen(self, plain: Floats, q: Floats) -> Floats:
-        """Heights as the camera sees those of the model, the theory's own error added."""
-        seen = plain * self._scaled(q)
+    def _observed(self, plain: Floats, q: Floats) -> Floats:
+        """Heights of the model as the camera shows them, with the theory's error added."""
+        seen = plain * self._magnification(q)
         if self.tilt is not None:
-            seen = seen + q[self.tilt] * self._across
+            seen = seen + q[self.tilt] * self._height_by_tilt
         return seen + self.error(q)
 
-    def _scaled(self, q: Floats) -> Floats:
-        """By which the camera magnifies each reading; forces are not seen by it."""
+    def _magnification(self, q: Floats) -> Floats:
+        """Magnification of each reading by the camera; one for forces."""
         return np.where(self.is_force, 1.0, 1.0 if self.scale is None else math.exp(q[self.scale]))
 
     def error(self, q: Floats) -> Floats:
-        """What the theory's own error adds [m], shape (n,)."""
+        """Height that the theory's error adds [m], shape (n,)."""
         return np.zeros(self.data.size) if self.basis is None else np.asarray(self.basis @ q[list(self.theory)])
 
     @property
-    def _across(self) -> Floats:
+    def _height_by_tilt(self) -> Floats:
         """Height that one radian of the camera's tilt adds [m]."""
         return np.nan_to_num(self.place)
 
     def whitened(self, rows: Floats) -> Floats:
-        """Rows over the standard errors, without what is correlated with the reading before; shape as given."""
-        over = self._apart(rows / (self.std if rows.ndim == 1 else self.std[:, None]))
+        """Rows over the standard errors, decorrelated from the reading before; shape as given."""
+        over = self._decorrelated(rows / (self.std if rows.ndim == 1 else self.std[:, None]))
         if self.rest is None:
             return over
         directions, shorter = self.rest
@@ -172,8 +172,8 @@ class Filmed:
             over - directions @ ((shorter if rows.ndim == 1 else shorter[:, None]) * (directions.T @ over))
         )
 
-    def _apart(self, over: Floats) -> Floats:
-        """Rows in standard errors without what is correlated with the reading before."""
+    def _decorrelated(self, over: Floats) -> Floats:
+        """Rows in standard errors, decorrelated from the reading before."""
         count = self.series.time.size
         if not self.correlation or count < 2:
             return over
@@ -190,11 +190,11 @@ class Filmed:
 class FilamentProblem(Unknowns):
     """Residuals in standard errors: a problem of least squares with Gaussian priors.
 
-    Every filament shares the unknowns of the material, which are named first, but for those of single films: their
-    names end in ``@2``, the number of the film, or in ``@each``. Behind them come each camera's own numbers, known
-    about as well as :data:`CAMERA` says, with the number of the film behind their names where there are several; and
-    the amplitudes of the theory's own error, in the directions of its covariance
-    (:mod:`softcat_sym.fitting.discrepancy`). What has a prior adds a row to the residuals, behind those of the data.
+    The free parameters come first. All filaments share them, except those whose names end in ``@2``, the number of a
+    film, or in ``@each``. Then come the parameters of each camera, with the priors of :data:`CAMERA` and, if there are
+    several films, the film's number in their names; and the amplitudes of the theory's error, in the directions of its
+    covariance (:mod:`softcat_sym.fitting.discrepancy`). Every unknown with a prior adds a row to the residuals, after
+    those of the data.
 
     Parameters
     ----------
@@ -203,14 +203,14 @@ class FilamentProblem(Unknowns):
     backend, rtol : str, float, optional
         Of the models.
     camera, theory : bool
-        Whether the camera's own numbers and the theory's error are unknowns.
+        Whether the camera's parameters and the theory's error are unknowns.
     noise : Noise, optional
-        Of readings without a stated error; by default a first guess by second differences.
+        Of readings without a stated error; by default an initial guess by second differences.
     near : sequence of (Scene, ndarray), optional
-        For each film a model near the best and its heights [m], by which the theory's error is scaled; by default that
-        of the scene, and what was measured, smoothed.
+        For each film, a scene near the best fit and its heights [m], which scale the theory's error; by default the
+        given scene and the measured heights, smoothed.
     flow_curve : FlowCurve, optional
-        Of the same material, in shear.
+        Flow curve of the same material.
     """
 
     def __init__(
@@ -232,7 +232,7 @@ class FilamentProblem(Unknowns):
         scenes = [own_scene(film, scene) for film in series]
         common, single = _asked(scene, scenes, series, names, bounds or {})
         own = [
-            _of_camera(one, film, {free.path for free in (*common, *alone)}) if camera else ()
+            _camera_parameters(one, film, {free.path for free in (*common, *alone)}) if camera else ()
             for one, film, alone in zip(scenes, series, single, strict=True)
         ]
         self.free, self.asked, columns = _unknowns(common, single, own)
@@ -279,36 +279,36 @@ class FilamentProblem(Unknowns):
         self._spread = spread[self._known]
 
     def _with_theory(self, film: Filmed, near: tuple[Scene, Floats] | None, number: int) -> Filmed:
-        """The film with the theory's error among its unknowns: its largest principal components."""
+        """The film with the largest principal components of the theory's error among its unknowns."""
         scene, heights = near or (film.model.scene(self.typical[list(film.columns)]), _smoothed(film))
         error, seen = discrepancy(scene, film.model.effects, film.model.terms), ~film.is_force
         if not seen.any():
             return film
         heights, std = heights[seen], film.std[seen]
         times, row = np.unique(film.time[seen], return_inverse=True)
-        # Of whole shapes the deepest point speaks for all: they err as it does, by the same share.
+        # Assumption: all points of a shape err by the same share, that of the deepest point.
         order = np.lexsort((np.abs(heights), row))
         deepest = heights[order[np.append(np.flatnonzero(np.diff(row[order])), row.size - 1)]]
         last = times.size - 1
         size, vectors = eigh(
-            error.covariance(times, deepest), subset_by_index=[max(0, last + 1 - _MOST_COMPONENTS), last]
+            error.covariance(times, deepest), subset_by_index=[max(0, last + 1 - _MAX_COMPONENTS), last]
         )
         scaled = np.where(deepest == 0, 1.0, deepest)
         shares = vectors * np.sqrt(np.maximum(size, 0.0)) / scaled[:, None]
-        # Principal components of what the camera sees, against its noise.
+        # Principal components of the error in the readings, relative to their noise.
         left, singular, _ = np.linalg.svd(heights[:, None] * shares[row] / std[:, None], full_matrices=False)
-        count = min(int(np.sum(singular**2 > _SEEN)), _MOST_DIRECTIONS)
+        count = min(int(np.sum(singular**2 > _MIN_VARIANCE)), _MAX_DIRECTIONS)
         begin = len(self.free)
         several = f"_{number + 1}" if len(self._how[1].series) > 1 else ""
         self.free += tuple(
             FreeParameter(f"{THEORY}{several}_{k + 1}", THEORY, "1", 0.0, False, 1.0, (-_WIDE, _WIDE), 1.0)
             for k in range(count)
         )
-        followed, basis = np.zeros((film.data.size, singular.size)), np.zeros((film.data.size, count))
-        followed[seen] = left * singular
-        basis[seen] = std[:, None] * followed[seen, :count]
-        # What is not followed is part of the noise: I + B B^T to the power -1/2, by singular vectors of B.
-        rest, lengths, _ = np.linalg.svd(film._apart(followed[:, count:]), full_matrices=False)
+        components, basis = np.zeros((film.data.size, singular.size)), np.zeros((film.data.size, count))
+        components[seen] = left * singular
+        basis[seen] = std[:, None] * components[seen, :count]
+        # The other components B add to the noise: its whitening is (I + B B^T)^(-1/2), by singular vectors of B.
+        rest, lengths, _ = np.linalg.svd(film._decorrelated(components[:, count:]), full_matrices=False)
         return replace(
             film,
             theory=tuple(range(begin, begin + count)),
@@ -324,13 +324,13 @@ class FilamentProblem(Unknowns):
 
     @property
     def unit(self) -> float:
-        """Standard error of a height [m], where they differ, their mean; of a force where nothing else is read."""
+        """Mean standard error of the heights [m]; of the forces [N] if there are no heights."""
         std = np.concatenate([film.std for film in self.films])
         return float(np.mean(std[~self._is_force] if not self._is_force.all() else std))
 
     @property
     def force_unit(self) -> float | None:
-        """Standard error of a force [N], where they differ, their mean; None if none is read."""
+        """Mean standard error of the forces [N]; None if there are none."""
         std = np.concatenate([film.std for film in self.films])[self._is_force]
         return float(np.mean(std)) if std.size else None
 
@@ -340,11 +340,11 @@ class FilamentProblem(Unknowns):
 
     @property
     def readings(self) -> int:
-        """Residuals that are not those of priors."""
+        """Number of residuals without those of priors."""
         return sum(film.data.size for film in self.films) + (0 if self.flow is None else self.flow.std.size)
 
     def curves(self, q: Floats) -> list[Floats]:
-        """What the model says at the readings of each film [m]."""
+        """Values of the model at the readings of each film [m], [N]."""
         return [film.heights(q) for film in self.films]
 
     def residuals(self, q: Floats) -> Floats:
@@ -379,7 +379,7 @@ class FilamentProblem(Unknowns):
             raise TimeLimitError
 
     def by_film(self, values: Floats) -> list[Floats]:
-        """Split what all readings have, shape (m,) or longer, into one array for each film; a flow curve's is left."""
+        """Split an array over all residuals, shape (m,), into one for each film, without flow curve and priors."""
         return [np.asarray(part) for part in np.split(values, self._ends)[:-1]]
 
     @property
@@ -387,21 +387,21 @@ class FilamentProblem(Unknowns):
         return np.cumsum([film.data.size for film in self.films])
 
     def values(self, q: Floats) -> dict[str, float]:
-        """The unknowns in SI, those of the theory's error aside, which come last and in other numbers for other q."""
+        """The unknowns in SI, without those of the theory's error, which come last and whose number depends on q."""
         pairs = zip(self.free, q, strict=False)
         return {free.name: free.value(float(x)) for free, x in pairs if free.path != THEORY}
 
     def at(self, resolution: Resolution, q: Floats) -> tuple[FilamentProblem, Floats]:
-        """The problem on another grid, and where a point of this one lies in it."""
+        """The problem at another resolution, and the point of it that corresponds to q."""
         scene, *rest = self._how
         return self._again((resolution.of(scene), *rest), q, self.noise)
 
     def settled(self, q: Floats, noise: Noise) -> tuple[FilamentProblem, Floats]:
-        """The problem with another noise, its theory's error scaled by the model at q, and where q lies in it."""
+        """The problem with another noise and the theory's error at q, and the point of it that corresponds to q."""
         return self._again(self._how, q, noise)
 
     def has(self, noise: Noise, q: Floats) -> bool:
-        """Whether it has this noise, and the theory's error that belongs to this point."""
+        """Whether the problem uses this noise and the theory's error at this point."""
         errors = [
             (film, discrepancy(self._scene_of(film, q), film.model.effects, film.model.terms))
             for film in self.films
@@ -428,7 +428,7 @@ class FilamentProblem(Unknowns):
         return made, np.clip(moved, made.lower, made.upper)
 
     def noise_at(self, residuals: Floats, jacobian: Floats, loss: Loss) -> Noise:
-        """Noise that these residuals at an optimum speak of, the freedom of the unknowns allowed for."""
+        """Noise estimated from the residuals at an optimum, corrected for the degrees of freedom of the unknowns."""
         is_force = self._is_force
         count, readings = is_force.size, np.concatenate([film.data for film in self.films])
         data, taken = residuals[:count], leverages(jacobian)[:count]
@@ -442,7 +442,7 @@ class FilamentProblem(Unknowns):
             rms = math.sqrt(float(part @ part) / freedom)
             if loss.kind != "linear":
                 rms = 1.4826 * float(np.median(np.abs(part))) * math.sqrt(size / freedom)
-            found.append(max(former * rms, _LEAST_NOISE * float(np.max(np.abs(readings[which])))))
+            found.append(max(former * rms, _MIN_NOISE * float(np.max(np.abs(readings[which])))))
         deviation, of_force = (self.noise.deviation, self.noise.of_force) if self.noise_known else found
         if not self.noise_known and deviation == self.least_noise:
             return Noise(deviation, 0.0, of_force)
@@ -451,8 +451,8 @@ class FilamentProblem(Unknowns):
     def contradiction(self, residuals: Floats, jacobian: Floats) -> Statistic | None:
         """Test whether films and flow curve have the same constants; None without a flow curve.
 
-        By how much chi^2 of either alone would still fall, to first order, is chi^2 of as many degrees of freedom as
-        both determine together less what all of it determines (Maltoni & Schwetz 2003).
+        The statistic is the amount by which separate fits of both would lower chi^2, to first order. Its degrees of
+        freedom are the ranks of both alone less the rank of both together (Maltoni & Schwetz 2003).
         """
         if self.flow is None:
             return None
@@ -466,23 +466,24 @@ class FilamentProblem(Unknowns):
             explained = float(np.sum((basis.T @ residuals[part]) ** 2))
             remaining = float(residuals[part] @ residuals[part]) - explained
             freedom = max(int(part.sum()) - basis.shape[1], 1)
-            # What a contradiction adds to an estimated noise is no noise.
+            # An estimated noise is taken from each part alone, without the contradiction.
             known = self.flow.known if part[end - 1] else self.noise_known
-            fall += explained / (1.0 if known else max(remaining / freedom, _LEAST_NOISE))
+            fall += explained / (1.0 if known else max(remaining / freedom, _MIN_NOISE))
             ranks += basis.shape[1]
         freedom = max(ranks - int(np.linalg.matrix_rank(jacobian, tol=_RANK * float(np.linalg.norm(jacobian, 2)))), 1)
         return Statistic("films against flow curve", fall, float(stats.chi2.sf(fall, freedom)))
 
     @property
     def least_noise(self) -> float:
-        """What is taken for noise [m] where residuals are less; they are then nobody's error."""
+        """Smallest noise that is assumed [m], even if the residuals are smaller."""
         heights = np.concatenate([film.data[~film.is_force] for film in self.films])
-        return _LEAST_NOISE * float(np.max(np.abs(heights), initial=0.0))
+        return _MIN_NOISE * float(np.max(np.abs(heights), initial=0.0))
 
     def innovations(self, residuals: Floats, jacobian: Floats) -> list[Floats]:
-        """Each film's residuals less what those before tell of its camera and theory, over their standard errors.
+        """Innovations: residuals of each film less their prediction from those before, over its standard error.
 
-        White if the likelihood is right, which residuals are not: the amplitudes that are fitted take noise up.
+        The prediction is that of the camera's parameters and of the theory's error. Innovations are white if the
+        likelihood is right; residuals are not, as the fitted amplitudes absorb noise.
         """
         known, found = residuals[self.readings :], []
         for data, slopes in zip(self.by_film(residuals), np.split(jacobian, self._ends)[:-1], strict=True):
@@ -499,34 +500,34 @@ class FilamentProblem(Unknowns):
         return found
 
     def _correlation_at(self, innovations: Sequence[Floats], loss: Loss) -> float:
-        """Correlation of neighbours, none where it may be chance; of what is left when the present one is taken out."""
+        """Updated correlation of neighbouring readings; the present one if the innovations are not correlated."""
         rows = [part[: film.series.time.size] for film, part in zip(self.films, innovations, strict=True)]
         rows = [row for row in rows if row.size >= _FEWEST and np.any(row)]
         if loss.kind != "linear" or not rows:
             return self.noise.correlation
         size = sum(row.size for row in rows)
         squares = sum(float(row @ row) for row in rows)
-        # What a fit takes out makes neighbours differ by as much as it takes.
+        # The fitted parameters make neighbouring residuals anticorrelated by their share of the degrees of freedom.
         left = sum(float(row[1:] @ row[:-1]) for row in rows) / squares + self.asked / size
         if abs(left) * math.sqrt(size) < _SIGNIFICANT:
             return self.noise.correlation
         together = (self.noise.correlation + left) / (1 + self.noise.correlation * left)
-        return float(np.clip(together, 0.0, _MOST_CORRELATED))
+        return float(np.clip(together, 0.0, _MAX_CORRELATION))
 
 
 @dataclass(frozen=True, eq=False)
 class Readings:
-    """All that was read of one film: of the midpoint, then of shapes, then of forces."""
+    """All readings of one film: of the midpoint, then of shapes, then of forces."""
 
     time: Floats  # shape (n,); [s]
-    place: Floats  # shape (n,); [m]; NaN but for points of shapes
+    place: Floats  # shape (n,); [m]; NaN except for points of shapes
     data: Floats  # shape (n,); [m], [N]
     std: Floats  # shape (n,); NaN where it is not stated
     is_force: NDArray[np.bool_]  # shape (n,)
 
     @classmethod
     def of(cls, series: Series) -> Readings:
-        """Of one film."""
+        """Collect the readings of one film."""
 
         def rows(time: Floats, data: Floats, std: Floats | None, place: Floats | None = None) -> tuple[Floats, ...]:
             unknown = np.full(time.size, np.nan)
@@ -542,28 +543,32 @@ class Readings:
 
     @property
     def largest(self) -> float:
-        """Of the heights [m]; 0 if there are none."""
+        """Largest magnitude of the heights [m]; 0 if there are none."""
         return float(np.max(np.abs(self.data[~self.is_force]), initial=0.0))
 
 
 def _first_guess(series: Sequence[Series], readings: Sequence[Readings]) -> Noise:
-    """Noise by second differences, in which what moves smoothly hardly shows; a hundredth without them."""
+    """Noise from second differences, to which a smooth motion hardly contributes."""
     forces = [one.force for film in series for one in film.forces]
     strongest = max((float(np.max(np.abs(one))) for one in forces), default=1.0)
     largest = max(one.largest for one in readings) or 1.0
-    return Noise(_of_bends([film.midpoint for film in series], largest), of_force=_of_bends(forces, strongest))
+    return Noise(
+        _from_second_differences([film.midpoint for film in series], largest),
+        of_force=_from_second_differences(forces, strongest),
+    )
 
 
-def _of_bends(rows: Sequence[Floats], largest: float) -> float:
-    bends = [np.diff(row, 2) for row in rows if row.size >= _FEWEST]
-    if not bends:
+def _from_second_differences(rows: Sequence[Floats], largest: float) -> float:
+    """Standard deviation of noise in rows of readings; a hundredth of the largest one if all rows are short."""
+    differences = [np.diff(row, 2) for row in rows if row.size >= _FEWEST]
+    if not differences:
         return 0.01 * largest
-    found = 1.4826 * float(np.median(np.abs(np.concatenate(bends)))) / math.sqrt(6)
-    return max(found, _LEAST_NOISE * largest)
+    found = 1.4826 * float(np.median(np.abs(np.concatenate(differences)))) / math.sqrt(6)
+    return max(found, _MIN_NOISE * largest)
 
 
 def time_steps(film: Series, scene: Scene, rtol: float | None) -> float | None:
-    """Relative tolerance of the model of a film; None where it is that of a run."""
+    """Relative tolerance of the model of a film; None for the one of a run."""
     if rtol is not None or not film.forces:
         return rtol
     return min(scene.numerics.rtol or math.inf, _RTOL_OF_FORCES)
@@ -579,19 +584,19 @@ def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]
 
 
 def _smoothed(film: Filmed) -> Floats:
-    """Measured heights [m] without their noise, by generalised cross-validation of a spline; shapes as they are."""
+    """Measured heights [m], smoothed by a spline with generalised cross-validation; shapes are not smoothed."""
     count, heights = film.series.time.size, film.data.copy()
     if count >= _FEWEST:
         heights[:count] = make_smoothing_spline(film.series.time, film.series.midpoint)(film.series.time)
     return heights
 
 
-def _of_camera(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParameter, ...]:
-    """The camera's own numbers that are not asked for, with what is known of them."""
+def _camera_parameters(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParameter, ...]:
+    """The camera's parameters that are not free parameters themselves, with their priors."""
     read = Readings.of(film)
     names = [name for name in CAMERA if name not in asked and (name != TILT or film.shapes is not None)]
     if not read.largest:
-        # A load cell has a clock, and sees no heights.
+        # A load cell has a clock, but no heights.
         names = [name for name in names if name == TIME_OFFSET]
     times = np.unique(read.time)
     frame = float(np.median(np.diff(times))) if times.size > 1 else 0.0
@@ -616,7 +621,7 @@ def _asked(
     names: Sequence[str],
     bounds: Mapping[str, tuple[object, object]],
 ) -> tuple[tuple[FreeParameter, ...], list[tuple[FreeParameter, ...]]]:
-    """What all films share, and what each has for itself: by ``thickness@2`` one of them, by ``@each`` all."""
+    """Free parameters that all films share, and those of each film: ``thickness@2`` of one film, ``@each`` of all."""
     count, everyone = len(scenes), [name for name in names if "@" not in name]
     numbers = {EACH: tuple(range(count)), **{str(k + 1): (k,) for k in range(count)}}
     accepted = f"{EACH}, or the number of a film, " + ("1" if count == 1 else f"1 to {count}")
@@ -637,7 +642,7 @@ def _asked(
         single.append(free_parameters(one, mine, within) if mine or within else ())
     shared = {name: pair for name, pair in bounds.items() if "@" not in name}
     common = free_parameters(scene, everyone, shared) if everyone or shared or not any(single) else ()
-    # A film that has a free parameter's value of its own leaves nothing to fit there.
+    # A parameter whose value a film sets itself cannot be free for that film.
     faults = [
         Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", f"{free.name}@{k}, or set it")
         for free in common
@@ -646,7 +651,7 @@ def _asked(
     ]
     if not any(film.shapes is not None for film in series):
         tilted = [free.name for free in (*common, *(one for alone in single for one in alone)) if free.path == TILT]
-        found = "of a camera turns whole shapes, and midpoints not at all"
+        found = "of a camera rotates whole shapes, and does not move midpoints"
         faults += [Fault(f"free {name}", found, "a film of whole shapes, or another name") for name in tilted]
     kept = [[one for one in common if one.path not in {mine.path for mine in alone}] for alone in single]
     faults += [
@@ -668,7 +673,7 @@ def _unknowns(
     single: Sequence[tuple[FreeParameter, ...]],
     own: Sequence[tuple[FreeParameter, ...]],
 ) -> tuple[tuple[FreeParameter, ...], int, list[tuple[int, ...]]]:
-    """All unknowns, how many of them are asked for, and for each film the numbers of its own."""
+    """All unknowns, the number of free parameters among them, and the numbers of the unknowns of each film."""
     films, unknowns = len(own), list[FreeParameter]()
     columns: list[list[int]] = [[] for _ in range(films)]
 
@@ -694,25 +699,25 @@ def _unknowns(
 
 
 class Marginal(Unknowns):
-    """A problem in the unknowns that are asked for; the others are integrated out around an optimum.
+    """A problem in the free parameters; the other unknowns are integrated out around an optimum.
 
-    They are linear, or as good as: what they would take of the residuals is projected out, so that r.r is that of their
-    best values, and J^T J the marginal precision.
+    The residuals are linear in the others, or nearly so. Their part of the residuals is projected out, so that r.r is
+    the sum of squares at their best values, and J^T J the marginal precision.
     """
 
     def __init__(self, problem: FilamentProblem, best: Optimum) -> None:
         self._problem, self._best = problem, best.q
         self.free, self.noise_known = problem.free[: problem.asked], problem.noise_known
         asked, others = best.jacobian[:, : problem.asked], best.jacobian[:, problem.asked :]
-        # How the others follow the unknowns.
+        # Derivative of the others' best values by the free parameters.
         self._follow = -np.linalg.lstsq(others, asked, rcond=None)[0] if others.size else np.zeros((0, problem.asked))
 
     def residuals(self, q: Floats) -> Floats:
-        """Residuals that the others leave, shape (m,)."""
+        """Residuals with the others projected out, shape (m,)."""
         return self.linearised(q)[0]
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Those and their derivatives, shape (m, k)."""
+        """Residuals with the others projected out, and their derivatives, shape (m, k)."""
         count = q.size
         around = self._best[count:] + self._follow @ (q - self._best[:count])
         whole = np.clip(np.append(q, around), self._problem.lower, self._problem.upper)

@@ -1,4 +1,4 @@
-"""As accurate as the data need: how far grid, fibres and time steps move the constants of a fit, and what to refine."""
+"""Discretization error of fitted constants: their shifts by grid, fibres and time steps, and what to refine."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.settings import compiled_settings
 
 SHARE = 1 / 3
-"""Of a standard error that grid, fibres and time steps together may move a constant."""
+"""Largest share of a standard error by which grid, fibres and time steps together may move a constant."""
 
 _FRAMES = 201
 _TIGHTER = 0.1
@@ -41,21 +41,21 @@ _FIRST_ACCURACY = 0.01
 
 @dataclass(frozen=True)
 class Moved:
-    """What a resolution does to the constants."""
+    """Shifts of the constants by the discretization error."""
 
     at: Resolution
-    shifts: Floats  # shape (3, k); Of the unknowns asked for, by grid, time steps and fibres; NaN where not known
-    shares: Differences  # The largest of each over the standard errors of what is identified
+    shifts: Floats  # shape (3, k); Of the free parameters, by grid, time steps and fibres; NaN where not known
+    shares: Differences  # The largest of each over the standard errors, among identified parameters
 
     @property
     def total(self) -> Floats:
-        """Of each unknown, the three together, shape (k,)."""
+        """Sum of the three magnitudes for each free parameter, shape (k,)."""
         found: Floats = np.nansum(np.abs(self.shifts), axis=0)
         return found
 
 
 def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
-    """Compare the filaments that fit best with companions on half the cells, with looser steps and more fibres."""
+    """Estimate the shifts by runs of the best fit on half the cells, with a looser tolerance and with more fibres."""
     shifts, found = np.zeros((3, len(known.names))), list[Resolution]()
     for film in problem.films:
         scene, begin = _filmed(film, problem, best.q)
@@ -76,16 +76,16 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
 
 
 def beside_optimum(found: Moved, offset: float, known: Information) -> Moved:
-    """The same for values so many standard errors beside the optimum, which noise of the time steps hides."""
+    """Add the remaining distance to the optimum, in standard errors, to the shifts by time steps."""
     shifts = found.shifts.copy()
     shifts[1, known.identified] += offset * known.standard_errors[known.identified]
     return replace(found, shifts=shifts, shares=replace(found.shares, time=(found.shares.time or 0.0) + offset))
 
 
 def first_look(scene: Scene) -> Scene:
-    """The scene on half the cells of a run and with time steps for a hundredth of the sag: noise hides what they miss.
+    """The scene for the first rounds: on half the cells of a run, with time steps accurate to a hundredth of the sag.
 
-    What the scene says of either stays.
+    Values of either that the scene sets are kept.
     """
     effects = choose_effects(scene)
     if scene.numerics.rtol is None and scene.run.accuracy < _FIRST_ACCURACY:
@@ -102,7 +102,7 @@ def first_look(scene: Scene) -> Scene:
 
 
 def tighter(problem: FilamentProblem) -> Resolution:
-    """The same grid with smaller time steps, for values whose own noise hides the optimum."""
+    """The same grid with smaller time steps, for a search that integration error has stopped."""
     film = problem.films[0]
     scene = film.model.scene(problem.typical[list(film.columns)])
     at = resolution_of(scene, choose_effects(scene), compiled=film.model.compiled)
@@ -110,7 +110,7 @@ def tighter(problem: FilamentProblem) -> Resolution:
 
 
 def finer(found: Moved, given: Scene) -> Resolution | None:
-    """What to fit with next; None where it suffices, or nothing that the given scene leaves open would help."""
+    """Resolution of the next fit; None if the present one suffices, or if the scene fixes what would be refined."""
     if found.shares.total <= SHARE:
         return None
     effects = choose_effects(given)
@@ -120,7 +120,7 @@ def finer(found: Moved, given: Scene) -> Resolution | None:
 
 
 def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, float]:
-    """The filament that fits best, for as long as it was filmed, and the time of its release on the camera's clock."""
+    """The best-fitting scene with its filmed duration, and the time of the release on the camera's clock [s]."""
     begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
     scene = film.model.scene(q[list(film.columns)])
     lasts = max(float(film.time.max()) - begin, 1e-6 * scene.run.duration)
@@ -130,7 +130,7 @@ def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, f
 
 
 def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:
-    """By how much each part of the resolution falsifies the readings; NaN where a companion has no answer."""
+    """Error of the readings from grid, time steps and fibres each; NaN where a run has no answer."""
     coarse = replace(at, cells=max(4, at.cells // 2))
     loose = replace(coarse, rtol=min(LOOSER * at.rtol, 0.5))
     fuller = with_more_fibres(coarse, MORE)
@@ -138,7 +138,7 @@ def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin
     grid = 1 / ((at.cells / coarse.cells) ** ORDER - 1)
     steps = 1 / (LOOSER - 1)
     if np.isnan(curves[loose]).any():
-        # What has no answer with larger steps has one with smaller ones.
+        # The run with larger steps has no answer: compare with smaller steps instead.
         loose, steps = replace(coarse, rtol=TIGHTER * at.rtol), 1 / (1 - TIGHTER)
         curves[loose] = _tracks(loose, scene)
     ratio = (fuller.fibres or 1) / (coarse.fibres or 1)
@@ -148,7 +148,7 @@ def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin
     result, size = [], max(float(np.max(np.abs(curves[at][0]))), np.finfo(float).tiny)
     for one, other, factor in parts:
         changes = [np.interp(film.time - begin, frames, row) for row in factor * (curves[one] - curves[other])]
-        # Points of whole shapes are taken to move as the midpoint does.
+        # Assumption: points of whole shapes err by the same share of their height as the midpoint.
         change = np.where(np.isnan(film.place), changes[0], changes[0] / size * np.abs(film.data))
         for way, row in enumerate(changes[1:]):
             change = np.where(film.force_way == way, row, change)
@@ -157,10 +157,10 @@ def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin
 
 
 def _tracks(resolution: Resolution, scene: Scene) -> Floats:
-    """Height of the midpoint [m], and forces of the support outwards and upwards [N] but for the weight.
+    """Height of the midpoint [m], and horizontal and vertical force of the support without the weight [N].
 
-    Shape (3, frames), NaN without an answer: by the balance of the right half, the force at its other end level. That
-    does for differences between resolutions.
+    The shape is (3, frames), NaN without an answer. The forces follow from the momentum balance of the right half, with
+    a horizontal force at midspan: accurate enough for differences between resolutions.
     """
     try:
         run = recalled(without_estimate(resolution.of(scene)))

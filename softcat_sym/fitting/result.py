@@ -1,4 +1,4 @@
-"""What a fit says: its outcome, parameters with intervals, films beside their models, and all of it as a document."""
+"""Result of a fit: outcome, parameters with intervals, films beside their models, and the content of its files."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ class FitOutcome(Enum):
 
     @property
     def word(self) -> str:
-        """As files and terminals say it."""
+        """The name with blanks, for files and terminals."""
         return self.name.replace("_", " ")
 
 
@@ -92,11 +92,11 @@ class FittedParameter:
     Attributes
     ----------
     name, unit : str
-        As it was named; SI.
+        Name of the free parameter; SI unit.
     value : float or None
-        None where it is not identified: no number stands alone for what the data do not tell.
+        None where the parameter is not identified.
     best : float
-        Where the optimum lies, whatever that is worth.
+        Value at the optimum, identified or not.
     std : float or None
         Standard error, to first order; None with the value.
     ci95 : (float or None, float or None)
@@ -106,9 +106,9 @@ class FittedParameter:
     reason : str
         Why it is not identified; empty if it is.
     typical : float
-        What the scene says.
+        Value in the scene.
     bounds : (float, float)
-        Within which it was sought.
+        Bounds of the fit.
     """
 
     name: str
@@ -123,7 +123,7 @@ class FittedParameter:
     bounds: tuple[float, float]
 
     discretization: float = 0.0
-    """By which grid, fibres and time steps may falsify it [its unit]; in the interval where that matters."""
+    """Error by grid, fibres and time steps [its unit]; the interval includes it where it matters."""
 
     def to_dict(self) -> dict[str, Any]:
         """Its entry in ``fit.json``."""
@@ -135,18 +135,18 @@ class FittedParameter:
 class FittedFilm:
     """One film beside its model."""
 
-    time: Floats  # shape (n,); [s], [m], [m]: of the midpoint, then of points of whole shapes
-    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
+    time: Floats  # shape (n,); [s]: readings of the midpoint, then of points of whole shapes, then of forces
+    place: Floats  # shape (n,); x of a point of a shape from halfway between the supports [m]; NaN for other readings
     measured: Floats
     model: Floats
     residuals: Floats  # shape (n,); (model - measured) over the noise
     is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
-    # What it shows without a model; None of a film that is too short, or under shaken gravity.
+    # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
     name: str  # File or number
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
-        """Some of its readings."""
+        """The film with some of its readings."""
         keys = ("time", "place", "measured", "model", "residuals", "is_force")
         return replace(self, **{key: getattr(self, key)[chosen] for key in keys})
 
@@ -163,58 +163,58 @@ class FittedFilm:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """What the measurements say about the material.
+    """Result of a fit to measurements.
 
     Attributes
     ----------
     scene : Scene
         As given.
     fitted_scene : Scene
-        With the best values.
+        The scene with the best values.
     measurements : Measurements
-        With the corrections that were made, noted.
+        Measurements as corrected, with notes.
     parameters : dict of str to FittedParameter
-        What was free.
+        The free parameters.
     correlation : ndarray, shape (k, k)
-        Of the parameters' estimates, in their order.
+        Correlation of the parameters' estimates, in their order.
     combinations : tuple of str
         Products of powers that are identified where single parameters are not, with value and interval.
     noise : float
         Standard deviation of a reading [m]: as stated, or estimated from the residuals.
     noise_known : bool
-        Which of the two.
+        Whether the noise is stated.
     outcome : FitOutcome
-        What it is worth.
+        Whether the numbers can be used, and what to do if not.
     films : tuple of FittedFilm
         Data, model and residuals.
     checks : ResidualChecks
         Whether the residuals are white.
     starts : MultiStartResult
-        Where every start ended.
+        Results of all starts.
     profiles : tuple of Profile
         Of every parameter in its order; empty if they were not requested.
     information : Information
-        Fisher's, at the optimum.
+        Fisher information at the optimum.
     problem : FilamentProblem
-        What was solved; q are its unknowns.
+        The problem that was solved; q are its unknowns.
     effects : tuple of str
-        Physics in force.
+        Effects in force.
     backend : str
-        What integrated, and why.
+        The backend that integrated, with the reason.
     repeats : tuple of str
         Why the fit was repeated with more effects.
     seconds : float
-        What it took after compiling, without the run that judges it.
+        Duration after compiling, without the final run of the best fit.
     camera : dict of str to (float, float, float)
-        Of the camera's own numbers: value, standard error, and the standard error known beforehand; SI.
+        For each parameter of the camera: value, standard error, and prior standard deviation; SI.
     theory : float
-        Standard deviation of the theory's error that is allowed for, over the height of the midpoint; 0 if none is.
+        Assumed standard deviation of the theory's error, over the height of the midpoint; 0 if it is not included.
     resolution : Moved
-        Cells, fibres and tolerance it ended with, and how far they move the constants.
+        Final cells, fibres and tolerance, and by how much they move the constants.
     late : bool
-        Whether the time limit came before all was looked at.
+        Whether the time limit passed before all steps of the fit.
     message : str
-        What speaks against a run of the fitted filament; empty if nothing does.
+        Why a run of the fitted filament fails; empty if it does not.
     """
 
     scene: Scene
@@ -305,12 +305,12 @@ class Fit:
 
     @property
     def evaluations(self) -> int:
-        """Of the model, from all starts."""
+        """Number of evaluations of the model, from all starts."""
         return sum(result.optimum.evaluations for result in self.starts.results)
 
     @property
     def warnings(self) -> list[str]:
-        """What a reader has to know before using the numbers, besides the outcome."""
+        """Warnings about the numbers, besides the outcome."""
         found, size, starts = [], self.checks.size, self.starts
         if size is not None and size.p_value < SIGNIFICANT:
             found.append(
@@ -319,7 +319,7 @@ class Fit:
                 "too narrow"
             )
         if self.late and self.outcome.converged:
-            found.append("the time limit came before the profiles: intervals are from the curvature alone")
+            found.append("the time limit passed before the profiles: intervals are from the curvature alone")
         found += [] if self.problem.flow is None else self.problem.flow.warnings
         if self.outcome is not FitOutcome.outliers and (far := self.outlying):
             found.append(f"{counted(len(far), 'reading')} far outside the noise, first at {far[0][1]:.4g} s")
@@ -327,12 +327,12 @@ class Fit:
             together = f"{self.problem.noise.correlation:.2f}"
             found.append(f"neighbouring readings are correlated by {together}, which widens the intervals")
         if starts.reached_best == 1 and len(starts.results) > 2:
-            found.append("only one start reached the best fit: there may be a better one, ask for more starts")
+            found.append("only one start reached the best fit: there may be a better one; use more starts")
         for one in self.profiles:
             if one.unconverged:
-                found.append(f"profile of {one.name}: {one.unconverged} of {one.q.size} points are uncertain")
+                found.append(f"profile of {one.name}: {one.unconverged} of {one.q.size} points did not converge")
             if one.better is not None:
-                found.append(f"profile of {one.name}: it met a still better optimum; start nearer to it")
+                found.append(f"profile of {one.name}: it found a better optimum; start nearer to it")
         return found
 
     def to_dict(self) -> dict[str, Any]:
@@ -390,7 +390,7 @@ class Fit:
         }
 
     def _flow_curve(self) -> dict[str, Any] | None:
-        """Whether a flow curve has the films' constants, and what the fit says at its rates."""
+        """Test of the flow curve against the films, with measured and fitted stresses at its rates."""
         best, flow = self.starts.best, self.problem.flow
         test = self.problem.contradiction(best.residuals, best.jacobian)
         if flow is None or test is None:
@@ -399,7 +399,7 @@ class Fit:
         return {"shear_rate_1_s": flow.curve.shear_rate.tolist(), **stress, "contradiction": vars(test)}
 
     def _resolution(self, moved: Moved) -> dict[str, Any]:
-        """Cells, fibres, tolerance; and by how many standard errors each moves the constants at the most."""
+        """Cells, tolerance and fibres, each with the largest shift of a constant in standard errors."""
         shares = {"cells": moved.shares.space, "rtol": moved.shares.time, "fibres": moved.shares.section}
         return {name: {"value": getattr(moved.at, name), "standard_errors": share} for name, share in shares.items()}
 
@@ -414,7 +414,7 @@ class Fit:
         }
 
     def to_frame(self) -> pd.DataFrame:
-        """Content of ``fit.csv``: data, model [m] and residuals of all films; of a midpoint without a place."""
+        """Content of ``fit.csv``: data, model [m] and residuals of all films; a midpoint has no place."""
         columns = {"time_s": "time", "x_m": "place", "measured_m": "measured", "model_m": "model"}
         columns |= {"residual": "residuals", "film": "name", "is_force": "is_force"}
         rows = [
@@ -422,7 +422,7 @@ class Fit:
             for film in self.films
         ]
         frame = pd.concat(rows, ignore_index=True)
-        # Of a film without forces, or without shapes, as before.
+        # A column without values is left out.
         empty = {"x_m": frame["x_m"].isna().all(), "is_force": not frame["is_force"].any()}
         return frame.drop(columns=[name for name, is_empty in empty.items() if is_empty])
 
@@ -435,12 +435,12 @@ FEATURES = {
     "sag": ("sag H while it rings", "m"),
     "prefactor": ("prefactor B of the 1/3 law", ""),
 }
-"""What a film shows without a model: attributes of its features, what they are called, units in names of keys."""
+"""Features of a film: attributes of `Features`, their names for readers, and the units in names of keys."""
 
 MIN_READINGS = 20
-"""Readings below which nothing is said of their distribution."""
+"""Smallest number of readings whose distribution is tested."""
 SIGNIFICANT = 0.01
-"""p-value from which on a test is worth a warning."""
+"""p-value below which a test gives a warning."""
 _OF_CAMERA = ("value", "std", "known_to")
 _OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
 
@@ -454,7 +454,7 @@ def _features_dict(features: Features | None) -> dict[str, Any]:
 
 
 def combination_text(combination: Combination, problem: FilamentProblem) -> str:
-    """One sentence on a combination, with value and 95 % interval in SI where it is a product."""
+    """A combination as text, with value and 95 % interval, in SI if it is a product."""
     parts = [free for name in combination.names for free in problem.free if free.name == name]
     if not all(free.logarithmic for free in parts):
         low, high = combination.interval
@@ -466,10 +466,10 @@ def combination_text(combination: Combination, problem: FilamentProblem) -> str:
 
 
 def far_out(residuals: Floats) -> NDArray[np.bool_]:
-    """Which residuals lie so far outside the others that noise would hardly do it once in a thousand films."""
+    """Find outliers: residuals so large that noise would produce one in less than a thousandth of all films."""
     count = residuals.size
     limit = float(stats.norm.isf(0.5e-3 / max(count, 1)))
-    # By the median, which outliers hardly move.
+    # The median is robust against outliers.
     scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
     found: NDArray[np.bool_] = (np.abs(residuals) > limit * scale) & (count >= MIN_READINGS)
     return found
@@ -478,10 +478,10 @@ def far_out(residuals: Floats) -> NDArray[np.bool_]:
 def fitted_parameter(
     free: FreeParameter, verdict: ParameterVerdict, shift: float = 0.0, *, widened: bool = False
 ) -> FittedParameter:
-    """Turn a verdict on q into one on the parameter, its interval widened by the shift if that is asked for."""
-    more = shift if widened else 0.0
+    """Convert a verdict on q to the parameter; with `widened`, its interval includes the shift."""
+    margin = shift if widened else 0.0
     low, high = (
-        None if q is None else free.value(q + sign * more) for q, sign in ((verdict.lower, -1), (verdict.upper, 1))
+        None if q is None else free.value(q + sign * margin) for q, sign in ((verdict.lower, -1), (verdict.upper, 1))
     )
     return FittedParameter(
         name=free.name,

@@ -1,6 +1,6 @@
-"""Tables of image trackers, in frames and pixels: what they say is put as the reader of films takes it.
+"""Tables of image trackers, in frames and pixels, converted to the columns that the reader of films accepts.
 
-A film in pixels says in comments how large they are and where the supports stand::
+Comments of a file in pixels state the size of a pixel and the position of the supports::
 
     # camera.fps = 240
     # camera.pixel = 0.05 mm
@@ -29,21 +29,21 @@ _KEYS = {
 _LINE = re.compile(r"#\s*camera\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
 _DLTDV = re.compile(r"pt\d+(?:_cam\d+)?_[XY]", re.IGNORECASE)
 _LIKELY = 0.6
-"""Likelihood from which on DeepLabCut takes a point for seen."""
+"""Smallest likelihood of DeepLabCut at which a point is kept."""
 
 
 @dataclass(frozen=True)
 class Camera:
-    """What turns frames into seconds and pixels into metres."""
+    """Conversion of frames into seconds and of pixels into metres."""
 
     fps: float | None = None  # [1/s]
-    pixel: float | None = None  # Its length [m]
+    pixel: float | None = None  # Length of a pixel [m]
     origin: tuple[float, float] = (0.0, 0.0)  # Pixel halfway between the supports, at their level
     release: float = 0.0  # Frame of the release
 
 
 def camera_in(text: str) -> tuple[Camera, list[Fault]]:
-    """Read what comments say of the camera; lines of other programs about theirs are left alone."""
+    """Read the comments about the camera; comments of other programs are ignored."""
     found, faults = dict[str, list[float]](), list[Fault]()
     for number, line in enumerate(text.splitlines(), start=1):
         match = _LINE.match(line.strip())
@@ -73,7 +73,7 @@ def camera_in(text: str) -> tuple[Camera, list[Fault]]:
 
 
 def in_rows(table: CsvTable) -> tuple[CsvTable, str]:
-    """A point a row where a tracker writes otherwise, with names that a film has; and what to say of it."""
+    """Convert a tracker's table to one point a row with a film's column names; return it with the tracker's name."""
     names = [name.strip().lower() for name in table.header]
     if names[0] == "scorer":
         return _deep_lab_cut(table)
@@ -93,7 +93,7 @@ def _by_pairs(table: CsvTable, header: list[str], places: list[int], width: int,
         frame = str(number) if first is None else cells[first]
         for place in places:
             point = cells[place : place + width]
-            # A point that was not seen is no row.
+            # A point that the tracker did not find gives no row.
             if len(point) == width and all(np.isfinite(_or_nan(cell)) for cell in point):
                 rows.append((line, [frame, *point]))
     return replace(table, header=header, rows=rows)
@@ -105,7 +105,7 @@ def _or_nan(cell: str) -> float:
 
 
 def _deep_lab_cut(table: CsvTable) -> tuple[CsvTable, str]:
-    """Lines of scorer, (individuals,) body parts and coordinates, then a frame a row."""
+    """Convert a table with header lines of scorer, (individuals,) body parts and coordinates, then a frame a row."""
     count = next((k for k, (_, cells) in enumerate(table.rows) if cells[0].lower() == "coords"), None)
     if count is None:
         return table, ""
@@ -120,7 +120,7 @@ def _deep_lab_cut(table: CsvTable) -> tuple[CsvTable, str]:
 
 
 def _track_mate(table: CsvTable, names: list[str]) -> tuple[CsvTable, str]:
-    """Three more lines of names and units below the header."""
+    """Convert a table with three more lines of names and units below the header."""
     begun = next((k for k, (_, c) in enumerate(table.rows) if number_in(c[names.index("position_x")]) is not None), 0)
     units: Mapping[str, str] = {}
     if begun:

@@ -35,14 +35,14 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.result import Fit
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
-"""Of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""
+"""Headings of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""
 
 _NUMBERS, _LAW_NUMBERS = (1, 2, 4), (1, 2, 3, 4, 5, 7)
 """Columns of the tables that are numbers."""
 
 
 def print_laws(found: LawComparison, console: Console | None = None) -> None:
-    """Print the ranking of several laws, the verdict, and what each law's constants are."""
+    """Print the ranking of several laws, the verdict, and the constants of each law."""
     screen = console or Console()
     rows = [law_texts(found, row) for row in found.choice.table]
     styles = ["" if row.law.name in found.choice.close else "dim" for row in found.choice.table]
@@ -54,7 +54,7 @@ def print_laws(found: LawComparison, console: Console | None = None) -> None:
 
 
 def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | None = None) -> None:
-    """Print parameters, outcome and what they rest on."""
+    """Print parameters, outcome, warnings and diagnostics of a fit."""
     screen, parameters = console or Console(), list(fit.parameters.values())
     texts, title = [parameter_texts(one) for one in parameters], fit.scene.title or "Filament"
     styles = ["" if one.verdict == "identified" else "yellow" for one in parameters]
@@ -84,7 +84,7 @@ def fit_page(
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
 ) -> bytes:
-    """Write a page that needs no other file."""
+    """Write a self-contained page."""
     table = [] if laws is None else laws.choice.table
     parameters = list(fit.parameters.values())
     return page(
@@ -110,7 +110,7 @@ def fit_page(
     )
 
 
-# Files that not every fit has: those of an earlier fit in the same folder would belong to no document there.
+# Files that only some fits write: those of an earlier fit in the same folder are removed.
 _SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws|posterior)\.png|laws\.csv|posterior\.nc")
 
 
@@ -123,11 +123,11 @@ def write_fit(
 ) -> list[Path]:
     """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``.
 
-    And ``laws.csv`` of several laws, ``posterior.nc`` of a posterior.
+    With several laws it also writes ``laws.csv``, with a posterior ``posterior.nc``.
     """
     pictures = fit_pictures(fit)
     if laws is not None:
-        pictures["laws.png"] = ("what every law leaves unexplained, the best law first", png(laws_figure(laws)))
+        pictures["laws.png"] = ("residuals of every law, the best law first", png(laws_figure(laws)))
     if posterior is not None:
         pictures["posterior.png"] = ("draws of the posterior, best fit and intervals", png(posterior.plot(fit)))
     beside = {"laws": laws, "posterior": posterior}
@@ -162,7 +162,7 @@ def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
-    """Draw what there is to draw, with captions."""
+    """Draw all figures that the fit has data for, with captions."""
     shown = {"profiles": bool(fit.profiles), "correlation": fit.problem.asked > 1}
     found = {
         name: (caption, FIGURES[what](fit)) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
@@ -177,7 +177,7 @@ def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
 
 
 def fitted_toml(fit: Fit) -> str:
-    """Write the fitted scene, with the fit's outcome and what it does not know as a comment."""
+    """Write the fitted scene, with the outcome and the parameters that are not identified as comments."""
     lines = [f"# Fitted: {fit.outcome.word}."]
     lines += [f"# {one.name}: {one.verdict}; {one.reason}" for one in fit.parameters.values() if one.reason]
     return "\n".join(lines) + "\n" + fit.fitted_scene.to_toml()

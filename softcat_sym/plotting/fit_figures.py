@@ -27,14 +27,14 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.result import Fit, FittedFilm
 
 LOGARITHMIC_FROM = 4.0
-"""Ratio of an axis' ends from which on it is logarithmic."""
+"""Ratio of an axis' ends above which it is logarithmic."""
 
 _PANELS = 3
 """Profiles in a row."""
 
 
 def headed(fit: Fit, what: str, height: float) -> tuple[Figure, SubFigure]:
-    """A sheet with the scene's title, and what is shown below it."""
+    """A sheet with the scene's title, and a subtitle that names its content."""
     return sheet(fit.scene.title or "Filament", what, height=height)
 
 
@@ -107,7 +107,7 @@ def curves_figure(fit: Fit) -> Figure:
 
 def model_bands(fit: Fit) -> list[Floats]:
     """Half-width of the model's 95 % interval at each reading [m], one array for each film, to first order."""
-    # The leverage of every reading, through what is known of the camera and of the theory's error too.
+    # The leverage of every reading, including the unknowns of camera and theory error.
     left, size, _ = np.linalg.svd(fit.starts.best.jacobian, full_matrices=False)
     leverage = np.sum(left[:, size > 1e-10 * size[0]] ** 2, axis=1)
     half = fit.information.quantile * fit.information.noise * np.sqrt(leverage)
@@ -139,7 +139,7 @@ def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std
 
 
 def _draw_shapes(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: Floats | None) -> None:
-    """Measured points and the model's shape at every time, and residuals, over the place."""
+    """Measured points and the model's shape at every time, and residuals, over x."""
     del band, std
     ruler, clock = length_unit(float(np.abs(film.place).max())), time_unit(float(film.time.max()))
     times = np.unique(film.time)
@@ -158,7 +158,7 @@ def _draw_shapes(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: 
 
 
 def time_axis(axes: Axes, times: Floats) -> None:
-    """Limits of a time axis, logarithmic where half of the frames crowd at its beginning."""
+    """Set the limits of a time axis; it is logarithmic if half of the frames lie close to its beginning."""
     later, start, end = times[times > 0], float(times.min()), float(times.max())
     if later.size > 2 and float(np.median(later)) < 0.12 * end:
         axes.set_xscale("log")
@@ -174,7 +174,7 @@ def profiles_figure(fit: Fit) -> Figure:
     across = min(len(fit.profiles), _PANELS)
     rows = math.ceil(len(fit.profiles) / across)
     with style.styled():
-        what = "profile likelihood: how much worse the fit becomes with one parameter held, the others fitted anew"
+        what = "profile likelihood: increase of χ² with one parameter held, the others re-optimised"
         figure, body = headed(fit, what, 2.6 * rows + 0.3)
         panels = body.subplots(rows, across, squeeze=False)
         for k, (one, free) in enumerate(zip(fit.profiles, fit.problem.free, strict=False)):
@@ -206,13 +206,13 @@ def _draw_profile(axes: Axes, one: Profile, free: FreeParameter, error: float) -
     axes.plot(shown, curve, color=style.BLUE, linewidth=1.4, label="profile")
     axes.plot(unit.of(values), one.increase, "o", color=style.BLUE, markersize=2.8)
     axes.plot(unit.of([best]), [0], "o", color=style.VERMILLION, markersize=5, label="best fit", zorder=4)
-    # What happens far above the threshold is nobody's concern.
+    # The range far above the threshold is not of interest.
     axes.set_ylim(min(0.0, float(one.increase.min())) - 0.1 * one.threshold, 2.2 * one.threshold)
     style.lighten(axes)
 
 
 def smooth(one: Profile) -> tuple[Floats, Floats]:
-    """A profile between its points: their roots, nearly straight in q on either side, joined by lines, and squared."""
+    """Interpolate a profile: linearly in its root, which is nearly linear in q on either side of the optimum."""
     root = np.sqrt(np.maximum(one.increase, 0.0))
     dense = np.union1d(np.linspace(one.q[0], one.q[-1], 400), one.q)
     inside = np.interp(dense, one.q, root)
@@ -224,7 +224,7 @@ JOINT = 5.991
 
 
 def correlation_figure(fit: Fit) -> Figure:
-    """Draw the matrix of all pairs: below its diagonal regions in standard errors, above it correlations."""
+    """Draw the matrix of all pairs: joint regions in standard errors below its diagonal, correlations above it."""
     count = fit.problem.asked
     size = min(1.7, 6.6 / count)
     with style.styled():
@@ -240,7 +240,7 @@ def correlation_figure(fit: Fit) -> Figure:
             text = f"{correlation:+.3f}".replace("-", "\N{MINUS SIGN}") if math.isfinite(correlation) else "–"
             if row == column:
                 name = fit.problem.free[row].name
-                # Ten letters fill an inch at eight points; underscores are where a name may be broken.
+                # Ten letters fill an inch at eight points; a long name is broken at its underscores.
                 words = name.replace("_", "_\n") if len(name) > 11 * size else name
                 text = f"{words}\n{fit.parameters[name].verdict}"
                 axes.set_frame_on(False)
@@ -257,7 +257,7 @@ def correlation_figure(fit: Fit) -> Figure:
 
 
 def _draw_region(axes: Axes, fit: Fit, across: int, up: int) -> None:
-    """The joint region of two parameters, and the ways of the best fit while one of them is held."""
+    """Draw the joint region of two parameters, and the paths of the best fit while one of them is held."""
     x, y = np.sqrt(JOINT) * unit_ellipse(float(fit.correlation[across, up]))
     axes.axhline(0.0, color="#e8e8e8", linewidth=0.6)
     axes.axvline(0.0, color="#e8e8e8", linewidth=0.6)
@@ -288,13 +288,13 @@ def _color(cluster: int) -> str:
 
 
 def starts_figure(fit: Fit) -> Figure:
-    """Draw a line for each start, the best on top: what is left of the misfit, and each parameter's way."""
+    """Draw a line for each start, the best on top: its final misfit, and each parameter from start to end."""
     results, count = fit.starts.results, 1 + fit.problem.asked
     across, ranks = min(count, 4), np.arange(1, len(results) + 1)
     rows = math.ceil(count / across)
     values = np.array([result.optimum.value for result in results])
     least = float(values.min())
-    # A fit that meets exact data has nothing left to compare with.
+    # A fit to exact data has no misfit to compare with.
     shares = values / least if least > 0 else values
     colors = [_color(result.cluster) for result in results]
     faces = [color if result.optimum.converged else "white" for color, result in zip(colors, results, strict=True)]
@@ -371,7 +371,7 @@ def _draw_film(axes: Axes, time: Floats, sag: Floats, features: Features, clock:
     for axis in (axes.xaxis, axes.yaxis):
         style.plain_log(axis)
     axes.plot(clock.of(at), ruler.of(deep), ".", color=style.BLACK, markersize=2.5, alpha=0.5, label="frames")
-    # Noise makes the first frames anything; free fall says how deep they may be.
+    # Noise dominates the first frames: they do not extend the axis below a thousandth of the largest sag.
     low, high = max(float(deep.min()), 1e-3 * float(deep.max())), 1.5 * float(deep.max())
     fall = 0.5 * features.gravity * at**2
     inside = (fall > low) & (fall < high)
@@ -408,7 +408,8 @@ def _draw_ringing(axes: Axes, time: Floats, sag: Floats, features: Features, clo
 def laws_figure(found: LawComparison) -> Figure:
     """Draw the residuals [m] of every law over time on one scale, the best law first.
 
-    What leaves the scale is a cross at its edge: a law that is far off would make the others' residuals a line.
+    Residuals beyond the scale are crosses at its edge, so that one poor law does not flatten the residuals of the
+    others.
     """
     rows = [row for row in found.choice.table if not row.law.failure]
     fits = [found.fits[row.law.name] for row in rows]
@@ -429,7 +430,7 @@ def laws_figure(found: LawComparison) -> Figure:
                 time, height = clock.of(film.time), ruler.of(np.clip(part, -far, far))
                 color = (style.BLUE, *_COLORS)[k % 6]
                 for mark, chosen in ((".", np.abs(part) <= far), ("x", np.abs(part) > far)):
-                    if chosen.any():  # an empty line would claim room for itself
+                    if chosen.any():  # An empty line would widen the axis
                         axes.plot(time[chosen], height[chosen], mark, color=color, markersize=3.5, clip_on=False)
             axes.set_ylim(-edge, edge)
             axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))

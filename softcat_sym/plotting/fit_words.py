@@ -1,4 +1,4 @@
-"""A fit, or a comparison of laws, in words and rounded numbers."""
+"""Texts and rounded numbers of a fit and of a comparison of laws."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NONE = "–"
 
 
 def rounded(value: float, error: float | None) -> str:
-    """Write a number to the second significant digit of its error; with three of its own without one."""
+    """Write a number to the second significant digit of its error; without an error, with three digits."""
     if error is None or not 0 < error < math.inf or not math.isfinite(value):
         return significant(value)
     places = 1 - math.floor(math.log10(float(f"{error:.1e}")))
@@ -52,9 +52,10 @@ def display_unit(symbol: str, largest: float) -> Unit:
 
 
 def parameter_texts(one: FittedParameter) -> tuple[str, str, str, str, str]:
-    """Name with unit, value with standard error, 95 % interval, verdict, the scene's value; no number for no knowledge.
+    """Name with unit, value with standard error, 95 % interval, verdict, the scene's value.
 
-    A value on a bound is marked as such, and a time offset of zero has the unit of its error.
+    A parameter that is not identified has no number, and a value on a bound is marked as such. The unit suits the value
+    or its error, whichever is larger.
     """
     unit = display_unit(one.unit, max(abs(one.best), one.std or 0.0))
     value = NONE
@@ -73,7 +74,7 @@ def _interval(one: FittedParameter, unit: Unit) -> str:
         return NONE if low is None else f"> {significant(low)}"
     if low is None:
         return f"< {significant(high)}"
-    # Where the ends are powers of ten apart, each has its own digits.
+    # Ends that differ by more than a factor of ten are rounded separately.
     if low > 0 and high > 10 * low:
         return f"{significant(low)} to {significant(high)}"
     error = 0.25 * (high - low) if one.std is None else one.std / unit.size
@@ -81,7 +82,7 @@ def _interval(one: FittedParameter, unit: Unit) -> str:
 
 
 def noise_text(fit: Fit) -> str:
-    """How large the scatter of a reading is, and how that is known."""
+    """Standard deviation of a reading, and whether it is stated or estimated."""
     amount = length_unit(fit.noise).text(fit.noise)
     return f"{amount} a reading, {'as stated' if fit.noise_known else 'estimated from the residuals'}"
 
@@ -89,37 +90,37 @@ def noise_text(fit: Fit) -> str:
 def residuals_text(fit: Fit) -> str:
     """Whether the residuals are white, by which tests."""
     tests = ", ".join(f"{one.name} p = {one.p_value:.2g}" for one in fit.checks.tests)
-    return f"{fit.checks.verdict} ({tests or 'fewer than 20 in a row, or none that differ'})"
+    return f"{fit.checks.verdict} ({tests or 'fewer than 20 consecutive ones, or all zero'})"
 
 
 def starts_text(fit: Fit) -> str:
-    """How many starts reached the best fit."""
+    """Number of starts that reached the best fit."""
     text = f"{fit.starts.reached_best} of {len(fit.starts.results)} reached the best fit"
     return f"{text}; at {fit.starts.rejected} more the model has no answer" if fit.starts.rejected else text
 
 
 def camera_text(name: str, one: tuple[float, float, float]) -> str:
-    """What a film says of its camera, beside what was known."""
+    """Fitted value of a camera's parameter, and its prior standard deviation."""
     value, error, known = one
     unit = next((unit for key, unit in (("sag", "m"), ("time", "s"), ("tilt", "rad")) if key in name), "")
     return f"{with_error(value, error)} {unit}".rstrip() + f" (known to {significant(known)})"
 
 
 def resolution_text(moved: Moved) -> str:
-    """Cells, fibres and tolerance, and how far they move the parameters."""
+    """Cells, fibres and tolerance, and the shift of the parameters by them."""
     at, share = moved.at, moved.shares.total
     fibres = f", {at.fibres} fibres" if at.fibres else ""
     return f"{at.cells} cells{fibres}, tolerance {at.rtol:.1g}: moves the parameters by {share:.2g} standard errors"
 
 
 def basis(fit: Fit) -> list[tuple[str, str]]:
-    """What a fit rests on: headings and texts."""
+    """Diagnostics of a fit: headings and texts."""
     return [
         ("noise", noise_text(fit)),
         ("residuals", residuals_text(fit)),
         ("starts", starts_text(fit)),
         *((name, camera_text(name, one)) for name, one in fit.camera.items()),
-        ("theory", f"may be wrong by {fit.theory:.2g} of the height" if fit.theory else "taken for exact"),
+        ("theory", f"may be wrong by {fit.theory:.2g} of the height" if fit.theory else "assumed to be exact"),
         *(("resolution", resolution_text(one)) for one in (fit.resolution,) if one is not None),
         *(("corrected", text) for text in fit.notes),
         *(("repeated", text) for text in fit.repeats),
@@ -130,7 +131,7 @@ def basis(fit: Fit) -> list[tuple[str, str]]:
 
 
 def posterior_texts(posterior: Posterior) -> list[tuple[str, str]]:
-    """What a posterior is worth, and the 95 % interval of every parameter between its quantiles."""
+    """Outcome of a posterior, and the 95 % interval of every parameter between its quantiles."""
     rows = [("posterior", f"{posterior.outcome.word}: {posterior.outcome.value}; {posterior.message}")]
     for prior in posterior.priors:
         one = posterior.parameters[prior.free.name]
@@ -144,7 +145,7 @@ def posterior_texts(posterior: Posterior) -> list[tuple[str, str]]:
 
 
 def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
-    """What a film shows without a model: name and value, or the reason why it cannot be read."""
+    """Features of a film, read without a model: name and value, or the reason why it cannot be read."""
     features = film.features
     if features is None:
         return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
@@ -162,7 +163,7 @@ def reading_text(one: Reading, unit: Unit) -> str:
 
 
 LAW_HEADINGS = ("law", "constants", "criterion", "BIC", "above the best", "weight", "residuals", "rms")
-"""Of the columns of :func:`law_texts`."""
+"""Headings of the columns of :func:`law_texts`."""
 
 
 def law_texts(found: LawComparison, row: Ranked) -> tuple[str, ...]:
@@ -179,7 +180,7 @@ def law_texts(found: LawComparison, row: Ranked) -> tuple[str, ...]:
 
 
 def law_remarks(found: LawComparison) -> list[str]:
-    """What to know beside the table: values of every law, failures, restarts."""
+    """Remarks below the table: values of every law, restarts, failures."""
     remarks = []
     for row in found.choice.table:
         if row.law.name in found.fits:

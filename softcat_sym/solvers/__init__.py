@@ -1,1 +1,1 @@
-"""A Graph is integrated in time; the Outcome says how that went."""
+"""Solvers: time integration and equilibria of a Graph, with an Outcome."""

@@ -1,4 +1,4 @@
-"""Integration in time by the C runtime, which knows nothing of Python: the fastest there is."""
+"""Time integration by the C runtime, which is independent of Python and the fastest solver."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ OUTCOMES = {
 }
 
 _BESIDE = 1e-9
-_LOOK = 0.1  # s between two looks at how far it has got
-_MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
+_LOOK = 0.1  # s between two progress reports
+_MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # Minutes of work: a run with more steps makes no progress
 
 
 class Filament(ct.Structure):
@@ -120,20 +120,20 @@ class RunInput:
 
     parameters: Floats  # In the order of the model
     places: Floats  # Geometry, shape (sites, places)
-    state: Floats  # Where it begins, shape (sites, slots)
-    times: Floats  # Increasing, shape (frames,); the first is where it begins
+    state: Floats  # Initial state, shape (sites, slots)
+    times: Floats  # Increasing, shape (frames,); the first is that of the initial state
     relative: float  # Tolerances; the absolute one may have a number for each slot, shape (slots,)
     absolute: float | Floats
-    work_absolute: float  # Absolute tolerance of the work; 0 where its error is not controlled
-    kinks: Floats  # Times that no step runs over
+    work_absolute: float  # Absolute tolerance of the work; 0 if its error is not controlled
+    kinks: Floats  # Times at which steps must end
     max_steps: int
-    max_step: float = 0.0  # 0 for none
-    method: int = RODAS5P  # As softcat_rosenbrock.h numbers them
+    max_step: float = 0.0  # Longest step; 0 for no limit
+    method: int = RODAS5P  # Number of the method in softcat_rosenbrock.h
 
 
 @dataclass(frozen=True)
 class Answer:
-    """States (frames, sites, slots) and work (frames, powers), NaN where it did not get."""
+    """States (frames, sites, slots) and work (frames, powers); states are NaN at frames that were not reached."""
 
     states: Floats
     work: Floats
@@ -142,22 +142,22 @@ class Answer:
 
 @dataclass(frozen=True)
 class Directions:
-    """Numbers q that move a run, in which it is to be differentiated."""
+    """Variables q by which a run is differentiated."""
 
     parameters: Floats  # d parameters/dq, shape (count, parameters)
     state: Floats  # d initial state/dq, shape (count, sites, slots); algebraic unknowns are made consistent
-    # Step in each q, positive: the derivative errs by about its square relative to the scale on which the solution
-    # bends in q, and by 1e-16 over it.
+    # Step in each q, positive: the truncation error is about its square, relative to the scale of the solution's
+    # nonlinearity in q, and the rounding error is 1e-16 over it.
     size: Floats
 
 
 class CModel:
-    """A compiled model, ready to be integrated from any number of threads.
+    """A compiled model, ready for integration from any number of threads.
 
     Parameters
     ----------
     model : Callable
-        Returns its text.
+        Returns the model with its C text.
 
     Raises
     ------
@@ -168,12 +168,12 @@ class CModel:
     def __init__(self, model: Callable[[], Model]) -> None:
         with beside(_runtime), watched() as interrupts:
             self.model = model()
-            # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
+            # CasADi swallows an interrupt while it reads its arguments; check before the wait for the compiler.
             interrupts.check()
             self._library = load(self._compiled("filament.c", self.model.of_any_fibres, SOON), _MODEL)
         self._lock = threading.Lock()
         self._runtime = _runtime()
-        # The library has the functions, for any number of fibres; what depends on it is given.
+        # The functions of the library hold for any number of fibres; sizes that depend on it are set here.
         self._physics = Physics.from_buffer_copy(Physics.in_dll(self._library, _MODEL))
         self._columns = {name: np.array(values, dtype=np.intc) for name, values in self.model.columns.items()}
         for name, size in self.model.sizes.items():
@@ -193,7 +193,7 @@ class CModel:
 
     @cached_property
     def _observe(self) -> Any:
-        """What computes what a run stores, compiled when first asked for."""
+        """Function that computes the stored fields of a run, compiled on first use."""
         path = self._compiled("observables.c", self.model.observables, _SHOWN)
         function = load(path, _OBSERVE).softcat_filament_observe
         function.argtypes = [ct.POINTER(Filament), ct.c_int, *[Doubles] * 4]
@@ -201,7 +201,7 @@ class CModel:
 
     @cached_property
     def _rows(self) -> list[tuple[str, int | slice, int, int, bool]]:
-        """Name and row of each field with the sites that have it; of what all points show, one below the other."""
+        """Name and row of each field with the sites that have it; fields of all points have a range of rows."""
         shown, found = self.model.signature.shown, list[tuple[str, int | slice, int, int, bool]]()
         points = [one.name.rpartition("_")[0] for one in shown if one.name.startswith(POINT)]
         for row, one in enumerate(shown):
@@ -215,7 +215,7 @@ class CModel:
     def observe(
         self, parameters: Floats, places: Floats, times: Floats, states: Floats
     ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-        """What a run stores at several times, and what its points show.
+        """Stored fields of a run at several times, and values at the points of its sections.
 
         Returns
         -------
@@ -241,16 +241,16 @@ class CModel:
         return fields, points
 
     def room(self, run: RunInput, status: Status) -> Answer:
-        """Where the frames of a run go: NaN until they do."""
+        """Arrays for the frames of a run, filled with NaN."""
         frames = len(run.times)
         return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
 
     def integrate(
         self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
     ) -> Answer:
-        """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it.
+        """Integrate; `status` has the time reached during the integration, and a non-zero `stop` ends it.
 
-        Frames up to the time reached are in the `room`, if it was given, already then.
+        During the integration the frames up to that time are in `room`, if it is given.
         """
         answer = room or self.room(run, status)
         self._call(run, answer.states, answer.work if self.model.powers else None, None, status, stop)
@@ -261,12 +261,12 @@ class CModel:
     ) -> tuple[Floats, Floats]:
         """Integrate, with two-sided differences of neighbours in lock-step: derivatives of the discrete solution.
 
-        The work is left out; where its error is controlled it still limits the steps.
+        The work is not returned; if its error is controlled, it still limits the steps.
 
         Returns
         -------
         states : ndarray, shape (frames, sites, slots)
-            NaN where it did not get.
+            NaN at frames that were not reached.
         slopes : ndarray, shape (count, frames, sites, slots)
             Their derivatives.
         """
@@ -275,14 +275,14 @@ class CModel:
         moved = [np.ascontiguousarray(part) for part in (directions.size, directions.parameters, directions.state)]
         given = CDirections(count=len(directions.size), two_sided=1, states=doubles(slopes))
         given.size, given.parameters, given.state = (doubles(part) for part in moved)
-        # Without room for the work it would not be integrated, and steps would differ from those of `integrate`.
+        # Without an array the work would not be integrated, and the steps would differ from those of `integrate`.
         powers = len(self.model.powers)
         work = np.zeros((len(run.times), powers)) if powers and run.work_absolute > 0 else None
         self._call(run, states, work, given, status, stop)
         return states, slopes
 
     def consistent(self, run: RunInput, status: Status) -> Floats:
-        """The state that a run begins with, its algebraic unknowns in balance."""
+        """The initial state of a run, with its algebraic unknowns in balance."""
         state, absolute = run.state.copy(), np.full(run.state.shape[1], run.absolute)
         filament = self._filament(len(state), run.parameters, run.places)
         options = Options(relative=run.relative, absolute=doubles(absolute), method=run.method)
@@ -322,12 +322,12 @@ class CModel:
         )
 
     def message(self, code: int) -> str:
-        """What a code means."""
+        """Meaning of a status code."""
         return str(self._runtime.softcat_message(code).decode())
 
 
 def runtime_sources() -> dict[str, str]:
-    """The C files of the runtime by name."""
+    """C files of the runtime by name."""
     folder = resources.files("softcat_sym.codegen") / "runtime"
     files = sorted(folder.iterdir(), key=str)
     return {file.name: file.read_text(encoding="utf-8") for file in files if file.name[-2:] in (".c", ".h")}
@@ -336,7 +336,7 @@ def runtime_sources() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     sources = runtime_sources()
-    # One text that includes all: the compiler starts once.
+    # One file that includes all others, so that the compiler starts once.
     whole = {"softcat_runtime.c": "".join(f'#include "{name}"\n' for name in sources if name.endswith(".c"))}
     path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
     library = load(path, "softcat_sensitivities", "softcat_message")
@@ -349,7 +349,7 @@ def _runtime() -> ct.CDLL:
 
 
 def refuse(code: int, message: str) -> None:
-    """Raise where the fault is not in the filament: memory is short, or an argument is wrong."""
+    """Raise an error if the cause is not the filament: too little memory, or a wrong argument."""
     if code in (MEMORY, ARGUMENT):
         raise SoftcatError(f"the compiled solver refused to begin: {message}")
 
@@ -359,9 +359,9 @@ class CompiledFilament:
     """A compiled model with the geometry of one grid."""
 
     model: CModel
-    sites: Sites  # Where the unknowns of the graph are in it
+    sites: Sites  # Positions of the graph's unknowns in the model
     places: Floats  # Geometry, shape (sites, places)
-    graph: Graph  # The same filament, for names
+    graph: Graph  # The same filament, for names of unknowns
 
     def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
         """As :meth:`softcat_sym.discretization.graph.Graph.observe`, in C."""
@@ -378,15 +378,15 @@ class CompiledFilament:
 
 @dataclass(frozen=True)
 class CompiledNewton:
-    """Newton's method in C: for what :data:`softcat_sym.solvers.equilibrium.Newton` asks."""
+    """Newton's method in C, a :data:`softcat_sym.solvers.start.Newton`."""
 
     graph: Graph
     filament: CompiledFilament
-    at_rest: Callable[[Graph], CompiledFilament]  # Of another graph: of the filament at rest
+    at_rest: Callable[[Graph], CompiledFilament]  # Compiles the graph of the filament at rest
     settings: Settings
 
     def __call__(self, graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
-        """Algebraic unknowns in balance; None where none are found."""
+        """Algebraic unknowns in balance; None if none are found."""
         filament = self.filament if graph is self.graph else self.at_rest(graph)
         run, status = (
             RunInput(
@@ -415,7 +415,7 @@ class CompiledIntegration:
     settings: Settings
     filament: CompiledFilament
     frames: int  # Output times, t = 0 included
-    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
+    kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
@@ -423,7 +423,7 @@ class CompiledIntegration:
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        # Where there is nothing before the samples, the first of them lies just behind the start.
+        # Without a part before the samples, the first sample lies just after the start.
         first = max(times[1], times[0] + _BESIDE * (times[-1] - times[0]))
         times = np.append(times[0], np.linspace(first, times[-1], len(times) - 1))
         return self._integrated(start, p, times, scale, progress)
@@ -437,7 +437,7 @@ class CompiledIntegration:
             times=times,
             relative=self.settings.rtol,
             absolute=self.settings.absolute(slot.name for slot in model.model.slots),
-            # Without inertia only flow limits the steps: where little flows the work would be left to chance.
+            # Without inertia only flow limits the steps; with little flow the error of the work would be uncontrolled.
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
@@ -472,7 +472,7 @@ class CompiledIntegration:
         return found
 
     def _watched(self, run: RunInput, room: Answer, torn: Callable[[], bool], scale: float, progress: Progress) -> None:
-        """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; or as the listener does."""
+        """Integrate in a thread, so that Ctrl-C and progress reports work; or let the listener integrate."""
         status, integrate = room.status, self.filament.model.integrate
 
         def report() -> None:
@@ -502,12 +502,12 @@ def _reached(times: Floats, status: Status) -> int:
 
 
 def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
-    """The compiled form of a filament, from the cache if it has been compiled before."""
+    """Compile a filament, or take it from the cache."""
     compiled = compiled_model(structure)
     return CompiledFilament(compiled, sites_of(graph, compiled.model.slots), places_in_rows(graph), graph)
 
 
 @lru_cache(maxsize=128)
 def compiled_model(structure: Structure) -> CModel:
-    """The library of a structure, loaded once a process."""
+    """The library of a structure, loaded once in a process."""
     return CModel(partial(model_for, structure))

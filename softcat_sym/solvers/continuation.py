@@ -1,4 +1,4 @@
-"""Equilibria that are not straight, followed from the straight filament."""
+"""Continuation of equilibria from the straight filament to the scene's."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from softcat_sym.effects.scaling_estimates import elastic_sag
 from softcat_sym.scene.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.solvers.start import Newton, with_plastic_strain
 
-_MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # of a continuation
+_MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # Steps of a continuation from 0 to 1
 
 
 class Search(Protocol):
@@ -34,7 +34,7 @@ class _InC:
     newton: Newton
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
-        """As of `Search`."""
+        """Search as in `Search`."""
         del time
         return next((z for guess in guesses if (z := self.newton(self.graph, x, p, guess)) is not None), None)
 
@@ -42,12 +42,12 @@ class _InC:
 def balanced(
     scene: Scene, graph: Graph, p: Floats, straight: Floats, newton: Newton | None, *, is_straight: bool
 ) -> Floats | None:
-    """Algebraic positions in equilibrium at t = 0: in C if that leads there, else by CasADi, which knows folds, too."""
+    """Algebraic positions in equilibrium at t = 0: in C if it converges, otherwise by CasADi, which passes folds."""
     if newton is not None and graph.terms.bending and not is_slack(scene):
         z = _balanced(scene, graph, p, straight, _InC(graph, newton), is_straight=is_straight)
         if z is not None:
             return z
-    # Imported here: what is found in C does without CasADi.
+    # Imported here, as equilibria in C do not need CasADi.
     from softcat_sym.solvers.equilibrium import Equilibrium
 
     return _balanced(scene, graph, p, straight, Equilibrium(graph), is_straight=is_straight)
@@ -56,10 +56,10 @@ def balanced(
 def _balanced(
     scene: Scene, graph: Graph, p: Floats, straight: Floats, equilibrium: Search, *, is_straight: bool
 ) -> Floats | None:
-    """Algebraic positions in equilibrium, followed from the straight filament where that is not one.
+    """Algebraic positions in equilibrium, by continuation if the straight filament is not in equilibrium.
 
-    With its weight from the beginning; if that leads nowhere, with a weight that grows, which needs bending: a string
-    without weight has no stiffness.
+    The first continuation has the whole weight; if it fails, the second one starts without weight. It needs bending, as
+    a string without weight has no stiffness.
     """
     bends = graph.terms.bending
     heavy = _Stage(scene, graph, p, weightless=False)
@@ -72,7 +72,7 @@ def _balanced(
         z = _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
     if z is None or not bends or not is_slack(scene) or not graph.conserves_energy:
         return z
-    # A bar that its supports push together is in equilibrium while straight, but not at rest.
+    # The straight equilibrium of a compressed bar may be unstable.
     from softcat_sym.solvers.settling import settled
 
     x, constants = heavy.at(1.0)
@@ -80,13 +80,13 @@ def _balanced(
 
 
 def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
-    """Parabolas around the sag (over span) expected, and the straight filament."""
+    """Parabolas with sags about the expected one (over span), and the straight filament."""
     parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
     return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
 def _followed(stage: _Stage, equilibrium: Search, straight: Floats) -> Floats | None:
-    """Equilibrium at the end of a continuation, or None where it breaks off."""
+    """Equilibrium at the end of a continuation; None if the continuation fails."""
     graph = stage.graph
     falls = graph.terms.bending and graph.conserves_energy and not isinstance(equilibrium, _InC)
     apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
@@ -101,7 +101,7 @@ def _followed(stage: _Stage, equilibrium: Search, straight: Floats) -> Floats | 
         elif step >= _MIN_STEP:
             step /= 2
         elif falls:
-            # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
+            # The branch ends at a fold, as for an arch that is too heavy: the filament snaps to a lower equilibrium.
             from softcat_sym.solvers.settling import snapped
 
             reached, step, slope = min(1.0, reached + _MIN_STEP), _MAX_STEP, np.zeros_like(z)
@@ -123,26 +123,26 @@ class _Stage:
 
     @property
     def apart(self) -> float:
-        """Distance at which the filament is straight, over the one requested."""
+        """Distance of the ends at which the filament is straight, over the scene's."""
         return rest_length(self.scene) / distance(self.scene) if is_slack(self.scene) else 1.0
 
     def at(self, share: float) -> tuple[Floats, Floats]:
         """Plastic state and parameters."""
         begins = {"curvature": 0.0}
         if is_held(self.scene):
-            # A filament with a free end points from the beginning where its clamp does.
+            # A filament with a free end has the direction of its clamp from the beginning.
             begins |= dict.fromkeys((LEFT_ANGLE, RIGHT_ANGLE), chord_angle(self.scene))
         values = dict(zip(self.graph.parameters, self.p.tolist(), strict=True))
         if self.weightless:
             begins["gravity"] = 0.0
-        # A clamp that is level needs no parameter, and then cannot be turned either.
+        # A level clamp has no parameter, and is not rotated.
         begins |= {name: values.get(name, 0.0) * self.apart for name in (SPAN, DROP)}
         mixed = {name: share * value + (1 - share) * begins.get(name, value) for name, value in values.items()}
         x = with_plastic_strain(self.graph.start, self.graph, self.scene, share)
         return x, np.array([mixed[name] for name in self.graph.parameters])
 
     def search(self, equilibrium: Search, share: float, guesses: list[Floats]) -> Floats | None:
-        """Equilibrium at a share; of a string without bending only one that hangs, as it cannot be pushed."""
+        """Equilibrium at a share; for a string without bending only one in tension."""
         x, constants = self.at(share)
         for guess in guesses:
             z = equilibrium.search(0.0, x, constants, [guess])

@@ -1,4 +1,4 @@
-"""Equilibrium of a filament: Newton's method on what must vanish."""
+"""Equilibrium of a filament by Newton's method on the residual forces."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ _POSITIONS = ("x", "y", "z", "psi", "q0", "q1", "q2", "q3")
 
 
 class Stiffness:
-    """A sparse matrix, factorised: steps are None where it is singular, as of a straight string that does not bend."""
+    """A factorised sparse matrix; steps are None if it is singular, as for a straight string without bending."""
 
     def __init__(self, sparsity: ca.Sparsity) -> None:
-        # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
+        # The name "qr" selects the sparse solver; the default factorisation is a thousand times slower.
         self._solver = ca.Linsol("stiffness", "qr", sparsity)
         self._matrix: ca.DM | None = None
 
     def factorise(self, matrix: ca.DM) -> Stiffness:
-        """Take a matrix; what is singular shows in the steps."""
+        """Factorise a matrix; if it is singular, the next steps are None."""
         self._matrix = matrix
         try:
             self._solver.sfact(matrix)
@@ -38,7 +38,7 @@ class Stiffness:
         return self
 
     def step(self, force: Floats | ca.DM) -> Floats | None:
-        """What the force displaces."""
+        """Displacement by a force."""
         if self._matrix is None:
             return None
         try:
@@ -49,17 +49,17 @@ class Stiffness:
 
 
 class Equilibrium:
-    """Newton's method on 0 = alg(t, x, z, p), damped by what does not depend on how the equations are scaled.
+    """Newton's method on 0 = alg(t, x, z, p), with a damping that does not depend on the scaling of the equations.
 
-    A step is shortened until the step that the same stiffness would take from its end is the shorter one (Deuflhard,
-    Newton Methods for Nonlinear Problems, 2004, section 3.3: natural monotonicity).
+    A step is shortened until the next step with the same stiffness would be the shorter one (Deuflhard, Newton Methods
+    for Nonlinear Problems, 2004, section 3.3: natural monotonicity).
     """
 
     def __init__(self, graph: Graph) -> None:
-        # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
+        # Only positions and angles make the equations nonlinear: steps of velocities are not limited.
         self._shape = np.isin(graph.z_kinds, _POSITIONS)
         self._bends = graph.terms.bending
-        # Linear is a beam that does not stretch: the first whole step ends at the answer, however far that is.
+        # For a linear beam without stretch the first full step gives the solution.
         self._residual, self._jacobian, self._linear = graph.symbolic.balance
         self._stiffness = Stiffness(self._jacobian.sparsity_out(0))
 
@@ -75,7 +75,7 @@ class Equilibrium:
             if step is None:
                 return None
             size = float(np.max(np.abs(step))) / max(1.0, float(np.max(np.abs(z + step), initial=0.0)))
-            # Rounding of the positions times the axial stiffness, over that of bending: a thin filament stops short.
+            # Rounding of positions, times the axial over the bending stiffness, limits the accuracy of thin filaments.
             if size < _TOLERANCE or (self._bends and size < _ROUNDING and size > 0.9 * before):
                 return z + step
             before = size
@@ -83,11 +83,11 @@ class Equilibrium:
         return None
 
     def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, step: Floats) -> float:
-        """Fraction of the step after which less remains; if there is none, the longest, in hope of the next."""
+        """Largest tested fraction of the step that shortens the next step; the longest if there is none."""
         if self._linear:
             return 1.0
         size = float(np.linalg.norm(step))
-        # A straight string has next to no stiffness: its first step would end spans away, where elasticity softens.
+        # A straight string has hardly any stiffness: its first full step would be several spans long.
         reach = float(np.max(np.abs(step[self._shape]), initial=0.0))
         longest = fraction = min(1.0, _LONGEST_STEP / reach) if reach > 0 else 1.0
         for _ in range(_HALVINGS):
@@ -104,5 +104,5 @@ class Equilibrium:
 
 
 def newton_of_graph(graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
-    """As `Newton`, by CasADi."""
+    """Solve as `Newton`, by CasADi."""
     return Equilibrium(graph).search(0.0, x, p, [guess])

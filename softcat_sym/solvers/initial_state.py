@@ -1,4 +1,4 @@
-"""Where a run begins: at rest, straight or in the elastic shape the ends impose, settled where that is unstable."""
+"""Initial state of a run: at rest, straight or in the elastic shape that the ends impose, and stable."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ _POSITIONS = ("x", "y", "psi")
 def starting_state(
     scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None, newton: Newton | None = None
 ) -> Start | None:
-    """Begin at rest; None if no equilibrium is found."""
+    """Initial state at rest; None if no equilibrium is found."""
     if is_spatial(scene):
-        # Imported here: a run in its plane does without SciPy, which takes half a second to load.
+        # Imported here, as a run in a plane does not need SciPy, which takes half a second to load.
         from softcat_sym.solvers.spatial_start import spatial_start
 
         return spatial_start(scene, graph, p, statics, newton or _interpreted_newton())
@@ -56,7 +56,7 @@ def starting_state(
 
 
 def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats, newton: Newton | None) -> Floats | None:
-    """Positions in equilibrium of what begins bent or pulled; without weight, unless only that holds it in shape."""
+    """Positions in equilibrium of an initially bent or stretched filament; without weight, unless it is slack."""
     if not rest.positions_are_algebraic:
         return None
     values = dict(zip(graph.parameters, p.tolist(), strict=True))
@@ -67,7 +67,7 @@ def _shape_at_rest(scene: Scene, graph: Graph, rest: Graph, p: Floats, newton: N
 
 
 def _interpreted_newton() -> Newton:
-    # Imported here: what is compiled does without CasADi.
+    # Imported here, as compiled runs do not need CasADi.
     from softcat_sym.solvers.equilibrium import newton_of_graph
 
     return newton_of_graph
@@ -82,7 +82,7 @@ def is_straight(scene: Scene) -> bool:
         for kind, angle in ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     )
     held = "free" not in (ends.left, ends.right)
-    # A fluid is without stress however it was drawn.
+    # A Newtonian fluid has no elastic stress after stretching.
     pulled = held and scene.material.law != "newtonian"
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
@@ -91,7 +91,7 @@ def is_straight(scene: Scene) -> bool:
 
 
 def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene: Scene) -> Floats:
-    """The state of the straight filament: along the chord, or from the one support along its direction."""
+    """The state of the straight filament: along the chord, or from its only support in its direction."""
     ends, filament = scene.ends, scene.filament
     length, along = rest_length(scene), chord_angle(scene)
     run, fall = filament.span / length, ends.drop / length

@@ -22,7 +22,7 @@ from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 
-# Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
+# Flags for identical numbers on all machines of this kind: no -march=native, no -ffast-math, no fused operations.
 PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
 
 _LARGE = 1000
@@ -38,12 +38,12 @@ _OUTCOMES = {
 """Return flags of SUNDIALS; every other failure is one of convergence."""
 
 _FLAG = re.compile(r'(\w+ returned "(\w+)")')
-"""CasADi passes the flag on in its exception, and nowhere else."""
+"""CasADi reports the flag in its exception only."""
 
 
 @dataclass(frozen=True)
 class External:
-    """A compiled right-hand side, to be built into an integrator; its derivatives are those by t, x and z only."""
+    """A compiled right-hand side for an integrator, with derivatives by t, x and z only."""
 
     library: Path
     rhs: ca.Function  # (t, x, z, p) to (ode, alg)
@@ -58,27 +58,27 @@ class External:
 def compiled_rhs(graph: Graph) -> External:
     """The right-hand side of a graph as machine code, compiled now or found in the cache."""
     library = compile_library(rhs_source(graph).files, flags=PORTABLE)
-    # Without these CasADi would look for forward derivatives in the library, and find none.
+    # These options keep CasADi from searching forward derivatives in the library, which has none.
     options = {"enable_forward": False, "enable_reverse": False}
     rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))
     return External(library, rhs, powers)
 
 
 class FrameIntegrator:
-    """Carries a filament over a number of equal output intervals.
+    """Integrates a filament over a number of equal output intervals.
 
-    Time is written t = start + interval * tau, so that one integrator serves every chunk of the run.
+    Time is t = start + interval * tau, so that one integrator serves every chunk of the run.
 
     Parameters
     ----------
     graph : Graph
-        What to integrate; it must have differential states.
+        The filament; it must have differential states.
     settings : Settings
         Integrator and tolerances.
     intervals : int
         Output intervals in one call.
     external : External
-        The compiled right-hand side of the graph, in its place; not for Rosenbrock, which differentiates the powers.
+        Compiled right-hand side of the graph; not for Rosenbrock, which differentiates the powers.
     """
 
     def __init__(self, graph: Graph, settings: Settings, intervals: int, external: External | None = None) -> None:
@@ -86,7 +86,7 @@ class FrameIntegrator:
         kind: Any = ca.SX if external is None else ca.MX
         tau, start, interval = kind.sym("tau"), kind.sym("start"), kind.sym("interval")
         now = start + interval * tau
-        # Rosenbrock differentiates the quadratures too, and a sum would fill a row of its Jacobian; BDF does not.
+        # Rosenbrock differentiates the quadratures too: sums of powers would fill rows of the Jacobian. BDF does not.
         local = settings.solver == "rosenbrock"
         powers = ca.vertcat(*graph.symbolic.powers) if local else graph.quad
         sizes = [power.numel() if local else 1 for power in graph.symbolic.powers]
@@ -99,8 +99,8 @@ class FrameIntegrator:
         else:
             x, z, p = external.symbols()
             (ode, alg), quad = external.rhs(now, x, z, p), external.powers(now, x, z, p)
-        # Without inertia nothing but flow limits the steps of IDAS, and where nothing flows a quadrature would be left
-        # with one point a frame: the powers then count as unknowns, whose error is controlled.
+        # Without inertia only flow limits the steps of IDAS; without flow a quadrature would have one point in a frame.
+        # The powers then are unknowns, whose error is controlled.
         self._works = len(sizes) if settings.solver == "idas" and "v" not in graph.x_kinds else 0
         works = kind.sym("works", self._works)
         dae: dict[str, Any] = {
@@ -117,7 +117,7 @@ class FrameIntegrator:
         call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), options)
         self._results = {name: np.zeros((intervals + 1, call.size1_out(name))) for name in ("xf", "zf", "qf")}
         self._arguments = {name: np.zeros(call.size1_in(name)) for name in ("x0", "z0", "p")}
-        # A buffer hands NumPy's memory to CasADi: no lists of Python floats, which would cost as much as a quick run.
+        # The buffer shares NumPy's memory with CasADi; lists of Python floats would take as long as a short run.
         self._buffer, self._evaluate = call.buffer()
         for name, argument in self._arguments.items():
             self._buffer.set_arg(call.index_in(name), memoryview(argument.data))  # type: ignore[call-arg]
@@ -125,7 +125,7 @@ class FrameIntegrator:
             self._buffer.set_res(call.index_out(name), memoryview(result.data))  # type: ignore[call-arg]
 
     def advance(self, before: Solution, p: Floats, start: float, interval: float) -> Solution:
-        """Frames at the end of each interval behind the last one of `before`; of a failed call they mean nothing."""
+        """Frames at the end of each interval after the last one of `before`; without meaning after a failure."""
         self._arguments["x0"][:] = (*before.x[:, -1], *np.zeros(self._works))
         self._arguments["z0"][:] = before.z[:, -1]
         self._arguments["p"][:] = (*p, start, interval)
@@ -142,7 +142,7 @@ class FrameIntegrator:
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
         quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
         x = x[: len(before.x)]
-        # The Rosenbrock method does not raise: it leaves a code.
+        # The Rosenbrock method does not raise an exception, but returns a code.
         if outcome is Outcome.solved and self._buffer.ret() != 0:
             outcome, message = Outcome.no_convergence, "even the smallest step was rejected"
             if steps >= self._max_steps:
@@ -154,7 +154,7 @@ class FrameIntegrator:
 
 
 def _failure(error: RuntimeError) -> tuple[Outcome, str]:
-    """Outcome by the flag that SUNDIALS returned, and which that was."""
+    """Outcome for the flag that SUNDIALS returned, and the flag."""
     found = _FLAG.search(str(error))
     if found is None:
         return Outcome.no_convergence, str(error).strip().splitlines()[-1][:200]
@@ -162,16 +162,16 @@ def _failure(error: RuntimeError) -> tuple[Outcome, str]:
 
 
 class Integration:
-    """A prepared run: the integrator is built, and can be asked for the solution.
+    """A prepared run with its integrator.
 
     Parameters
     ----------
     graph, settings
-        What to integrate and how.
+        The filament, integrator and tolerances.
     frames : int
         Number of output times, t = 0 included.
     kinks : ndarray
-        Times, in units of the time scale, at which a support changes pace: no step runs over one.
+        Times, in units of the time scale, at which a support changes its rate, and at which steps must end.
     external : External
         The compiled right-hand side, if there is one.
     """
@@ -181,7 +181,7 @@ class Integration:
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external = external
-        # A multistep method starts anew in each chunk, so a short run gets one.
+        # A multistep method restarts in each chunk, so that a short run has one chunk.
         chunks = 40 if len(graph.start) > _LARGE else 8 if settings.solver == "rosenbrock" else 1
         self._chunk = self._integrator(1 if len(kinks) else max(1, -(-(frames - 1) // chunks)))
         self._samples: FrameIntegrator | None = None
@@ -213,7 +213,7 @@ class Integration:
         parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.powers))], 0, self._chunk
         while reached < last:
             if len(self._kinks):
-                # A piece begins just behind its kink and ends just before the next.
+                # A piece starts just after a kink and ends just before the next.
                 cuts = self._cuts(reached * interval, (reached + 1) * interval)
                 pieces = [(low * (1 + _BESIDE), high * (1 - _BESIDE)) for low, high in cuts]
                 part = self._through(parts[-1], p, [(low, high - low) for low, high in pieces])
@@ -227,7 +227,7 @@ class Integration:
                 if is_torn(self._graph.terms, self._stretch(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
-                integrator = self._single  # frame by frame to where it fails, so that the part that is sound is used
+                integrator = self._single  # Frame by frame up to the failure, to keep the valid frames
             else:
                 outcome, message = self._broken(parts[-1], part, reached * interval, p, scale)
                 return replace(self._whole(parts, interval), outcome=outcome, message=message)
@@ -237,7 +237,7 @@ class Integration:
         return self._graph.observe(time, x, z, p)["stretch"]
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
-        """All parts; the last chunk may go beyond the end."""
+        """All parts joined, without frames of the last chunk beyond the end."""
         found, frames = Solution.joined(parts), self._frames
         x, z, quad = (part[:, :frames] for part in (found.x, found.z, found.quad))
         return replace(found, time=np.arange(x.shape[1], dtype=float) * interval, x=x, z=z, quad=quad)
@@ -250,7 +250,7 @@ class Integration:
         parts.append(self._through(parts[0], p, spans))
         if parts[-1].outcome is Outcome.solved:
             samples = len(times) - 2
-            # There is no second number of samples in a run.
+            # All pieces of a run have the same number of samples.
             if self._samples is None or self._samples.intervals != samples:
                 self._samples = self._integrator(samples)
             parts.append(self._samples.advance(parts[-1], p, first, (end - first) / samples))
@@ -261,12 +261,12 @@ class Integration:
         return replace(Solution.joined(parts), time=times)
 
     def _cuts(self, begin: float, end: float) -> list[tuple[float, float]]:
-        """The time from begin to end, cut at its kinks."""
+        """The time from begin to end, divided at its kinks."""
         inside = self._kinks[(self._kinks > begin) & (self._kinks < end)].tolist()
         return [(low, high) for low, high in itertools.pairwise((begin, *inside, end)) if high > low]
 
     def _through(self, before: Solution, p: Floats, spans: Iterable[tuple[float, float]]) -> Solution:
-        """One frame at the end of these spans (start and length), with a call for each."""
+        """One frame at the end of these spans (start and length), with one call for each span."""
         x, z, quad = (part[:, -1:] for part in (before.x, before.z, before.quad))
         here, steps = replace(before, time=before.time[-1:], x=x, z=z, quad=quad), 0
         for start, length in spans:
@@ -277,7 +277,7 @@ class Integration:
         return replace(here, steps=steps)
 
     def _broken(self, last: Solution, failed: Solution, time: float, p: Floats, scale: float) -> tuple[Outcome, str]:
-        """Why a run failed behind its last sound frame, and the unknown that changes fastest."""
+        """Outcome and message of a failed run, with the fastest unknown at its last valid frame."""
         graph, outcome = self._graph, failed.outcome
         ode = ca.Function("ode", [graph.t, graph.x, graph.z, graph.p], [graph.ode])
         rates = np.abs(np.asarray(ode(time, last.x[:, -1], last.z[:, -1], p)))

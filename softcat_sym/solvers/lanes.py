@@ -1,4 +1,4 @@
-"""Many filaments integrated at once, one in each lane of a vector: the C of :mod:`softcat_sym.codegen.lanes`, run."""
+"""Integration of many filaments at once, one in each lane of a vector, by the C of :mod:`softcat_sym.codegen.lanes`."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from softcat_sym.solvers.compiled import (
     runtime_sources,
 )
 
-# The binary stays on this machine. Sums and products become one operation where the processor has it.
+# The binary is for this machine only; fused multiply-add is used if the processor has it.
 _NATIVE = ("-march=native", "-ffp-contract=fast", "-Wno-psabi")
 _MODEL = (*SOON, *_NATIVE)
 _RUNTIME = (*STEADY, *_NATIVE)
@@ -50,10 +50,10 @@ class Member(ct.Structure):
 
 
 def can_be_compiled() -> bool:
-    """Whether there is a compiler that knows vectors and this processor.
+    """Whether there is a compiler that supports vectors and this processor.
 
-    On Windows gcc stores vectors of 32 bytes where the stack is aligned to 16 (GCC's bug 54412). Clang before 15 does
-    not know ``-march=native`` on ARM.
+    On Windows gcc stores vectors of 32 bytes although the stack is aligned to 16 (GCC's bug 54412). Clang before 15
+    does not support ``-march=native`` on ARM.
     """
     found = find_compiler()
     if sys.platform == "win32" or found is None or found.path.name == "zig":
@@ -67,7 +67,7 @@ class LanesModel:
     Parameters
     ----------
     model : CModel
-        The model for one filament, which has the last word on what fails in a lane.
+        The model for one filament, which repeats runs that fail in a lane.
 
     Raises
     ------
@@ -84,7 +84,7 @@ class LanesModel:
         self._runtime = _runtime()
 
     def integrate(self, runs: Sequence[RunInput], rooms: Sequence[Answer], stop: ct.c_int | None = None) -> None:
-        """Integrate runs of equally many sites by one method into their rooms, as :meth:`CModel.integrate` does."""
+        """Integrate runs with the same number of sites and the same method, as :meth:`CModel.integrate` does."""
         members, kept = (Member * len(runs))(), []
         for member, run, room in zip(members, runs, rooms, strict=True):
             absolute = np.full(run.state.shape[1], run.absolute)
@@ -115,7 +115,7 @@ class LanesModel:
 
 @lru_cache(maxsize=16)
 def lanes_of(model: CModel) -> LanesModel:
-    """The lanes of a model, loaded once a process."""
+    """The lanes of a model, loaded once in a process."""
     return LanesModel(model)
 
 

@@ -1,14 +1,14 @@
-"""How a run ended; the value of each member is the advice."""
+"""Outcomes of runs; the value of each member is the advice."""
 
 from __future__ import annotations
 
 from enum import Enum
 
 THREAD = 1000.0
-"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
+"""Stretch beyond which a filament is a mere thread, a thirtieth as thick, for which the theory does not hold."""
 
 POLYMER_THREAD = 1e6
-"""The same of polymer chains, which draw a thread out evenly while they stiffen: a thousandth of the thickness."""
+"""The same limit for polymer chains, which stiffen and draw out an even thread: a thousandth of the thickness."""
 
 
 class Outcome(Enum):
@@ -63,7 +63,7 @@ class Outcome(Enum):
 
     @property
     def is_answer(self) -> bool:
-        """Whether it is what the filament does, as far as it goes: one that breaks is no failed run."""
+        """Whether the run shows what the filament does, as far as it goes: breaking is not a failure of the run."""
         return self in (Outcome.solved, Outcome.broken)
 
 

@@ -19,10 +19,10 @@ from softcat_sym.solvers.solution import Progress, Solution
 if TYPE_CHECKING:
     from softcat_sym.physics.symbols import Expr, Symbol
 
-# Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
+# Gauss points between two frames for the power, which may jump at a frame, where a load or a support changes its rate.
 _GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
 
-_MIN_STEP = 1 / 1024  # of the time from one instant to the next
+_MIN_STEP = 1 / 1024  # Over the time from one instant to the next
 _GROWTH = 1.5
 
 
@@ -43,7 +43,7 @@ def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Flo
     ndarray, shape (n, frames)
         f of each solution.
     """
-    # SymPy stands behind it, which no run through equilibria needs.
+    # Imported here, as it needs SymPy, which quasi-static runs do not.
     from softcat_sym.discretization.casadi_printer import CellFunction
 
     order = len(coefficients)
@@ -78,7 +78,7 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     path = _Path(graph, p, float(times[0]), z0)
     power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
     shapes, outcome, message = [z0], Outcome.solved, ""
-    # What is worked from outside: by the load, and by a material that shrinks.
+    # External work: by the load, and by a material that shrinks.
     works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.powers])
     work = [np.zeros(len(works))]
     for before, time in itertools.pairwise(times.tolist()):
@@ -101,7 +101,7 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
 
 
 class _Path:
-    """Equilibria one after another, in smaller steps than requested where a support goes far."""
+    """A sequence of equilibria, with smaller steps than requested if a support moves far."""
 
     def __init__(self, graph: Graph, p: Floats, time: float, z: Floats) -> None:
         self._graph, self._p, self._equilibrium = graph, p, Equilibrium(graph)
@@ -114,10 +114,9 @@ class _Path:
         return self._known[-1][1]
 
     def to(self, until: float) -> Floats | None:
-        """Equilibrium at a later time; None without.
+        """Equilibrium at a later time; None if there is none.
 
-        Where even the smallest step leads nowhere the branch has ended: a filament that bends snaps into what lies
-        below.
+        If even the smallest step fails, the branch has ended: a filament with bending snaps to a lower equilibrium.
         """
         whole = until - self._known[-1][0]
         falls = self._graph.terms.bending and self._graph.conserves_energy
@@ -140,7 +139,7 @@ class _Path:
         return self._equilibrium.search(at, np.zeros(0), self._p, [guess])
 
     def _guess(self, at: float) -> Floats:
-        """The equilibrium before; along a path of small steps, extrapolated."""
+        """Initial guess: the last equilibrium, or with reduced steps an extrapolation."""
         last, z = self._known[-1]
         if not np.isfinite(self._step) or len(self._known) < 2:
             return z

@@ -1,4 +1,4 @@
-"""One way in for every kind of run: ODE, DAE, or a sequence of equilibria."""
+"""Assembly, preparation and solution of every kind of run: ODE, DAE, or a sequence of equilibria."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.interpreted import External, Integration
 
 Code: TypeAlias = "CompiledFilament | External | None"
-"""What is compiled of a filament: all, its right-hand side only, or nothing."""
+"""Compiled code of a filament: all, the right-hand side only, or none."""
 
 
 @dataclass(frozen=True)
@@ -48,32 +48,32 @@ class Assembled:
 
     scene: Scene
     effects: Effects  # The physics in force
-    formulation: Formulation  # One cell
-    theory: Theory  # The unknowns that the grid carries
-    body: Body  # What is there beyond the equations
-    structure: Structure  # What its C text depends on
+    formulation: Formulation  # Equations of one cell
+    theory: Theory  # Unknowns on the grid
+    body: Body  # Supports, profile of the section, masses and natural shape
+    structure: Structure  # Everything on which its C text depends
     graph: Graph  # The whole filament
 
     def at_rest(self) -> Graph:
-        """The same filament without inertia and viscous stress: where a start that is not straight is sought."""
+        """The same filament without inertia and viscous stress, for the initial shape if it is not straight."""
         return self._still.graph
 
     @cached_property
     def _still(self) -> Assembled:
         scene = self.scene
         still = Formulation(self.effects.at_rest(), scene.filament.section, scene.run.closure)
-        # Nothing has flowed yet: few points hold what an elastic section does in three dimensions.
+        # Before any flow, few points suffice for an elastic section in three dimensions.
         theory = elastic_theory(scene) if self.theory.is_spatial else choose_theory(scene, still.terms)
         return _assembled(
             scene, self.effects, still, theory, self.graph.grid, self.body, choose_backend(scene, self.effects)
         )
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
-        """What is compiled of the filament at rest."""
+        """Compiled code of the filament at rest."""
         return compile_filament(graph, self._still.structure)
 
     def code(self, backend: Backend, settings: Settings) -> Code:
-        """What is compiled of it; SoftcatError with the compiler's message if that refuses."""
+        """Compiled code of the filament; SoftcatError with the compiler's message if compilation fails."""
         if not backend.compiled:
             return None
         if settings.solver == "rosenbrock":
@@ -84,7 +84,7 @@ class Assembled:
 
 
 def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:
-    """Equations -> Graph of a scene with these effects, for the backend that the scene calls for."""
+    """Assemble the graph of a scene with these effects, for a backend, by default the scene's."""
     formulation = Formulation(effects.terms(), scene.filament.section, scene.run.closure)
     grid, theory = choose_grid(scene, effects), choose_theory(scene, formulation.terms)
     backend = backend or choose_backend(scene, effects)
@@ -92,7 +92,7 @@ def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) ->
 
 
 def structure_for(scene: Scene, effects: Effects) -> Structure:
-    """What the C text of a scene with these effects depends on."""
+    """Everything on which the C text of a scene with these effects depends."""
     terms, grid = effects.terms(), choose_grid(scene, effects)
     formulation = Formulation(terms, scene.filament.section, scene.run.closure)
     return structure_of(effects, grid, formulation, choose_theory(scene, terms), choose_body(scene, grid))
@@ -121,15 +121,15 @@ _INTERPRETED = Backend(False, "as asked")
 
 @dataclass(frozen=True)
 class Prepared:
-    """A graph with its integrator built and its parameters filled in; `solve` does nothing but integrate."""
+    """A graph with its integrator and its parameters; `solve` only integrates."""
 
     graph: Graph
     settings: Settings
     p: Floats  # Parameters
     times: Floats  # Output times in units of the time scale, shape (frames,)
     scale: float  # The time scale [s]
-    start: Start | None  # Where the run begins; None if no shape in balance was found
-    integration: Integration | CompiledIntegration | None  # None of a row of equilibria
+    start: Start | None  # Initial state; None if no equilibrium was found
+    integration: Integration | CompiledIntegration | None  # None for a sequence of equilibria
     backend: Backend = _INTERPRETED
     code: CompiledFilament | None = None  # Of the whole filament, if it is compiled
 
@@ -153,18 +153,18 @@ class Prepared:
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
 
     def piece(self, start: Start, times: tuple[float, float, float], samples: int, progress: Progress) -> Solution:
-        """Integrate from a state at one time to a later one, and on with so many even samples to a third.
+        """Integrate from a state at one time to a second time, and with equally spaced samples to a third time.
 
         Parameters
         ----------
         start : Start
             State at the first time.
         times : tuple of float
-            Begin, begin of the samples, end; in units of the time scale. The first two may be the same.
+            Start, start of the samples, end; in units of the time scale. The first two may be equal.
         samples : int
             Intervals from the second to the third.
         progress : Progress
-            Told about simulated time.
+            Receiver of the simulated time.
 
         Returns
         -------
@@ -172,7 +172,7 @@ class Prepared:
             The start, and the samples with both ends.
         """
         if self.integration is None:
-            raise ValueError("a row of equilibria is not integrated")
+            raise ValueError("a sequence of equilibria is not integrated")
         begin, first, end = times
         every = np.append(begin, np.linspace(first, end, samples + 1))
         return self.integration.piece(start, self.p, every, self.scale, progress)
@@ -186,16 +186,16 @@ def prepare(
     compiled: tuple[Backend, Code] = (_INTERPRETED, None),
     code_at_rest: Callable[[Graph], CompiledFilament] | None = None,
 ) -> Prepared:
-    """Fill in the scene's parameters, find the starting shape and build the integrator.
+    """Fill in the scene's parameters, find the initial shape and build the integrator.
 
-    `statics` returns the same filament without inertia and viscous stress, for a starting shape that is not straight;
-    without it such a run finds none. `code_at_rest` compiles that, so that it is sought in C, too.
+    `statics` returns the same filament without inertia and viscous stress, which an initial shape that is not straight
+    needs. `code_at_rest` compiles it, so that the shape is computed in C, too.
     """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
     p = graph.vector(values)
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
-    # A frame at which a support or a furnace changes pace is one too, but for the first.
+    # A frame at which a support or a furnace changes its rate counts, too, except for the first.
     bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
@@ -207,7 +207,7 @@ def prepare(
     if isinstance(code, CompiledFilament):
         integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks)
     elif len(graph.start) and start is not None:
-        # Imported here, as above: what is compiled does without CasADi.
+        # Imported here, as compiled runs do not need CasADi.
         from softcat_sym.solvers.interpreted import Integration
 
         integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code)

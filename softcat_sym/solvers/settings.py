@@ -1,4 +1,4 @@
-"""Which integrator and backend, and how tightly, so that the time error is a tenth of the accuracy asked."""
+"""Choice of integrator, backend and tolerances, for a time error of a tenth of the requested accuracy."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_
 Name = Literal["cvodes", "idas", "rosenbrock"]
 
 ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
-NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a row of equilibria"
+NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a sequence of equilibria"
 
 RODAS5P, RODAS4 = 1, 2
 """Methods of the compiled solver, as softcat_rosenbrock.h numbers them."""
@@ -43,43 +43,43 @@ _STEPS_PER_FRAME = 100_000
 # Measured on the bundled scenes (tests/slow/test_time_error.py): with these the time error of the midpoint is
 # a tenth of the accuracy requested or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
-_VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
-_TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoil the energy balance
-_CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
-_REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
-_QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
+_VISCOUS = 0.2  # BDF without a yield stress: the whole filament flows at once, and further
+_TURNING = 0.05  # BDF with inertia of the sections, whose waves must not affect the energy balance
+_CREEP = 0.003  # BDF with a slow load and little to resolve: its few steps must be accurate
+_REST = 0.04  # IDAS for a filament that yields throughout and comes to rest, with small final oscillations
+_QUASI_STATIC = 0.04  # BDF without inertia: the flow after a sudden load must be resolved from the beginning
 
 
 class _Choice(NamedTuple):
-    """Method of the compiled solver, and how tightly it is held."""
+    """Method and tolerances of the compiled solver."""
 
     share: float  # Relative tolerance over the accuracy
     method: int
-    # Absolute tolerance of velocities over that of positions. A velocity moves a position by itself over its frequency,
-    # which is above one in all that rings: held as tightly, the fastest waves of a fine grid, which what is within the
-    # tolerance of the positions excites, are followed through thousands of steps.
+    # Absolute tolerance of velocities over that of positions. In an oscillation the error of a position is that of the
+    # velocity over the frequency, which is above one. With equal tolerances the integrator would resolve the fastest
+    # waves of a fine grid, which position errors within the tolerance excite, in thousands of steps.
     per_velocity: float
 
 
 _FLOWING = _Choice(0.3, RODAS5P, 10.0)
-_DESCENDING = _Choice(1.0, RODAS4, 10.0)  # it yields, and flows down
-_HELD_BACK = _Choice(0.02, RODAS4, 10.0)  # by a viscous stress
-_CREEPING = _Choice(1.0, RODAS5P, 10.0)  # to rest
-_STILL = _Choice(0.03, RODAS4, 10.0)  # the same without inertia
+_DESCENDING = _Choice(1.0, RODAS4, 10.0)  # With a yield stress, in unlimited flow
+_HELD_BACK = _Choice(0.02, RODAS4, 10.0)  # With a viscous stress
+_CREEPING = _Choice(1.0, RODAS5P, 10.0)  # With flow that comes to rest
+_STILL = _Choice(0.03, RODAS4, 10.0)  # The same without inertia
 _RINGING = _Choice(0.02, RODAS5P, 3.0)
-_LOOSEST = {RODAS5P: 1e-3, RODAS4: 3e-3}  # a looser tolerance rejects more steps than it saves
-_TIGHTEST_RODAS4 = 1e-5  # below this a method of fifth order takes so many steps fewer that it is the cheaper one
-# Amplitude that the method itself takes from a ringing over a run, over rtol: a tenth of the accuracy of a ringing by
-# half of the sag. In n steps a period it takes 5e-6 (2 pi)^6/n^5 of the amplitude, for n of nine and more.
+_LOOSEST = {RODAS5P: 1e-3, RODAS4: 3e-3}  # A looser tolerance rejects more steps than it saves
+_TIGHTEST_RODAS4 = 1e-5  # Below this a method of fifth order takes so many steps fewer that it is cheaper
+# Numerical damping of a ringing in a run, over rtol: a tenth of the accuracy for a ringing by half of the sag. With n
+# steps in a period, n at least nine, the method damps 5e-6 (2 pi)^6/n^5 of the amplitude in each period.
 _TAKEN, _TAKEN_PER_PERIOD = 10.2, 0.31
-# Periods of a ringing that lasts from which on what it gains or loses on the clock counts: it grows with their number,
-# and for a thousand of them it is 0.2 of the accuracy at the share above (tests/slow/test_energy_drift.py).
+# Number of periods of an undamped ringing above which its phase error matters: the error grows with this number, and
+# for a thousand periods is 0.2 of the accuracy at the share above (tests/slow/test_energy_drift.py).
 _MANY_PERIODS = 500.0
 _VELOCITIES = frozenset({"u", "v", "w", "omega", "o1", "o2", "o3"})
-_PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
+_PER_YIELD_STRAIN = 0.02  # Strain scale of the absolute tolerance, over the yield strain, of flow that comes to rest
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
-_OVERDAMPED = 5.0  # V above which a descending filament does not turn back
+_OVERDAMPED = 5.0  # V above which a descending filament does not rebound
 _SHORT_MEMORY = 0.02  # relaxation time in sqrt(L/g) below which a Maxwell filament does not ring
 _SLOW_PERIODS = 20.0
 _NOISE = 5 * float(np.finfo(float).eps)
@@ -87,17 +87,17 @@ _NOISE = 5 * float(np.finfo(float).eps)
 
 @dataclass(frozen=True, slots=True)
 class Backend:
-    """What evaluates the right-hand side."""
+    """Evaluation of the right-hand side."""
 
-    compiled: bool  # Whether generated C does, its integrator included; otherwise CasADi interprets the graph
-    reason: str  # By which compiler, or why not
+    compiled: bool  # Whether generated C evaluates and integrates it; otherwise CasADi interprets the graph
+    reason: str  # The compiler, or the reason why there is none
 
     def __str__(self) -> str:
         return f"{'compiled' if self.compiled else 'interpreted'}: {self.reason}"
 
 
 def choose_backend(scene: Scene, effects: Effects) -> Backend:
-    """Choose the backend: compiled where there is a compiler and the filament has a compiled form."""
+    """Choose the backend: compiled if there is a compiler and the filament has a compiled form."""
     requested, solver, obstacle = scene.numerics.backend, scene.numerics.solver, ""
     if requested == "interpreted":
         return Backend(False, "named in numerics.backend")
@@ -123,11 +123,11 @@ class Settings:
     solver: Name  # ``cvodes``, ``idas`` or ``rosenbrock``
     rtol: float  # Relative tolerance, and absolute tolerance in units of span and time scale
     atol: float
-    reason: str  # Why this one
-    # Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
+    reason: str  # Reason for this integrator
+    # Absolute tolerance of all unknowns except axial velocities, whose tolerance is looser due to rounding.
     across: float | None = None
-    velocity: float = 0.0  # Absolute tolerance of velocities where it is looser than those
-    max_step: float | None = None  # [s]; None where only the tolerances limit the steps
+    velocity: float = 0.0  # Absolute tolerance of velocities, if it is looser than those
+    max_step: float | None = None  # [s]; None if only the tolerances limit the steps
     method: int = RODAS5P  # Of the compiled solver
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
@@ -144,16 +144,16 @@ class Settings:
 
 
 def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
-    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named."""
+    """Integrator and tolerances of a compiled or interpreted run; compiled runs use CVODES and IDAS only if named."""
     ours = compiled and scene.numerics.solver in (None, "rosenbrock")
     return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
 
 
 def choose_settings(scene: Scene, effects: Effects) -> Settings:
-    """Choose the integrator: what the scene says, otherwise by whether flow damps the elastic waves.
+    """Choose the integrator: the scene's, or one that depends on whether flow damps the elastic waves.
 
-    BDF of order 2 is the cheapest where flow damps the waves, and where a filament creeps to rest; it would damp by
-    itself the ringing of one that stays elastic or stops short, so those go to the fifth-order Rosenbrock method.
+    BDF of order 2 is the cheapest if flow damps the waves, or if a filament creeps to rest. Its numerical damping would
+    affect the ringing of filaments that stay elastic or stop early: these use the fifth-order Rosenbrock method.
     """
     solver, reason = _solver(scene, effects)
     rtol = scene.numerics.rtol or scene.run.accuracy * _tightening(scene, effects, solver)
@@ -162,16 +162,16 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 
 
 def compiled_settings(scene: Scene, effects: Effects) -> Settings:
-    """Method and tolerances of the compiled solver, a Rosenbrock method being the cheapest for every filament.
+    """Method and tolerances of the compiled solver, for which a Rosenbrock method is the cheapest in all cases.
 
-    Where flow damps all that moves, Rodas4 takes the steps of Rodas5P, with six stages for eight.
+    If flow damps all motion, Rodas4 takes as many steps as Rodas5P, with six stages instead of eight.
     """
     choice, smallest, terms = _RINGING, _smallest_strain(scene), effects.terms()
     if terms.viscous:
         choice = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
         choice = _CREEPING if terms.inertia else _STILL
-        # What is left of its stress beyond yield decides where it stops.
+        # The remaining stress beyond yield decides where it stops.
         limit, modulus = yield_stress_of(scene), instant_modulus(scene)
         if limit and modulus:
             smallest = min(smallest, _PER_YIELD_STRAIN * (limit / modulus))
@@ -184,7 +184,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     rtol = scene.numerics.rtol or min(_LOOSEST[choice.method], scene.run.accuracy * choice.share)
     method = choice.method if rtol >= _TIGHTEST_RODAS4 else RODAS5P
     noise = _roundoff(scene, effects)
-    # Noise along the filament shows across it by its slope.
+    # Rounding noise along the filament affects transverse unknowns in proportion to the slope.
     level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
     level = level and not scene.initial.centreline and not is_curved(scene)
     slope = min(1.0, 4 * expected_sag(scene)) if level else 1.0
@@ -195,24 +195,24 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
 
 
 def _lasting_period(scene: Scene, effects: Effects) -> float | None:
-    """Period [s] of a ringing that nothing damps; None where there is none that can be seen."""
+    """Period [s] of an undamped ringing; None if there is none above the accuracy."""
     rings = ringing(scene)
     lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
     return 2 * math.pi / rings.frequency if effects.terms().inertia and lasts else None
 
 
 def _longest_step(scene: Scene, period: float, rtol: float) -> float:
-    """Longest step [s] of a filament that rings on: an L-stable method takes from the ringing what no tolerance misses.
+    """Longest step [s] for an undamped ringing, which an L-stable method damps without exceeding its tolerances.
 
-    The tolerances hold the error of a step. It falls with the amplitude, so that steps grow as the ringing is lost, and
-    a ringing by little of the sag is lost from the beginning.
+    The tolerances limit the error of a step, which is proportional to the amplitude: as the method damps the ringing,
+    steps become longer, and a ringing with a small share of the sag is damped from the beginning.
     """
     per_period = (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
     return period / float(per_period)
 
 
 def _roundoff(scene: Scene, effects: Effects) -> float:
-    """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
+    """Rounding noise of an axial velocity: rounding of the positions over a cell, times the speed of elastic waves."""
     modulus, weight = instant_modulus(scene), weight_stress(scene)
     if not effects.terms().inertia or modulus is None or weight <= 0:
         return 0.0
@@ -236,7 +236,7 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
 
 
 def _smallest_strain(scene: Scene) -> float:
-    """The strain against which absolute errors are measured: that of the expected sag, a hundredth at the most."""
+    """Strain scale of absolute tolerances: that of the expected sag, at most a hundredth."""
     expected = max(4 * expected_sag(scene) * groups_of(scene).delta, expected_strain(scene))
     return min(0.01, expected) if expected > 0 else 0.01
 
@@ -265,7 +265,7 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
 
 
 def _algebraic(effects: Effects) -> str:
-    """Which unknowns have no rate of their own, and what would give them one; an empty text where all have."""
+    """Unknowns that are algebraic, and the effect that would make them differential; empty if there are none."""
     if not effects.terms().inertia:
         return "velocities without inertia" if effects.terms().resists else "positions without inertia"
     algebraic = effects.terms().turns and not effects.terms().rotary_inertia
@@ -273,7 +273,7 @@ def _algebraic(effects: Effects) -> str:
 
 
 def _flow_damps(scene: Scene, effects: Effects) -> bool:
-    """Whether flow goes on through the run and damps what the load excites."""
+    """Whether flow continues through the run and damps the motion that the load excites."""
     viscous, modulus, gravity_number = viscous_number(scene), instant_modulus(scene), gravity_number_of(scene)
     if effects.terms().viscous:
         return True
@@ -285,7 +285,7 @@ def _flow_damps(scene: Scene, effects: Effects) -> bool:
 
 
 def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
-    """Whether the filament yields far beyond its first fibre, too viscously to turn back, and stops."""
+    """Whether the filament yields throughout, stops, and is too viscous to rebound."""
     gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
     if not effects.terms().yields or gravity_number is None or viscous is None:
         return False
@@ -295,7 +295,7 @@ def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
 
 
 def _is_slow(scene: Scene) -> bool:
-    """Whether the load comes on so slowly, compared with the period of the elastic filament, that nothing rings."""
+    """Whether the ramp of the load is so slow, compared with the elastic period, that there is no ringing."""
     sag = elastic_sag(scene)
     if sag == 0 or scene.load.shake > 0:
         return False

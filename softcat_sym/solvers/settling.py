@@ -1,4 +1,4 @@
-"""Unstable equilibria, left for the minimum of the energy into which the filament creeps."""
+"""Descent from unstable equilibria to a minimum of the energy."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.equilibrium import Stiffness
 
-_NUDGE = 1e-3  # of a span
-_LARGEST = 0.05  # change of a position in one step, in spans
+_NUDGE = 1e-3  # Perturbation, over the span
+_LARGEST = 0.05  # Largest change of a position in one step, over the span
 _GROWTH, _SHRINKAGE = 2.0, 0.25
 _SETTLED = 1e-11
 _SETTLING_ITERATIONS = 400
@@ -18,12 +18,12 @@ _SETTLING_ROUNDING = 1e-13
 
 
 def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> Floats:
-    """The minimum of the energy that a nudged equilibrium creeps into; the same where it is one already.
+    """Minimum of the energy reached from a perturbed equilibrium; the equilibrium itself if it is a minimum.
 
-    An arch that stands may be such a minimum, too: it is turned over first, so that what hangs is found.
+    As a standing arch may be a minimum, too, the shape is first reflected to the lower side, so that the result hangs.
 
-    Linearly implicit steps along dz/dtau = alg, the forces over the masses: each must lower the energy, so that none
-    steps back onto a saddle.
+    The steps are linearly implicit along dz/dtau = alg, the forces over the masses: each must lower the energy, so that
+    none returns to a saddle.
     """
     slope, nudge = _Slope(graph, x, p), _nudge(graph)
 
@@ -32,24 +32,24 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
         return np.where(np.isin(graph.z_kinds, ("y", "psi")), 2 * straight - shape, shape)
 
     low = slope.descended(min((z, turned_over(z)), key=slope.energy) - nudge)
-    # What leaves a straight bar may rise as well as hang.
+    # A straight bar may buckle upwards or downwards.
     other = slope.descended(turned_over(low) - nudge)
     return min((low, other), key=slope.energy)
 
 
 def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Floats:
-    """The minimum of the energy that a shape out of balance, nudged, creeps into: beyond a fold of its equilibria."""
+    """Minimum of the energy reached from a perturbed shape out of balance, beyond a fold of its equilibria."""
     return _Slope(graph, x, p, time).descended(z - _nudge(graph))
 
 
 def _nudge(graph: Graph) -> Floats:
-    """Downwards, and a little more on one side."""
+    """Downward perturbation, slightly larger on one side."""
     weight, size = np.abs(graph.z_where) / 0.5, np.where(np.isin(graph.z_kinds, "y"), _NUDGE, 0.0)
     return np.asarray(size * (1 - weight**2) * (1 + 0.1 * np.sign(graph.z_where)))
 
 
 class _Slope:
-    """Energy of the filament, and implicit steps down its slope."""
+    """Energy of the filament, and implicit steps along its negative gradient."""
 
     def __init__(self, graph: Graph, x: Floats, p: Floats, time: float = 0.0) -> None:
         self._x, self._p, self._time, self._observables = x, p, time, graph.symbolic.observables
@@ -59,16 +59,16 @@ class _Slope:
         self._stiffness = Stiffness(self._system.sparsity_out(1))
 
     def energy(self, z: Floats) -> float:
-        """All stored energy per undeformed area."""
+        """Stored energy per undeformed area."""
         observed = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
         names = (name for name in observed if name.startswith("energy_") and name != "energy_kinetic")
         return sum(float(observed[name]) for name in names)
 
     def descended(self, start: Floats) -> Floats:
-        """The minimum that a shape creeps into.
+        """Minimum of the energy reached from a shape.
 
-        The first step is as short as that of an explicit method: what is stiff comes to rest before the steps are so
-        long that they would end on a saddle.
+        The first step is as short as that of an explicit method: stiff modes come to rest before the steps become long
+        enough to end on a saddle.
         """
         _, matrix = self._system(self._time, self._x, start, self._p, 1.0)
         pace = 1 / float(np.max(np.abs(np.diag(np.asarray(matrix)))))

@@ -1,4 +1,4 @@
-"""The raw answer of an integration, and who listens while it is made."""
+"""The solution of an integration, and receivers of its progress."""
 
 from __future__ import annotations
 
@@ -21,36 +21,36 @@ if TYPE_CHECKING:
 
 
 class Progress(Protocol):
-    """Listens to a run; one listener hears all of it, estimates and refinements included."""
+    """Receiver of the progress of a run, with its estimates and refinements."""
 
     def stage(self, name: str) -> None:
-        """Take note that something begins beside the first run: an estimate, a refinement."""
+        """Receive the name of a stage that begins, such as an estimate or a refinement."""
         ...
 
     def doing(self, what: str) -> None:
-        """Take note of what begins within it: building, compiling, solving."""
+        """Receive the part of the stage that begins: building, compiling, solving."""
         ...
 
     def reach(self, share: float, state: str) -> None:
-        """Take note of how much of the stage is done, 0 to 1, and in words."""
+        """Receive the finished share of the stage, 0 to 1, and its state in words."""
         ...
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
-        """Take note of the time reached [s] and of the mean step since the last call [s]."""
+        """Receive the time reached [s] and the mean step since the last call [s]."""
         ...
 
 
 @runtime_checkable
 class Flagged(Protocol):
-    """A listener that sees to compiled integrations, and ends them: no thread need watch it."""
+    """A receiver that performs and stops compiled integrations itself, so that no thread need watch them."""
 
     def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
-        """Integrate a run into its room."""
+        """Integrate a run into its arrays."""
         ...
 
 
 class Silence:
-    """A listener that does nothing; one that derives from it need not hear everything."""
+    """A receiver that ignores all reports; subclasses implement those that they need."""
 
     def stage(self, name: str) -> None:
         """Do nothing."""
@@ -66,7 +66,7 @@ class Silence:
 
 
 def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
-    """Begin a stage of so many parts, and hear how many of them are done."""
+    """Begin a stage with several parts; return a function that reports the number of finished parts."""
     progress.stage(stage)
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
@@ -76,12 +76,12 @@ Stretch = Callable[[Floats, Floats, Floats], Floats]
 
 
 def thread_of(terms: Terms) -> float:
-    """Stretch beyond which a filament of this law is followed no further."""
+    """Stretch at which the run of a filament with this law ends."""
     return POLYMER_THREAD if terms.law.has_chains else THREAD
 
 
 def is_torn(terms: Terms, stretch: Floats) -> bool:
-    """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
+    """Whether a section is stretched to a thread, whose further motion takes very many steps and has no meaning."""
     return bool(np.any(stretch > thread_of(terms)))
 
 
@@ -94,29 +94,29 @@ class Solution:
     z: Floats  # Algebraic states
     quad: Floats  # Quadratures, shape (powers, frames)
     outcome: Outcome
-    message: str  # Time, worst component and the integrator's words, if it failed
+    message: str  # Time, worst component and message of the integrator, if it failed
     steps: int
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
-        """The frame from which an integration begins, at time zero."""
+        """The first frame of an integration, at time zero."""
         return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((powers, 1)), Outcome.solved, "", 0)
 
     @classmethod
     def joined(cls, parts: Sequence[Solution]) -> Solution:
-        """Parts one behind the other, ended as the last one."""
+        """Parts joined in time, with the outcome of the last one."""
         time, x, z, quad = (
             np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in ("time", "x", "z", "quad")
         )
         return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
 
     def every(self, stride: int, time: Floats) -> Solution:
-        """The same at every so many of its times, which become those of `time`."""
+        """The solution at every `stride`-th frame, with the times of `time`."""
         x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
         return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
 
     def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:
-        """The same up to the first frame in which only a thread is left somewhere, if the last one is such."""
+        """The solution up to the first frame with a section stretched to a thread, if the last frame has one."""
 
         def torn(frame: int) -> bool:
             at = slice(frame, frame + 1)
@@ -135,7 +135,7 @@ class Solution:
 
 
 class Interrupts:
-    """Whether SIGINT has come since the watch began."""
+    """Record of SIGINT since the watch began."""
 
     def __init__(self) -> None:
         self._noticed = False
@@ -147,16 +147,16 @@ class Interrupts:
         raise KeyboardInterrupt
 
     def check(self) -> None:
-        """Raise what was swallowed."""
+        """Raise KeyboardInterrupt if it was swallowed."""
         if self._noticed:
             raise KeyboardInterrupt
 
 
 @contextmanager
 def watched() -> Iterator[Interrupts]:
-    """Watch for SIGINT, unless the program handles it in its own way or this is not its main thread.
+    """Watch for SIGINT, unless the program has its own handler or this is not its main thread.
 
-    Within a watch it is that one.
+    A nested watch is the outer one.
     """
     around = getattr(signal.getsignal(signal.SIGINT), "__self__", None)
     if isinstance(around, Interrupts):

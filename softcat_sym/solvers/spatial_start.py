@@ -1,4 +1,4 @@
-"""Where a filament in three dimensions begins: in its natural shape, straight between its ends, or on a given curve."""
+"""Initial state of a filament in three dimensions: natural shape, straight between its ends, or on a given curve."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_h
 from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
-"""Share of the load in the least step of a continuation."""
+"""Smallest step of a continuation, as a share of the load."""
 _LOADS = ("gravity", *TIP_FORCE, *TIP_TORQUE)
 _GROWING = (*_LOADS, LEFT_ANGLE, RIGHT_ANGLE, "curvature", "twist")
-"""What grows in it: what is straight between its ends is turned and bent into its place, too."""
+"""Parameters that grow in a continuation; for a filament held at both ends also its angles and curvatures."""
 
 
 def spatial_start(
     scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None, newton: Newton
 ) -> Start | None:
-    """Begin at rest; None if no equilibrium is found.
+    """Initial state at rest; None if no equilibrium is found.
 
-    What is not without stress is sought in a section of few points, which is as good where nothing has flowed; what
-    little remains is settled in the section of the run.
+    A stressed shape is computed with a section of few points, which suffices before any flow; the small remaining
+    difference is solved with the section of the run.
     """
     shape = natural_shape(scene, graph)
     if graph.positions_are_algebraic or (is_held(scene) and _is_forced(scene)):
@@ -58,14 +58,14 @@ def spatial_start(
 
 
 Shape = dict[tuple[str, int], float]
-"""Places and quaternions of the nodes, by name and number."""
+"""Positions and quaternions of the nodes, by name and number."""
 
 
 def natural_shape(scene: Scene, graph: Graph) -> Shape:
-    """Straight between two ends that are held; from the one that is, in the curve of its natural twist and curvature.
+    """Shape without load: straight between two held ends; with one held end, by natural twist and curvature.
 
-    Node by node with the turn of the middle of each cell, so that no cell is strained. Or as the scene's shape or
-    centreline has it.
+    The latter is integrated node by node with the rotation at the middle of each cell, so that no cell is strained. The
+    scene's shape or centreline has priority.
     """
     nodes, grown = graph.grid.nodes, force_free_stretch(scene)
     ends, filament, length = scene.ends, scene.filament, rest_length(scene)
@@ -83,7 +83,7 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
     else:
         from_left = ends.right == "free"
         kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
-        # Lam^-3/2 kappa is the natural one where nothing is stressed.
+        # Without stress, Lam^-3/2 kappa is the natural curvature.
         kappa = np.array([filament.twist, 0.0, filament.curvature]) * grown**1.5 * length
         places, turns = _integrated(np.diff(nodes), kappa, grown, angle if kind == "clamped" else 0.0, from_left)
         places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
@@ -92,7 +92,7 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
 
 
 def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
-    """Places over the rest length on the scene's curve, and sections square to it that do not turn about it."""
+    """Positions over the rest length on the scene's curve, and sections perpendicular to it without twist."""
     points = np.array(scene.initial.centreline) / rest_length(scene)
     curve = make_interp_spline(np.linspace(-0.5, 0.5, len(points)), points, k=min(3, len(points) - 1))
     first = Rotation.from_euler("z", scene.ends.left_angle)
@@ -100,7 +100,7 @@ def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
 
 
 def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
-    """Places and quaternions of a curve of constant twist and curvature, from the end that is held."""
+    """Positions and quaternions of a curve of constant twist and curvature, from the held end."""
     sign = 1.0 if from_left else -1.0
     place, turn = np.zeros(3), _turn_in_plane(angle)
     places, turns = [place], [turn]
@@ -120,7 +120,7 @@ def _turn_in_plane(angle: float) -> Floats:
 
 
 def _turn_by(vector: Floats) -> Floats:
-    """Quaternion of a turn by an angle about an axis, both in one vector."""
+    """Quaternion of a rotation vector."""
     angle = float(np.linalg.norm(vector))
     return np.append(math.cos(angle / 2), np.sinc(angle / 2 / np.pi) / 2 * vector)
 
@@ -132,7 +132,7 @@ def _times(a: Floats, b: Floats) -> Floats:
 
 
 def _first_axis(q: Floats) -> Floats:
-    """d1 of a turn."""
+    """First axis d1 of a quaternion."""
     w, x, y, z = q
     return np.array([w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)])
 
@@ -142,7 +142,7 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 
 def _is_forced(scene: Scene) -> bool:
-    """Whether a straight filament between its ends is not without stress before its weight acts: that is sought."""
+    """Whether the straight filament between its ends is stressed without weight, so that its shape must be solved."""
     ends, along = scene.ends, chord_angle(scene)
     clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
@@ -151,7 +151,7 @@ def _is_forced(scene: Scene) -> bool:
 
 
 def _loaded(newton: Newton, graph: Graph, guess: Start, p: Floats, named: tuple[str, ...]) -> Floats | None:
-    """Equilibrium under what grows from nothing, from a shape that is one without it."""
+    """Equilibrium under growing parameters, from an equilibrium at zero values of these."""
     reached, step, z = 0.0, 1.0, guess.z
     grows = np.array([name in named for name in graph.parameters])
     while reached < 1.0:

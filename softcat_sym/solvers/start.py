@@ -1,4 +1,4 @@
-"""The state that a run begins with."""
+"""The initial state of a run."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ class Start:
 
 
 Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
-"""Algebraic unknowns in balance at t = 0, of a graph, its differential unknowns, parameters and a guess."""
+"""Algebraic unknowns in balance at t = 0, from a graph, its differential unknowns, parameters and a guess."""
 
 
 def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
-    """The state with a share of the plastic strain that the scene starts from."""
+    """The state with a share of the scene's initial plastic strain."""
     where = graph.x_where
-    # Given at equal distances from left to right; one value alone is that of the whole filament.
+    # Values are equally spaced from left to right; a single value holds for the whole filament.
     mean, bending = (
         np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
         for values in (initial_strain(scene), scene.initial.C)

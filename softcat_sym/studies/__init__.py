@@ -1,1 +1,1 @@
-"""Studies: what many runs together show."""
+"""Studies: results from many runs together."""

@@ -1,4 +1,4 @@
-"""The sag card: everything a printer asks of a spanning filament, on one page."""
+"""The sag card: one page on a spanning filament, for people who print such filaments."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ _MATERIAL = {
 }
 _SURFACE = {path.partition(".")[2].replace("_", "-"): path for path in ("surroundings.surface_tension",)}
 FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, "ends", "duration", "flow-curve")
-"""What a scene is made of."""
+"""Options from which a scene can be made."""
 
 _EXAMPLES = {
     "density": '"1900 kg/m^3"',
@@ -65,7 +65,7 @@ _ACCURACY = 0.02
 
 
 def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
-    """Make a scene of a round filament that is let go within sqrt(L/g)."""
+    """Make a scene of a round filament that is released within sqrt(L/g)."""
     given = {name: text for name, text in flags.items() if text is not None}
     curve, ends, notes = given.get("flow-curve"), given.get("ends", "clamped"), []
     _check_flags(given)
@@ -101,12 +101,12 @@ def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = (
         slow = (_FLOWS if limit else 1.0) * (effective_viscosity_at(made, stress) or 0.0) / stress
         duration = float(f"{_SWINGS * swing + slow:.3g}")
         late["run.duration"] = f"{duration!r} s"
-        notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; --duration gives another")
+        notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; change it by --duration")
     return (made.replace(late) if late else made), tuple(notes)
 
 
 def _check_flags(given: Mapping[str, str]) -> None:
-    """Refuse flags that make no filament."""
+    """Refuse flags that do not define a filament."""
     curve, law = "flow-curve" in given, given.get("law")
     needed = [*_GEOMETRY, "youngs-modulus" if curve else "law"]
     missing = "missing: a flow curve says nothing about the modulus"
@@ -136,32 +136,32 @@ def _number(text: str) -> object:
 
 @dataclass(frozen=True, eq=False)
 class Card:
-    """All that one page says about a spanning filament.
+    """Content of the page on a spanning filament.
 
     Attributes
     ----------
     name : str
-        Name of the scene that was asked for; may be empty.
+        Name of the scene; may be empty.
     scene : Scene
         The filament.
     run : Run
         The run of the filament, with an error estimate.
     descent : Descent or None
-        The fall in time; None if the run has no frame to show.
+        The descent in time; None if the run has a single frame.
     certificate : dict or None
-        Whether and why the filament is at rest; None if the run has no frame to show.
+        Whether and why the filament is at rest; None if the run has a single frame.
     rules : tuple of Rule
         Rules of the field, each with its error.
     limit : str
         Largest sag allowed, as it was given.
     span : CriticalSpan or None
-        The longest span that sags less, and its exponents; None where none was found.
+        The longest span with a sag below the limit, and its exponents; None where none was found.
     span_text : str
         Why no longest span was found; empty otherwise.
     surface : SurfaceHold or None
-        What surface tension holds; None where there is none.
+        Effect of surface tension; None without surface tension.
     notes : tuple of str
-        Sentences on what was assumed or converted.
+        Sentences on assumptions and conversions.
     """
 
     name: str
@@ -178,24 +178,24 @@ class Card:
 
     @property
     def summary(self) -> Mapping[str, Any]:
-        """Of the run."""
+        """Summary of the run."""
         return self.run.summary
 
     @property
     def error_estimate(self) -> float | None:
-        """Of the midpoint over the largest midpoint; None where nothing has estimated it."""
+        """Estimated error of the midpoint over the largest midpoint; None if it was not estimated."""
         total = (self.summary.get("error_estimate") or {}).get("total")
         return None if total is None else float(total)
 
     @property
     def regime(self) -> str:
-        """As the run shows it; empty where the run is not to be trusted."""
+        """Regime that the run shows; empty if the run is not reliable."""
         return str(self.summary.get("regime") or "")
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``card.json`` holds, in SI.
+        """Content of ``card.json``, in SI.
 
-        Of surface tension, under ``surface_tension`` (null without any): ``pull`` gamma P/(2 A) [Pa], ``share`` of the
+        ``surface_tension`` (null without any) holds: ``pull`` gamma P/(2 A) [Pa], ``share`` of the
         weight that it carries at the end, ``sag_without`` [m] and ``outcome_without`` of the same run without it,
         ``span_without`` and ``span_added`` [m], ``span_text`` if there is none, ``rule_spans`` [m]: the longest span by
         each rule of the field, which ignores it, by its key.
@@ -226,14 +226,14 @@ class Card:
         }
 
     def to_frame(self) -> pd.DataFrame:
-        """One row a rule, in SI; what does not apply is missing."""
+        """One row a rule, in SI; predictions that do not apply are missing."""
         frame = pd.DataFrame([{**asdict(rule), "error": rule.error} for rule in self.rules])
         names = {"name": "rule", "bare": "error_bare", "text": "what_makes_it_fail"}
         columns = ["rule", "source", "quantity", "unit", "predicted", "solver", "error", "error_bare"]
         return frame.rename(columns=names).reindex(columns=[*columns, "what_makes_it_fail"])
 
     def figures(self) -> dict[str, Figure]:
-        """The final shape, the descent with the rules beside it, the exponents; none if the run has no frame."""
+        """Figure of the final shape, the descent with the rules, and the exponents; none if the run has one frame."""
         from softcat_sym.plotting.card import card_figure
 
         return {} if self.descent is None else {"card": card_figure(self)}
@@ -251,10 +251,10 @@ class Card:
 
 
 LIMIT = "5 %"
-"""Sag over span that is allowed unless another is given."""
+"""Default of the largest sag over span."""
 
 _NEAR, _FAR = 3.0, 30.0
-"""Factors of the span between which the longest one is sought: first near, then far."""
+"""Factors of the scene's span within which the longest span is searched: first near, then far."""
 
 
 def card(
@@ -268,28 +268,28 @@ def card(
 ) -> Card:
     """Make the sag card of a filament.
 
-    The filament is run with an error estimate. Each rule of the field is compared with the run; where a rule is off by
-    more than 5 %, the run is repeated without the effects that the rule leaves out, one after another, and the card
-    names those that bring the two together. Then the longest span that sags less than a limit is sought; for a filament
-    with surface tension also the one without it. Finished runs come from the store.
+    The filament is run with an error estimate. Each rule of the field is compared with the run; where a rule errs by
+    more than 5 %, the run is repeated without the effects that the rule neglects, then with each of them alone, and the
+    card names those that explain the error. Then the longest span with a sag below a limit is searched; for a filament
+    with surface tension also the longest span without it. Finished runs come from the store.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What is asked.
+        The filament.
     sag : str or float, optional
         Largest sag allowed: a length with its unit, or a fraction of the span such as ``"5 %"``, the default.
     name, notes : str, tuple of str
-        Of the scene, and what was assumed, for the page.
+        Name of the scene, and assumptions, for the page.
     progress : Progress, optional
-        Listens to the runs; each begins a stage.
+        Receiver of progress reports; each run begins a stage.
     span : bool
-        Whether to seek the longest span, which takes a good part of the time.
+        Whether to search the longest span, which takes a large part of the time.
 
     Raises
     ------
     SceneError
-        If the scene cannot have the effects that it names, or the limit is no length and no fraction.
+        If the scene cannot have the effects that it names, or the limit is neither a length nor a fraction.
     SoftcatError
         If `sag` is given and no span reaches it, or all do.
     KeyboardInterrupt
@@ -322,7 +322,7 @@ def card(
 
 
 def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool, exponents: bool = True) -> Span:
-    """The critical span near the scene's own, or farther away; why there is none, if a default limit has none."""
+    """The critical span near the scene's own, or farther away; with a default limit, the reason if there is none."""
     own = scene.filament.span
     progress.stage("the longest span")
     for factor in (_NEAR, _FAR):
@@ -335,7 +335,7 @@ def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: boo
                 exponents=exponents,
             ), ""
         except SoftcatError as error:
-            # Other spans may make no sense at all: of a moving support, say.
+            # Other spans may be invalid, for example with a moving support.
             if factor == _FAR or isinstance(error, SceneError):
                 if given:
                     raise

@@ -1,4 +1,4 @@
-"""The field's rules for a spanning filament beside the solver, and which effect makes a rule fail."""
+"""Rules of the field for a spanning filament against the solver, and the effects that explain their errors."""
 
 from __future__ import annotations
 
@@ -42,50 +42,50 @@ from softcat_sym.solvers.solution import Progress
 Floats = npt.NDArray[np.float64]
 
 HOLDS = 0.05
-"""A rule holds if it is off by no more than this."""
+"""Largest relative error of a rule that holds."""
 
 
 @dataclass(frozen=True, slots=True)
 class Descent:
-    """How far and how fast a filament sagged; lengths in m, times in s."""
+    """Sag of a filament and its time course; lengths in m, times in s."""
 
     final: float  # Sag of the midpoint at the end of the run
-    largest: float  # At any time
-    settled: float | None  # From when on it stays within 1 % of the final sag; None if it moves in the last tenth
-    to_90: float | None  # When it first reaches 90 % of the final sag; None if it ends above its supports
-    rise: float  # How far it came back up after it had been lower, over the largest sag
-    damping: str  # ``"overdamped"`` or ``"underdamped"``: whether it came back up by more than 5 %
+    largest: float  # Largest sag of the midpoint
+    settled: float | None  # Time from which it stays within 1 % of the final sag; None if it moves in the last tenth
+    to_90: float | None  # Time at which it first reaches 90 % of the final sag; None if it ends above its supports
+    rise: float  # Largest rise of the midpoint after a lower position, over the largest sag
+    damping: str  # ``"overdamped"``, or ``"underdamped"`` if the rise is more than 5 %
     stretch: float  # Largest stretch at the end
-    stretch_at: float  # X/L of it, from -1/2 to 1/2
+    stretch_at: float  # X/L of the largest stretch, from -1/2 to 1/2
 
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule of the field beside the solver's answer."""
+    """A rule of the field against the solver."""
 
     key: str
     name: str
     source: str
-    quantity: str  # What it predicts
+    quantity: str  # The predicted quantity
     unit: str
-    predicted: float | None  # None where it does not apply
+    predicted: float | None  # None where the rule does not apply
     solver: float
-    bare: float | None = None  # Error against the solver without anything that the rule leaves out, if it was run
-    # What it leaves out, the strongest first: `cause` in words, and `error` of the rule against a filament with this
-    # and nothing else of what it leaves out.
+    bare: float | None = None  # Error against the solver without any effect that the rule neglects, if it was run
+    # Neglected effects that explain the error, the strongest first: `cause` in words, and `error` of the rule against
+    # a filament with this neglected effect alone.
     blames: tuple[dict[str, Any], ...] = ()
-    text: str = ""  # Why it fails or does not apply
+    text: str = ""  # Why the rule fails or does not apply
 
     @property
     def error(self) -> float | None:
-        """Rule over solver minus one; None where there is nothing to compare."""
+        """Prediction over the solver's value, minus one; None where there is nothing to compare."""
         if self.predicted is None or not self.solver > 0 or not math.isfinite(self.predicted):
             return None
         return self.predicted / self.solver - 1
 
     @property
     def holds(self) -> bool:
-        """Whether it is off by no more than :data:`HOLDS`."""
+        """Whether the magnitude of the error is at most :data:`HOLDS`."""
         return self.error is not None and abs(self.error) <= HOLDS
 
 
@@ -122,18 +122,18 @@ def descent_of(run: Run) -> Descent | None:
 
 
 def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
-    """What says that it has stopped, or that it has not; None where the law has no such number.
+    """Numbers that show whether the filament has stopped; None where the law has no such number.
 
-    G of the scene, from which a fibre yields, and above which no catenary rests; at the end the largest fibre stress
-    over the yield stress, and the share that yields; over the last tenth the largest plastic rate over sigma_Y/eta
-    (arrested below 0.5), and the change of the sag over the final one.
+    They are: G of the scene, G of first yield, and G above which no catenary is in equilibrium; at the end the largest
+    fibre stress over the yield stress, and the yielding share; over the last tenth the largest plastic rate over
+    sigma_Y/eta (arrested below 0.5), and the change of the sag over the final sag.
     """
     scene, data, names = run.scene, run.data, tuple(run.summary["effects"])
     sag, regime = -data["midpoint"].values, str(run.summary.get("regime") or "")
     begin = min(len(sag) - 1, int((1 - ARREST_TIME) * (len(sag) - 1)))
     drift = float(np.ptp(sag[begin:]) / abs(descent.final)) if descent.final else 0.0
     keys = ("arrested", "gravity_number", "first_yield", "threshold", "stress", "yielding", "rate")
-    # What it is at the end says whether it has stopped.
+    # The material at the end of the run decides whether the filament has stopped.
     scene = scene.at(scene.run.duration)
     limit = yield_stress_of(scene)
     if limit is None:
@@ -144,7 +144,7 @@ def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
     yielding = float(np.average(data["yielded_fraction"].values[-1], weights=np.diff(data["X_node"].values)))
     flow = "" if rate is None else f"plastic rate {rate:.2g} sigma_Y/eta (limit {ARREST_RATE:g})"
     if regime == "no-yield":
-        text = "no fibre ever yields: what it sags is elastic"
+        text = "no fibre ever yields: the sag is elastic"
     elif regime:
         text = "; ".join(filter(None, (flow, f"{100 * yielding:.2g} % still yields")))
     else:
@@ -156,10 +156,10 @@ def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
 
 
 def largest_fibre_stress(run: Run, frame: int | None = None) -> float:
-    """Largest fibre stress of a frame, of the whole run by default [Pa].
+    """Largest fibre stress of a frame, by default of the whole run [Pa].
 
-    Of a section linear through the thickness it is |sigma_0| + |sigma_1|. A section that yields carries its
-    yield stress and what flow adds to it, sigma_Y + K rate^n.
+    For a stress that is linear through the thickness it is |sigma_0| + |sigma_1|. A yielding section has the flow
+    stress sigma_Y + K rate^n.
     """
     data, material = run.data.isel(time=slice(None) if frame is None else [frame]), run.scene.material
     time = data["time"].values
@@ -186,10 +186,10 @@ MEASURES: dict[str, Callable[[Run], float]] = {
     FIBRE: largest_fibre_stress,
     SUPPORT: support_pull,
 }
-"""What the solver says, by quantity."""
+"""Values of the solver, by quantity."""
 
 Prediction = float | str
-"""What a rule predicts, in SI; or, in words, why it does not apply."""
+"""Prediction of a rule in SI, or the reason why it does not apply."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,12 +201,12 @@ class RuleOfTheField:
     source: str
     quantity: str
     predict: Callable[[Scene, Run], Prediction]
-    neglects: tuple[str, ...]  # Keys of causes that the rule leaves out
-    ends: str = ""  # How it takes the ends to be held; empty for as they are, or where they do not matter
+    neglects: tuple[str, ...]  # Keys of causes that the rule neglects
+    ends: str = ""  # End condition that the rule assumes; empty for the scene's own, or where it does not matter
 
 
 def unusual(scene: Scene) -> str:
-    """Why no rule of the field applies to the scene; empty where they do."""
+    """Why no rule of the field applies to the scene; empty if rules apply."""
     ends, filament = scene.ends, scene.filament
     checks = {
         "an end is free": "free" in (ends.left, ends.right),
@@ -231,7 +231,7 @@ def _value(expression: Any, scene: Scene, more: Mapping[Any, float] | None = Non
 
 
 def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Run) -> Prediction:
-    """A sag that falls with the modulus."""
+    """Prediction of an elastic sag."""
     del run
     modulus = static_modulus(scene)
     if modulus is None:
@@ -243,12 +243,12 @@ _NEVER_FLOWS = "no fibre yields, so that nothing flows"
 
 
 def _rigid(scene: Scene, run: Run) -> bool:
-    """Whether a filament that could yield never did."""
+    """Whether a filament with a yield stress never yielded."""
     return yield_stress_of(scene) is not None and not bool((run.data["yielded_fraction"].values > 0).any())
 
 
 def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
-    """A sag that grows with the time since the load came on, at half its ramp: of a beam or of a string."""
+    """Prediction of a viscous sag, of a beam or of a string; time is counted from half the ramp of the load."""
     material = scene.material
     viscosity = None if is_solid(scene) or material.law == "custom" else effective_viscosity(scene) or None
     if viscosity is None:
@@ -267,7 +267,7 @@ def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
 
 
 def _stopping(exact: bool, scene: Scene, run: Run) -> Prediction:
-    """The depth at which a catenary's stress is the yield stress."""
+    """Prediction of the sag at which a catenary's stress equals the yield stress."""
     gravity_number = gravity_number_of(scene)
     if gravity_number is None:
         return "no yield stress"
@@ -290,7 +290,7 @@ def _first_yield(scene: Scene, run: Run) -> Prediction:
 
 
 def _catenary(exact: bool, scene: Scene, run: Run) -> Prediction:
-    """The stress of a catenary that sags as much."""
+    """Prediction of the stress of a catenary with the sag of the run."""
     sag = MEASURES[SAG](run)
     if not sag > 0:
         return "it does not hang below its supports"
@@ -329,16 +329,16 @@ RULES: tuple[RuleOfTheField, ...] = (
     RuleOfTheField("catenary-stress", "catenary stress", "before [3.12]", SUPPORT, _PULLS, _CARRIED),
     RuleOfTheField("catenary-stress-exact", "catenary stress, exact", "before [3.12]", SUPPORT, _PULLS_EXACT, _CARRIED),
 )
-"""In the order of the card."""
+"""All rules, in the order of the card."""
 
 
 def _changing(scene: Scene, field: RuleOfTheField) -> str:
-    """Why a rule does not apply to a material that changes; empty of a pull, which no constant is asked for."""
+    """Why a rule does not apply to a changing material; empty for a pull, which does not depend on its constants."""
     return "the material changes in time" if scene.material.changes and field.quantity != SUPPORT else ""
 
 
 def applied_to(run: Run, field: RuleOfTheField) -> Rule:
-    """Lay a rule beside a run."""
+    """Apply a rule to the scene of a run, and compare it with the run."""
     predicted = unusual(run.scene) or _changing(run.scene, field) or field.predict(run.scene, run)
     value, text = (None, f"does not apply: {predicted}") if isinstance(predicted, str) else (predicted, "")
     unit = "m" if field.quantity == SAG else "Pa"
@@ -348,16 +348,16 @@ def applied_to(run: Run, field: RuleOfTheField) -> Rule:
 
 
 def smay_modulus_needed(scene: Scene) -> float:
-    """G' [Pa] that Smay's criterion asks of the scene: a sag of 5 % of the diameter between pins."""
+    """G' [Pa] that Smay's criterion requires for the scene: a sag of 5 % of the diameter between pins."""
     return _value(closed_forms.smay_modulus(), scene)
 
 
 _STIFFER = 100.0
 
 _NEEDS = {"shear": "stretching"}
-"""Causes that cannot be put back without another, which then counts for itself: a beam that shears also stretches."""
+"""Causes that cannot act without another, whose own part is divided out: a beam with shear also stretches."""
 
-# Effects that go, by cause; stiffness and ends are changed instead.
+# Effects to remove, by cause; for elasticity and ends, the modulus and the end conditions are changed instead.
 _CAUSES = (
     *("flow", "yield stress", "stretching", "bending", "shear", "inertia", "surface", "slopes"),
     *("bath", "elasticity", "ends"),
@@ -383,7 +383,7 @@ class Variants:
         self._runs: dict[tuple[frozenset[str], str], Run | None] = {}
 
     def in_force(self, cause: str, ends: str) -> bool:
-        """Whether there is something to leave out."""
+        """Whether a cause acts in the run and can be left out."""
         scene = self._run.scene
         if cause == "ends":
             return bool(ends) and {scene.ends.left, scene.ends.right} != {ends}
@@ -392,7 +392,7 @@ class Variants:
         return any(effect.name in self._names for effect in REGISTRY if effect.causes[:1] == (cause,))
 
     def without(self, causes: frozenset[str], ends: str) -> Run | None:
-        """The run without them; None where it cannot be had or is not to be trusted."""
+        """The run without some causes; None if the scene cannot be run or the run is not reliable."""
         key = (causes, ends if "ends" in causes else "")
         if key not in self._runs:
             self._progress.stage(f"without {', '.join(sorted(WORDS[cause] for cause in causes))}")
@@ -425,10 +425,10 @@ class Variants:
 
 
 def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
-    """Find what makes a rule fail.
+    """Find the effects that explain the error of a rule.
 
-    First the solver is run without anything that the rule leaves out: there they must agree. Then each effect is put
-    back alone; what takes the two apart is to blame, and by how much is said.
+    First the solver runs without any effect that the rule neglects: there the two must agree. Then each effect is put
+    back alone; an effect that makes the two differ explains the error, and the difference is reported.
     """
     if rule.error is None:
         return rule
@@ -445,14 +445,14 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
     neglected = frozenset(cause for cause in field.neglects if variants.in_force(cause, field.ends))
     bare = error_without(neglected)
     if bare is None:
-        return replace(rule, text="cannot be told: without what it leaves out the filament has no answer")
+        return replace(rule, text="unknown: without the neglected effects the filament has no answer")
     alone: dict[str, float | None] = {}
     for cause in (cause for cause in field.neglects if cause in neglected):
         needed = _NEEDS.get(cause)
         if needed not in neglected:
             alone[cause] = error_without(neglected - {cause})
             continue
-        # Of one that brings another along, its factor beyond that of the other.
+        # For a cause that needs another, its factor relative to that of the other.
         both, other = error_without(neglected - {cause, needed}), error_without(neglected - {needed})
         alone[cause] = None if both is None or other is None else (1 + both) / (1 + other) * (1 + bare) - 1
     blames: list[dict[str, Any]] = [
@@ -466,12 +466,12 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
 
 
 def _off(error: float) -> float:
-    """Size of an error, the same for a factor and for its reciprocal."""
+    """Magnitude of an error, the same for a factor and for its reciprocal."""
     return abs(math.log1p(error)) if error > -1 else math.inf
 
 
 def _sentence(blames: list[dict[str, Any]], failed: list[str], bare: float, error: float) -> str:
-    """The two strongest causes, each with what it does alone; said so where none alone does half of it."""
+    """Text with the two strongest causes, each with its error alone, marked if none alone makes half of the error."""
     if not blames:
         return "no single effect: several together" if not failed else f"perhaps {', '.join(failed)}: no answer with it"
     weak = len(blames[:2]) + len(failed) > 1 and _off(blames[0]["error"]) < _off(error) / 2

@@ -1,4 +1,4 @@
-"""What surface tension does for a spanning filament: how deep, and over which gap, it would hang without."""
+"""Effect of surface tension on a spanning filament: its sag and its longest span without surface tension."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from softcat_sym.studies.card_rules import LEAVING_OUT, MEASURES, RULES, SAG, Ru
 
 @dataclass(frozen=True, slots=True)
 class SurfaceHold:
-    """What surface tension holds, and what the field's rules, which ignore it, say of the longest span."""
+    """Effect of surface tension, and the longest span by rules of the field, which neglect it."""
 
-    pull: float  # Gam = gamma P/(2 A) [Pa]: a yield stress read from an arrested sag is too large by it
-    share: float | None  # Of the weight, carried by it at the end of the run; None with a free end
-    sag_without: float | None  # At the end of the run without it [m]; None where that has no answer
+    pull: float  # Gam = gamma P/(2 A) [Pa]: a yield stress read from an arrested sag is too large by this
+    share: float | None  # Share of the weight that it carries at the end of the run; None with a free end
+    sag_without: float | None  # Final sag of the run without surface tension [m]; None if that run has no answer
     outcome_without: str
-    span_without: float | None  # The longest span without it [m]; None where none was found or sought
-    span_added: float | None  # By it [m]
-    span_text: str  # Why there is none; empty otherwise
+    span_without: float | None  # Longest span without surface tension [m]; None if it was not found or not searched
+    span_added: float | None  # Increase of the longest span by surface tension [m]
+    span_text: str  # Why there is no longest span; empty otherwise
     rule_spans: Mapping[str, float]  # The longest span by each rule of the field for a sag, by its key [m]
 
 
@@ -38,24 +38,24 @@ Span = tuple[CriticalSpan | None, str]
 def surface_hold(
     run: Run, limit: object, longest: CriticalSpan | None, seek: Callable[[Scene], Span], progress: Progress
 ) -> SurfaceHold | None:
-    """Run the filament without its surface tension, and seek the longest span of that; None where it has none."""
+    """Run the filament without its surface tension, and search its longest span; None without surface tension."""
     scene = run.scene
     if not pull_of_surface(scene):
         return None
     bare = without_surface(scene)
     progress.stage("without surface tension")
     other = recalled(without_estimate(bare), progress)
-    sound = other.outcome.is_success
+    is_success = other.outcome.is_success
     found, why = seek(bare)
     return SurfaceHold(
         pull=pull_of_surface(scene),
         share=share_of_weight(run) if is_held(scene) and scene.load.gravity > 0 else None,
-        sag_without=MEASURES[SAG](other) if sound else None,
+        sag_without=MEASURES[SAG](other) if is_success else None,
         outcome_without=other.outcome.name,
         span_without=None if found is None else found.span,
         span_added=None if found is None or longest is None else longest.span - found.span,
         span_text=why,
-        rule_spans=rule_spans(other, read_limit(limit)) if sound else {},
+        rule_spans=rule_spans(other, read_limit(limit)) if is_success else {},
     )
 
 

@@ -1,4 +1,4 @@
-"""A filament against finite elements of the same scene, ours or CalculiX, with the published theory beside it."""
+"""Comparison of a filament, and of the published theory, with finite elements of the same scene, ours or CalculiX."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 SHARES = (0.10, 0.25, 0.50, 1.00)
-"""Moments that are tabulated, as shares of the duration: t L^-1 sqrt(E/rho) = 46, 115, 230, 460 in the paper's runs."""
+"""Tabulated times, as shares of the duration: t L^-1 sqrt(E/rho) = 46, 115, 230, 460 in the paper's runs."""
 
 MEAN_SINCE = 1 / 7
-"""The mean leaves out this share of the duration, in which a filament falls into place."""
+"""First share of the duration, the initial fall, which the mean leaves out."""
 
 DEFINITION = (
     "({ours} - {reference})/max |{reference}| of the midpoint's height: positive where {ours} sags less; "
@@ -46,17 +46,17 @@ CLAMP_STRAIN_DEFINITION = (
 )
 
 Listening = Callable[[str], AbstractContextManager[Progress]]
-"""Given what is about to run, a context whose value receives its progress."""
+"""From the name of the next run, a context whose value receives progress reports."""
 
-_NARROW = 0.2  # width over thickness, above which the elements are far from plane stress
-_BALANCED = 1e-4  # energy error of the elements over the work of gravity that is worth a warning
+_NARROW = 0.2  # Width over thickness above which plane stress is a poor approximation
+_BALANCED = 1e-4  # Energy error of the elements over the work of gravity above which a warning is given
 
 
 @dataclass(frozen=True)
 class Discrepancy:
     """Differences of two midpoint curves over the largest magnitude of the reference.
 
-    NaN where there is nothing to compare: after a filament's run has ended early, or with a reference that never moves.
+    The values are NaN after a filament's run has ended early, and with a reference that never moves.
     """
 
     error: Floats  # shape (frames,); (filament - elements)/max |elements|
@@ -75,9 +75,9 @@ class ClampStrain:
 
 @dataclass(frozen=True)
 class Row:
-    """A filament theory, or our elements, held against the reference."""
+    """A filament theory, or our elements, compared with the reference."""
 
-    name: str  # ``filament`` for the scene's own effects, ``elements``, or which published theory
+    name: str  # ``filament`` for the scene's own effects, ``elements``, or the name of a published theory
     run: Run | ElementRun
     midpoint: Floats  # shape (frames,); Height [m] at the reference's output times; NaN after a run has ended early
     discrepancy: Discrepancy
@@ -93,7 +93,7 @@ class Row:
 
     @property
     def key(self) -> str:
-        """Its name in JSON and CSV."""
+        """Name of the row in JSON and CSV."""
         return self.name.replace(",", "").replace(" ", "_")
 
 
@@ -104,7 +104,7 @@ class Comparison:
     scene: Scene
     reference: ElementRun | CalculixRun
     rows: tuple[Row, ...]  # The filament with the scene's own effects first
-    warnings: tuple[str, ...]  # Why the two might not be comparable
+    warnings: tuple[str, ...]  # Why filament and elements might not be comparable
 
     @property
     def elements(self) -> ElementRun:
@@ -122,7 +122,7 @@ class Comparison:
         return "elements" if isinstance(self.reference, ElementRun) else "calculix"
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``compare.json`` holds."""
+        """Content of ``compare.json``."""
         run, summary = self.reference, self.filament.trajectory.summary
         times = [float(run.time[frame]) for frame in moments(len(run.time))]
         reference = {
@@ -199,7 +199,7 @@ def moments(frames: int) -> tuple[int, ...]:
 
 
 def late(time: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Which frames belong to the last 6/7; a frame that is there but for rounding does."""
+    """Which frames belong to the last 6/7 of the duration, up to rounding."""
     return np.asarray(time >= MEAN_SINCE * time[-1] * (1 - 1e-12))
 
 
@@ -249,15 +249,15 @@ def compare(
 ) -> Comparison:
     """Run a scene as finite elements and as a filament.
 
-    The engine is ``elements`` (where the scene's effects are ``auto``, the published theories stand beside), or
-    ``calculix``, or ``both``: CalculiX is the reference, and our elements stand beside the filament.
+    The engine is ``elements``, ``calculix``, or ``both``, where CalculiX is the reference and our elements are a row
+    like the filament. With ``elements`` and ``auto`` effects the published theories are rows, too.
     """
     progress = progress or (lambda _: nullcontext(Silence()))
     if not is_spatial(scene):
-        # The elements, and half of the filament, do not leave their plane.
+        # The elements move in a plane, and so does the filament that is compared with them.
         scene = scene.replace({"run.dimensions": 2})
     theories = [("filament", scene)]
-    # What a filament or the elements cannot have is refused before the long run.
+    # The filament and the elements refuse an unsuitable scene before the long run.
     chosen = choose_effects(scene).names
     if engine == "elements":
         problem_of(scene)
@@ -282,7 +282,7 @@ def compare(
 
 
 def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
-    """The published theory in both closures where the program chooses the effects, unless it chose just that."""
+    """The published theory in both closures if the program chooses the effects, unless it chose the same."""
     if scene.run.effects != "auto":
         return
     for closure in ("material", "printed"):
@@ -311,11 +311,11 @@ def _warnings(scene: Scene, reference: ElementRun | CalculixRun, own: Row) -> It
     if width > _NARROW * thickness * (1 + 1e-9):
         yield (
             "the elements are in plane stress, the limit of a width much less than the thickness; filament.width is "
-            f"{width / thickness:.2g} times the thickness: to compare like with like set it to "
+            f"{width / thickness:.2g} times the thickness: for a comparison of the same problem set it to "
             f"{1e3 * thickness / 20:.3g} mm"
         )
     if isinstance(reference, ElementRun) and reference.energy_error > _BALANCED:
-        yield f"the energies of the elements miss the work of gravity by {reference.energy_error:.1g} of it"
+        yield f"the energy balance of the elements has an error of {reference.energy_error:.1g} of the work of gravity"
     yield from own.trajectory.summary["warnings"]
 
 

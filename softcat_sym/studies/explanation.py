@@ -1,4 +1,4 @@
-"""What a scene calls for and what it should do, before anything is integrated."""
+"""Expected behaviour of a scene, with effects, equations and costs, before anything is integrated."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "da
 """Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of
 periods with which they grow, and that of 0.01/accuracy (tests/slow/test_costs.py).
 
-A load that comes on at once excites all modes, of which the accuracy needs the more the finer it is. Measured at 0.01
-and 0.001: elastic strands of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to
-187, 390 to 630; with a ramp 60, 132 (no-yield); damped 15, 33 (rubber-strand) and 44, 73 (cooked-spaghetti).
-Higher modes lose what the time steps do not follow, so that steps grow: users' inks take 4900, 19 000 and 54 000 steps
-for 73, 927 and 4316 periods, agar 48 000 for 619.
+A sudden load excites all modes, and a finer accuracy resolves more of them. Measured at 0.01 and 0.001: elastic strands
+of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to 187, 390 to 630; with a
+ramp 60, 132 (no-yield); damped 15, 33 (rubber-strand) and 44, 73 (cooked-spaghetti).
+Time steps that do not resolve the higher modes damp them, so that the steps become longer: users' inks take 4900,
+19 000 and 54 000 steps for 73, 927 and 4316 periods, agar 48 000 for 619.
 """
 
 SECONDS_PER_UNKNOWN = 0.35e-6
-"""Of the processor, each step and unknown, of compiled models; 0.29 to 0.45 us were measured."""
+"""Processor time for each step and unknown of compiled models; 0.29 to 0.45 us were measured."""
 
 BESIDE = 3.0
-"""What a run and those beside it that estimate its error take, over the run."""
+"""Duration of a run together with the runs that estimate its error, over that of the run alone."""
 
 LONG = 5.0
-"""Seconds from which on the advice is given what to do about it."""
+"""Duration in seconds above which a text advises how to shorten the run."""
 
 GROUP_MEANINGS = {
     "delta": "thickness over span, h0/L [3.9]",
@@ -72,9 +72,9 @@ KINDS = {
     "axial": "axial plastic strains, at every point through the thickness",
     "shear": "plastic shear strains, at every point through the thickness",
     **{f"shear{n}": f"plastic shear strains along axis {n}, at every point of the section" for n in (2, 3)},
-    "chains_along": "what relaxation took of the conformation along the fibres",
-    "chains_across": "what relaxation took of the conformation across the fibres",
-    "chains_width": "what relaxation took of the conformation in the width of a sheet",
+    "chains_along": "relaxed part of the conformation along the fibres",
+    "chains_across": "relaxed part of the conformation across the fibres",
+    "chains_width": "relaxed part of the conformation in the width of a sheet",
 }
 _NUMBERS = re.compile(
     r"_mode\d+$|(?<=axial|shear|along|width)_\d+(_mode\d+)?$|(?<=shear2|shear3)_\d+(_mode\d+)?$|(?<=across)_\d+$"
@@ -83,7 +83,7 @@ _NUMBERS = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
-    """Everything that is known of a run before it is made.
+    """Everything that is known about a run beforehand.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ class Explanation:
     dimensions : int
         2 where everything lies in one plane, or 3.
     dimensions_reason : str
-        Why the filament is followed in so many dimensions.
+        Why the filament is computed in so many dimensions.
     groups : list of dict
         Dimensionless groups of the law: `name`, `value` (None where it is infinite), `meaning`.
     regime : ExpectedRegime
@@ -112,10 +112,9 @@ class Explanation:
     integrator : dict
         Settings of the integrator: `solver`, `backend`, `rtol`, `atol`, `reason`.
     damping, ringing : str
-        First natural frequency with the loss below yield, and how long the filament rings and what that costs; empty
-        where there is none.
+        First natural frequency with the loss below yield; duration and cost of the ringing. Empty if there is none.
     warnings : tuple of str
-        Sentences on where the theory itself ends.
+        Sentences on limits of the theory.
     """
 
     title: str
@@ -144,17 +143,17 @@ class Explanation:
         return tuple(each["effect"] for each in self.effects if each["in_force"])
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``explain.json`` holds."""
+        """Content of ``explain.json``."""
         return dataclasses.asdict(self)
 
 
 def explain(scene: SceneLike) -> Explanation:
-    """Work out what to expect of a scene; its equations and graph are built, nothing is integrated.
+    """Predict the behaviour of a scene; equations and graph are built, nothing is integrated.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What is asked.
+        The filament.
 
     Returns
     -------
@@ -166,7 +165,7 @@ def explain(scene: SceneLike) -> Explanation:
     SceneError
         If the scene names effects that it cannot have.
     """
-    # SymPy stands behind the equations: it is loaded when they are written out.
+    # The equations need SymPy, which is loaded only here.
     from softcat_sym.physics.filament import equations_of
     from softcat_sym.physics.in_force import equations_in_force
 
@@ -188,7 +187,7 @@ def explain(scene: SceneLike) -> Explanation:
     ]
     groups = groups_of(scene)
     known = {name: getattr(groups, name) for name in GROUP_MEANINGS}
-    # The plastic states of all points through the thickness are one kind of unknown, and so of all modes.
+    # The plastic states of all points through the thickness, and of all modes, are one kind of unknown.
     unknowns = [
         {"kind": kind, "meaning": KINDS.get(kind, "plastic strains"), "number": number, "algebraic": algebraic}
         for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True))
@@ -237,9 +236,9 @@ def explain(scene: SceneLike) -> Explanation:
 
 
 def _ringing(scene: Scene, effects: Effects, unknowns: int) -> str:
-    """For how many periods of the first mode the filament rings, and the seconds of the processor that takes.
+    """Number of periods for which the filament rings in its first mode, and the processor time of the run.
 
-    Right to a factor of two or three where it is compiled; see :data:`STEPS_PER_PERIOD`.
+    The time of compiled runs is accurate to a factor of two or three; see :data:`STEPS_PER_PERIOD`.
     """
     vibration, rings = first_vibration(scene), ringing(scene)
     audible = rings.amplitude >= scene.run.accuracy * expected_sag(scene)

@@ -1,4 +1,4 @@
-"""The paper's figures 2, 3(b) and 4: their scenes, elements, and what the text says of them."""
+"""The paper's figures 2, 3(b) and 4: their scenes, elements, and the numbers of the text."""
 
 from __future__ import annotations
 
@@ -45,10 +45,10 @@ from softcat_sym.solvers.solution import Progress
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
 
-# Seconds between two checkpoints: what an interruption by force can cost.
+# Seconds between two checkpoints: the longest computation that a kill can lose.
 _EVERY = 30.0
 
-# Sides of an element in the order in which its outline is drawn, by the numbers of element.NODES in lattice places.
+# Corners and middles of an element's sides in the order of its outline, in lattice coordinates of element.NODES.
 _OUTLINE = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
 
 
@@ -59,7 +59,7 @@ class Snapshot:
     time: float  # t~ = (t/L) sqrt(E/rho)
     outline: Floats  # shape (elements, 8, 2); Corners and middles of the sides of each element, in order around it
     quarter: Floats  # shape (4 elements, 4, 2); Corners of the quarter of an element around each Gauss point
-    place: Floats  # shape (4 elements, 2); Where the Gauss points are
+    place: Floats  # shape (4 elements, 2); Positions of the Gauss points
     # shape (4 elements,); Plastic shear rate at the Gauss points times L sqrt(rho/E): sqrt(3) times the equivalent
     # tensile rate.
     rate: Floats
@@ -70,7 +70,7 @@ class ElementFilm:
     """A finished run with its snapshots."""
 
     run: ElementRun  # Midpoint, energies and strains at all output times
-    point: Floats  # shape (4 elements, 2); Reference places of the Gauss points over the span
+    point: Floats  # shape (4 elements, 2); Reference positions of the Gauss points over the span
     snapshots: tuple[Snapshot, ...]  # In order of time
 
     def at(self, instant: float) -> Snapshot:
@@ -81,7 +81,7 @@ class ElementFilm:
 def film_elements(
     scene: Scene, mesh: Mesh, instants: tuple[float, ...], folder: Path, name: str, progress: Progress
 ) -> ElementFilm:
-    """Run the elements over a scene and keep the whole strip at some instants."""
+    """Run a scene with elements and keep the whole strip at some instants."""
     problem = problem_of(scene)
     strip, code = Strip(mesh, problem.thickness), point_code(problem.law)
     frames = np.unique(np.round(np.array(instants) / problem.duration * (problem.frames - 1)).astype(int))
@@ -101,7 +101,7 @@ def film_elements(
 
 
 class _Camera:
-    """A march that keeps displacements and rates at some frames, and all of it in a file."""
+    """A march that records displacements and rates at some frames, with checkpoints in a file."""
 
     def __init__(self, march: March, loop: ElementLoop, frames: npt.NDArray[np.int_]) -> None:
         self.march, self._loop, self._frames = march, loop, frames
@@ -110,7 +110,7 @@ class _Camera:
         self._look()
 
     def finish(self, path: Path, key: str, progress: Progress, second: float) -> float:
-        """Advance to the last output time, from where the file left it; `second` is the elastic time [s]."""
+        """Advance to the last output time, from the checkpoint if there is one; `second` is the elastic time [s]."""
         state = read_checkpoint(path, key)
         if state is not None:
             self.march.restore(state)
@@ -132,7 +132,7 @@ class _Camera:
         return before + time.perf_counter() - began
 
     def _look(self) -> None:
-        """Take what stands at this frame: a march stops at each, and goes on only when it is told to."""
+        """Record the present frame: a march stops at every frame until it is advanced again."""
         reached = np.isfinite(self.march.records.arrays["steps"][self._frames])
         for shot in np.flatnonzero(reached & np.isnan(self.rate[:, 0, 0])):
             self.displacement[shot], self.rate[shot] = self._loop.displacement, self._loop.rate
@@ -142,7 +142,7 @@ def _snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) 
     corners = (strip.position + displacement)[strip.corner]
 
     def placed(local: Floats) -> Floats:
-        """Where points of the parent square are; shape (elements, points, 2)."""
+        """Positions of points of the parent square, shape (elements, points, 2)."""
         return np.asarray(np.einsum("pa,eai->epi", shape_values(local), corners))
 
     # The quarter of the parent square in the direction of each point, around it.
@@ -160,7 +160,7 @@ ALPHA = 46.0
 """The paper's unit of the snapshots' times, in L sqrt(rho/E)."""
 
 INSTANTS = tuple(share * ALPHA for share in (0.25, 0.5, 1.0, 2.0, 10.0))
-"""Times t~ at which the elements are kept whole."""
+"""Times t~ of the snapshots."""
 
 MESH = Mesh(64, 4)
 
@@ -171,7 +171,7 @@ THEORIES: dict[str, dict[str, object]] = {
     OWN: {},
 }
 
-# What the elements assume of the width, and enough frames for what rings.
+# A width that is small as the elements assume, and enough frames for oscillations.
 _CHANGES: dict[str, object] = {"filament.width": "0.06 mm", "run.frames": 801}
 
 
@@ -179,9 +179,9 @@ _CHANGES: dict[str, object] = {"filament.width": "0.06 mm", "run.frames": 801}
 class FigureScene:
     """One set of the paper's parameters."""
 
-    name: str  # Of the bundled scene
-    title: str  # In pictures
-    parameters: str  # delta, G, eps_Y, V as the scene has them
+    name: str  # Name of the bundled scene
+    title: str  # Title in pictures
+    parameters: str  # Text with parameters of the scene
 
 
 SCENES = (
@@ -192,17 +192,17 @@ SCENES = (
     FigureScene("continual-descent", "continual descent", "G = 1.9, V = 26"),
 )
 SNAPSHOTS = ("no-yield", "arrested-overdamped", "continual-descent")
-"""Scenes of figure 4(a), (b) and (c); the last one is also that of (d)."""
+"""Scenes of figure 4(a), (b) and (c); the last one is also the scene of (d)."""
 
 
 @dataclass(frozen=True)
 class FilmedScene:
-    """A scene, run in every way."""
+    """A scene with its runs as elements and as filaments."""
 
     of: FigureScene  # Its name and titles
-    scene: Scene  # What was run, with the effects that the program chooses
+    scene: Scene  # The scene with the effects that the program chooses
     film: ElementFilm  # The elements
-    filaments: dict[str, Run]  # By the names of `THEORIES`; those that localised included
+    filaments: dict[str, Run]  # By the names of `THEORIES`, including localised runs
 
     @property
     def elements(self) -> tuple[Floats, Floats]:
@@ -232,11 +232,11 @@ MOMENTS = (46.0, 115.0, 230.0, 460.0)
 """t~ at which midpoints are tabulated."""
 
 RINGING_SINCE = 60.0
-"""Means of what rings are taken from here on."""
+"""Time t~ from which means over oscillations are taken."""
 
 
 def stopping_depth(gravity_number: float) -> dict[str, float | None]:
-    """H_stop/L of (3.13) and of the exact catenary; None where there is none."""
+    """H_stop/L of (3.13) and of the exact catenary; None if the filament does not stop."""
     return {
         "paper": beams.stopping_depth(gravity_number) if gravity_number < beams.ARREST_THRESHOLD else None,
         "exact": beams.stopping_depth_exact(gravity_number) if gravity_number < beams.ARREST_THRESHOLD_EXACT else None,
@@ -244,7 +244,7 @@ def stopping_depth(gravity_number: float) -> dict[str, float | None]:
 
 
 def scene_facts(filmed: FilmedScene) -> dict[str, Any]:
-    """Parameters, midpoints, means and strains of a scene run in every way."""
+    """Parameters, midpoints, means and strains of a scene by elements and by filaments."""
     groups = groups_of(filmed.scene)
     material, run = filmed.scene.material, filmed.film.run
     gravity_number = float(groups.G or 0.0)
@@ -287,7 +287,7 @@ _FITTED_PERIODS, _SHOWN_PERIODS = 1.5, 4.0
 _POINTS = 600
 
 SLENDERNESS = (0.0025, 0.025)
-"""The figure's own regimes need the first; the second is printed under it."""
+"""The regimes of the figure need the first value; the paper prints the second in its caption."""
 
 RELAXATION = (0.35, 0.035)
 
@@ -296,26 +296,26 @@ RELAXATION = (0.35, 0.035)
 class Curve:
     """Sag of the midpoint over the span against time in sqrt(L/g)."""
 
-    name: str  # What it is
-    time: Floats  # shape (points,); Dimensionless, positive down
+    name: str  # Label
+    time: Floats  # shape (points,); Dimensionless; the sag is positive down
     sag: Floats
 
 
 @dataclass(frozen=True)
 class Panel:
-    """One filament and all that is said of it."""
+    """One filament with its curves and numbers."""
 
     delta: float  # Slenderness and relaxation time
     tau_star: float
     curves: tuple[Curve, ...]  # Full and reduced model first, then the formulas
     t_low: float  # End of free fall and start of the 1/3 law by the formulas
     t_high: float
-    tension_over_bending: float  # Load borne by tension over load borne by bending at t_high, on the 1/3 law
-    outcomes: dict[str, str]  # Verdicts of the two runs
+    tension_over_bending: float  # Load carried by tension over load carried by bending at t_high, on the 1/3 law
+    outcomes: dict[str, str]  # Outcomes of the two runs
 
 
 def maxwell_descents(on_progress: Callable[[str], None]) -> tuple[Panel, ...]:
-    """Run the figure's filaments, both models, at both slendernesses."""
+    """Run the figure's filaments with both models, at both values of delta."""
     return tuple(_panel(delta, tau_star, on_progress) for delta in SLENDERNESS for tau_star in RELAXATION)
 
 
@@ -361,7 +361,7 @@ def _number(expression: Any, values: dict[Any, Any]) -> float:
 
 
 def _thinned(curve: Curve) -> Curve:
-    """At most some hundred points, evenly spaced on a logarithmic axis."""
+    """The curve with at most some hundred points, evenly spaced on a logarithmic axis."""
     later = np.flatnonzero(curve.time > 0)
     marks = np.geomspace(curve.time[later[0]], curve.time[-1], _POINTS)
     kept = np.unique(np.clip(np.searchsorted(curve.time, marks), 0, len(curve.time) - 1))
@@ -369,7 +369,7 @@ def _thinned(curve: Curve) -> Curve:
 
 
 def _end_of_free_fall(known: dict[object, float]) -> float:
-    """Time at which tension reaches alpha of inertia on the falling parabola, for any ratio of t_low to tau."""
+    """Time at which tension over inertia reaches alpha on the parabola of free fall, for any ratio of t_low to tau."""
     limits = [_number(limit, known) for limit in (closed_forms.T_LOW_LONG, closed_forms.T_LOW_SHORT)]
     time = np.geomspace(min(limits) / 2, 4 * max(limits), 4000)
     ratio = evaluate(closed_forms.EARLY_RATIO, {**known, t_star: time})

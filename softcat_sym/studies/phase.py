@@ -1,4 +1,4 @@
-"""Regimes over planes of dimensionless groups, by what runs show, beside the paper's lines."""
+"""Phase diagrams: regimes of runs over planes of dimensionless groups, with the paper's lines."""
 
 from __future__ import annotations
 
@@ -58,17 +58,17 @@ _PSI, _PSI_POINTS = (0.1, 300.0), 160  # psi of first yield: linear beam to taut
 
 @dataclass(frozen=True)
 class PhaseLine:
-    """One line."""
+    """A line of a formula in a phase diagram."""
 
-    name: str  # What it says
-    kind: Kind  # The boundary that it is a formula of
-    source: Source  # ``"paper"``, ``"exact"`` of its own idealisation, or ``"estimate"``
-    equation: str  # Where it is from
+    name: str  # Description
+    kind: Kind  # The boundary that the formula predicts
+    source: Source  # ``"paper"``, ``"exact"`` for its own idealisation, or ``"estimate"``
+    equation: str  # Source of the formula
     other: Floats  # delta or V, shape (points,)
     G: Floats  # Gravity number there; NaN where there is none
 
     def at(self, other: float) -> float:
-        """G at a value of the other group, between its points by the logarithm."""
+        """G at a value of the other group, with logarithmic interpolation."""
         return float(np.exp(np.interp(math.log(other), np.log(self.other), np.log(self.G))))
 
 
@@ -83,7 +83,7 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
 
     static, exact = beams.first_yield(section, beam, 1.0), beams.ARREST_THRESHOLD_EXACT
     sudden = static / beam.overshoot_bound
-    # What counts as arrested may flow at this rate still: its stress is that much above the yield stress.
+    # An arrested filament may still flow at this rate: its stress exceeds the yield stress by the same share.
     at_rate = 1 + ARREST_RATE
     found = [
         line("first yield of a beam", "first yield", "paper", "(3.11)", lambda place: static * place.delta),
@@ -109,14 +109,14 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
 
 
 def modulus_number(scene: Scene) -> float:
-    """E* = E/(rho g L), which all filaments of a diagram share."""
+    """E* = E/(rho g L), the same for all filaments of a diagram."""
     return (instant_modulus(scene) or math.inf) / weight_stress(scene)
 
 
 def _slow_yield(scene: Scene, section: CrossSection) -> Callable[[Place], float]:
     """G of first yield under a slow load, from eps_Y G E* = 1 along the curve of psi; NaN beyond its end.
 
-    eps_Y goes as delta^2 and G as delta at a given psi: one table of their product serves every filament.
+    At a given psi, eps_Y is proportional to delta^2 and G to delta: one table of their product serves every filament.
     """
     product, gravity = _yield_curve(section)
     modulus = modulus_number(scene)
@@ -130,16 +130,16 @@ def _slow_yield(scene: Scene, section: CrossSection) -> Callable[[Place], float]
 
 @cache
 def _yield_curve(section: CrossSection) -> tuple[Floats, Floats]:
-    """Logarithms of eps_Y G and of G along the curve of first yield, of a filament as thick as long."""
+    """Logarithms of eps_Y G and of G along the curve of first yield, for a filament with delta = 1."""
     points = np.geomspace(*_PSI, _PSI_POINTS)
     strain, gravity = np.log(beams.stretched_first_yield(points, section.gyration, 1.0, np))
     return strain + gravity, gravity
 
 
 def _ramped(scene: Scene, slope: float, slow: Callable[[Place], float]) -> Callable[[Place], float]:
-    """Static first yield over what the first mode of the beam overshoots by after the ramp.
+    """Static first yield over the overshoot of the first beam mode after the ramp.
 
-    A filament that swings is not relied on to have its tension when it bends most.
+    The ringing part of the motion counts without tension, as the tension may be small when the bending is largest.
     """
     bound, frequency = beam_of(scene).overshoot_bound, beam_of(scene).frequency
     speed = frequency * math.sqrt(section_of(scene).gyration * modulus_number(scene))
@@ -191,33 +191,33 @@ _FORMULAS_OF: dict[str, tuple[Kind, ...]] = {
 
 @dataclass(frozen=True, slots=True)
 class Crossing:
-    """Where a row of the lattice goes from one regime to another, between two neighbouring answers."""
+    """A change of regime between two neighbouring runs in a row of the lattice."""
 
-    # Which boundary: of first yield, of underdamped arrest, of arrest in every fibre, of arrest but at the clamps.
+    # The boundary: of first yield, of underdamped arrest, of arrest in every fibre, or of arrest except at the clamps.
     kind: str
     other: float  # delta or V of the row
-    G_low: float  # The neighbours: the boundary is between them
+    G_low: float  # G of the two neighbours
     G_high: float
 
     @property
     def G(self) -> float:
-        """Their geometric mean."""
+        """Geometric mean of the two neighbours."""
         return math.sqrt(self.G_low * self.G_high)
 
 
 @dataclass(frozen=True)
 class Distance:
-    """How far one formula is from the runs."""
+    """Deviation of the runs from one formula."""
 
-    kind: str  # Which boundary of the runs
+    kind: str  # The boundary of the runs
     line: PhaseLine  # The formula
-    rows: int  # Rows in which both are there
-    median: float  # G of the runs over that of the formula, less one
+    rows: int  # Rows with a crossing and a value of the formula
+    median: float  # G of the runs over that of the formula, minus one
     least: float
     most: float
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``phase.json`` holds of it."""
+        """Entry of the formula in ``phase.json``."""
         line = {"boundary": self.kind, "line": self.line.name, "source": self.line.source}
         line |= {"equation": self.line.equation}
         return line | {"rows": self.rows, "median": self.median, "least": self.least, "most": self.most}
@@ -234,7 +234,7 @@ def crossings(G: Floats, other: Floats, marks: npt.NDArray[np.str_]) -> tuple[Cr
 
 
 def distances(lines: Sequence[PhaseLine], seen: Sequence[Crossing]) -> tuple[Distance, ...]:
-    """Each formula against the crossings of its kind; a row that crosses several times counts with its first."""
+    """Each formula against the crossings of its kind; a row with several crossings counts with its first."""
     found = []
     for kind, line in [(kind, line) for kind in _SIDES for line in lines if line.kind in _FORMULAS_OF[kind]]:
         first: dict[float, Crossing] = {}
@@ -249,11 +249,11 @@ def distances(lines: Sequence[PhaseLine], seen: Sequence[Crossing]) -> tuple[Dis
 
 
 SETTINGS: Final = ("run.effects=paper", "run.accuracy=0.01", "numerics.cells=40", "numerics.grading=30")
-"""What a diagram changes in a scene: the published physics, an accuracy that decides a regime, one grid for all."""
+"""Settings of a diagram: the published physics, an accuracy that suffices for a regime, one grid for all runs."""
 
 DESCENT_SCENE: Final = "continual-descent"
 DESCENT_TIME: Final = 460.0
-"""Of the paper's continual descent, in L sqrt(rho/E); it finds local strains over 23 % near the clamp by then."""
+"""Time of the paper's continual descent, in L sqrt(rho/E), at which it finds local strains over 23 % near the clamp."""
 
 PAPER_STRAIN: Final = 0.23
 
@@ -262,9 +262,9 @@ PAPER_STRAIN: Final = 0.23
 class PhasePoint:
     """A run and its lattice node."""
 
-    i: int  # Across (G) and upwards
+    i: int  # Number of the node along G, and along the other group
     j: int
-    run: PhaseRun  # The run
+    run: PhaseRun
 
 
 @dataclass(frozen=True)
@@ -274,12 +274,12 @@ class PhaseSheet:
     plane: PhasePlane  # Its axes
     x: Floats  # shape (cells + 1,); Lattice values: G, and delta or V
     y: Floats
-    points: tuple[PhasePoint, ...]  # What was run
+    points: tuple[PhasePoint, ...]  # The runs
     lattice: RefinedLattice  # Squares and known marks
     lines: tuple[PhaseLine, ...]  # Formulas
-    crossings: tuple[Crossing, ...]  # Boundaries that the runs show
-    distances: tuple[Distance, ...]  # Between the two
-    wall: float  # Time that it took [s]; of all threads of this process together
+    crossings: tuple[Crossing, ...]  # Boundaries between regimes of runs
+    distances: tuple[Distance, ...]  # Deviations of the boundaries from the formulas
+    wall: float  # Wall time, and processor time of all threads of this process [s]
     processor: float
 
     @property
@@ -289,26 +289,26 @@ class PhaseSheet:
 
     @property
     def nodes(self) -> int:
-        """Of the lattice: what a diagram without refinement would run."""
+        """Number of lattice nodes, all of which a diagram without refinement would run."""
         return (self.lattice.cells + 1) ** 2
 
     @property
     def runs(self) -> int:
-        """All that were made, repetitions included."""
+        """Number of runs, including repetitions."""
         return sum(point.run.runs for point in self.points)
 
     @property
     def saved(self) -> int:
-        """Nodes that were never run."""
+        """Number of nodes that were never run."""
         return self.lattice.saved
 
     @property
     def counts(self) -> dict[str, int]:
-        """Runs of each mark."""
+        """Number of runs with each mark."""
         return dict(sorted(Counter(point.run.mark for point in self.points).items()))
 
     def held(self, scene: Scene) -> str:
-        """The group that does not vary and the modulus, in words."""
+        """Text with the group that does not vary and the modulus."""
         place = self.place(scene, 0, 0)
         fixed = (
             f"V = {place.V:.4g}" if self.plane.y.key == "delta" else f"\N{GREEK SMALL LETTER DELTA} = {place.delta:.4g}"
@@ -320,7 +320,7 @@ class PhaseSheet:
         return place_at(scene, self.plane, float(self.x[i]), float(self.y[j]))
 
     def to_dict(self, scene: Scene) -> dict[str, Any]:
-        """What ``phase.json`` holds of the plane."""
+        """Entry of the plane in ``phase.json``."""
         return {
             "resolution": self.lattice.cells,
             "held": self.held(scene),
@@ -337,15 +337,15 @@ class PhaseSheet:
 
 @dataclass(frozen=True)
 class PhaseDiagram:
-    """What :func:`phase_diagram` returns."""
+    """Phase diagrams over one or more planes."""
 
-    scene: Scene  # What all filaments have in common
+    scene: Scene  # The common part of all filaments
     sheets: tuple[PhaseSheet, ...]  # One for each plane
     descent: PhaseRun  # The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460
     workers: int  # Threads, or workers of a cluster
 
     def caption(self, sheet: PhaseSheet) -> str:
-        """What is shown, how it was decided, and what refinement saved."""
+        """Caption of a plane: its content, the criteria of the regimes, and the runs that refinement saved."""
         effects = self.scene.run.effects
         physics = effects if isinstance(effects, str) else ", ".join(effects)
         return (
@@ -353,14 +353,14 @@ class PhaseDiagram:
             f"{len(sheet.points)} of the {sheet.nodes} nodes of a {sheet.lattice.cells} x {sheet.lattice.cells} "
             f"lattice were run, refined where neighbours differ: {sheet.saved} were saved "
             f"({sheet.saved / sheet.nodes:.0%}). Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in every "
-            f"fibre over the last tenth of the run; hollow: so it is but within {CLAMP_REGION:g} L of the ends; only "
-            f"the clamps flow on. A run that is no answer has no regime; one that first falls past {PASSED:g} L is "
-            "judged by how it does so."
+            f"fibre over the last tenth of the run; hollow: except within {CLAMP_REGION:g} L of the ends, where the "
+            f"clamps still flow. A run that is no answer has no regime, unless its sag first passes {PASSED:g} L: "
+            "then the regime is that of the run up to this sag."
         )
 
     @property
     def strain_caption(self) -> str:
-        """What the maps of strain show, and the paper's continual descent."""
+        """Caption of the maps of strain, with the paper's continual descent."""
         run, clamp, midspan = self.descent, self.descent.clamp, self.descent.midspan
         return (
             "True axial strain of the most stretched fibre at the end of each run, in the cell next to the clamp and "
@@ -371,7 +371,7 @@ class PhaseDiagram:
         )
 
     def to_frame(self) -> pd.DataFrame:
-        """One row for each filament of each plane, answers or not.
+        """One row for each filament of each plane, including runs that are no answer.
 
         Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre.
         """
@@ -385,7 +385,7 @@ class PhaseDiagram:
         return pd.DataFrame(rows)
 
     def boundaries(self) -> pd.DataFrame:
-        """Where the runs go from one regime to another, a row for each crossing of a lattice row."""
+        """Boundaries between regimes of runs, a row for each crossing of a lattice row."""
         import pandas as pd
 
         columns = ("plane", "boundary", "other", "other_value", "G_low", "G_high")
@@ -416,7 +416,7 @@ class PhaseDiagram:
         return pictures | {f"{sheet.plane.name}_strain": strain_figure(self, sheet) for sheet in self.sheets}
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``phase.json`` holds."""
+        """Content of ``phase.json``."""
         run = self.descent
         return {
             "title": self.scene.title,
@@ -458,10 +458,10 @@ def phase_diagram(
     local_cluster: int | None = None,
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
-    """Regimes over one or more planes."""
+    """Run filaments over one or more planes and find their regimes."""
     chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
-    # The lines between regimes are followed, each by some nodes a column.
+    # Estimate: refinement along the boundaries runs some nodes in every column.
     members = 4 * cells * len(chosen)
     with watched() as interrupts, executor(workers, scheduler, local_cluster, members) as pool:
         try:
@@ -472,7 +472,7 @@ def phase_diagram(
 
 
 def descent_run(scene: Scene, pool: Executor) -> PhaseRun:
-    """The paper's continual descent to its last time, by the physics and the numerics of a scene."""
+    """The paper's continual descent to its last time, with the physics and the numerics of a scene."""
     paper = load_scene(DESCENT_SCENE)
     paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
     place = place_at(paper, PLANES["G-V"], 1.9, 26.0)

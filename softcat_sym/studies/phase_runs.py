@@ -23,18 +23,18 @@ from softcat_sym.simulate import identity_of
 MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
 ELASTIC_TIME: Final = 4.0
-"""Least time of a run in sqrt(L/g), after the ramp of gravity.
+"""Minimum time of a run in sqrt(L/g), after the ramp of gravity.
 
-An elastic filament of the paper's modulus swings four times or more in it, and an undamped fall past the catenary, half
-a period pi sqrt(G/10), has turned back.
+In this time an elastic filament of the paper's modulus oscillates at least four times, and an undamped fall past the
+catenary, which takes half a period pi sqrt(G/10), has turned back.
 """
 
 ARREST_FLOW_TIME: Final = 4.0
-"""Time in eta/sigma_Y after which an arrest shows: overstress relaxes, and hinges turn, in a time eta/sigma_Y."""
+"""Time in eta/sigma_Y after which an arrest shows: overstress relaxes, and hinges rotate, in a time eta/sigma_Y."""
 
 WEIGHT_TIME: Final = 1.0
-"""Longest time in eta/(rho g L). It is the time in which the stress rho g L makes a strain of one: a catenary that
-nothing stops has fallen by some 0.4 L by then, and soon after it is drawn out at its clamps."""
+"""Maximum time in eta/(rho g L), in which the stress rho g L causes a strain of one: a catenary without arrest has
+fallen by some 0.4 L by then, and soon after it is drawn out at its clamps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class PhaseAxis:
     """One group, in equal steps of its logarithm."""
 
     key: str  # ``"G"``, ``"V"`` or ``"delta"``
-    low: float  # Its ends
+    low: float  # Ends of the axis
     high: float
 
     def values(self, cells: int) -> Floats:
@@ -54,8 +54,8 @@ class PhaseAxis:
 class PhasePlane:
     """Two groups that vary, the third as in the scene."""
 
-    name: str  # As a user names it
-    x: PhaseAxis  # G across, the other one upwards
+    name: str  # Name for users
+    x: PhaseAxis  # Horizontal axis, G, and vertical axis, the other group
     y: PhaseAxis
 
 
@@ -84,7 +84,7 @@ def planes_of(names: Sequence[str]) -> tuple[PhasePlane, ...]:
 
 
 def checked_resolution(resolution: int) -> int:
-    """A number of cells along an axis that can be had."""
+    """Return a valid number of cells along an axis; raise an error for others."""
     if isinstance(resolution, bool) or not isinstance(resolution, int):
         raise SoftcatError(f"resolution = {resolution!r}: a whole number of cells along each axis")
     if not MIN_RESOLUTION <= resolution <= MAX_RESOLUTION:
@@ -93,14 +93,14 @@ def checked_resolution(resolution: int) -> int:
 
 
 def refuse_scene(scene: Scene) -> None:
-    """Refuse a filament whose regimes G, V and delta do not decide."""
+    """Refuse a filament whose regimes do not depend on G, V and delta alone."""
     faults = []
     if scene.material.law != "bingham":
         faults.append(Fault("material.law", f"{scene.material.law!r} has no regimes by G and V", '"bingham"'))
     if scene.load.gravity == 0:
         faults.append(Fault("load.gravity", "zero, but the groups are measured by it", "a positive gravity"))
     if scene.load.shake > 0:
-        faults.append(Fault("load.shake", "shaken gravity has regimes of its own", "0"))
+        faults.append(Fault("load.shake", "shaken gravity has other regimes", "0"))
     if not is_held(scene) or is_slack(scene):
         faults.append(Fault("ends", "the filament is not held straight at both ends", "both ends held, no slack"))
     if scene.ends.motion or scene.ends.drop != 0:
@@ -108,11 +108,11 @@ def refuse_scene(scene: Scene) -> None:
     for path, there, what, accepted in (
         ("load.point_mass", scene.load.point_mass > 0, "a weight at midspan", "0"),
         ("surroundings.surface_tension", pull_of_surface(scene) > 0, "the pull of a surface", "0"),
-        ("surroundings.density", buoyant_share(scene) > 0, "what a bath carries", "0"),
-        ("temperature", scene.temperature.present, "what a temperature changes", "leaving it out"),
-        ("material.structure", scene.material.structure is not None, "what rest builds up", "leaving it out"),
-        ("material.hardening_modulus", scene.material.hardening_modulus is not None, "what hardens", "leaving it out"),
-        ("material", bool(scene.material.histories()), "what changes in time", "constants"),
+        ("surroundings.density", buoyant_share(scene) > 0, "buoyancy in a bath", "0"),
+        ("temperature", scene.temperature.present, "a temperature", "leaving it out"),
+        ("material.structure", scene.material.structure is not None, "a structure", "leaving it out"),
+        ("material.hardening_modulus", scene.material.hardening_modulus is not None, "hardening", "leaving it out"),
+        ("material", bool(scene.material.histories()), "a change in time", "constants"),
     ):
         if there:
             faults.append(Fault(path, f"{what} is no part of the groups", accepted))
@@ -121,7 +121,7 @@ def refuse_scene(scene: Scene) -> None:
 
 
 def place_at(scene: Scene, plane: PhasePlane, x: float, y: float) -> Place:
-    """The groups at a place of a plane; the one that does not vary is the scene's."""
+    """The groups at a point of a plane; the third group is the scene's."""
     groups = groups_of(scene)
     if groups.G is None or groups.V is None:
         raise SceneError([Fault("material", "neither G nor V", "a yield stress and a viscosity")], "of a phase diagram")
@@ -130,16 +130,16 @@ def place_at(scene: Scene, plane: PhasePlane, x: float, y: float) -> Place:
 
 
 def duration_at(scene: Scene, place: Place) -> float:
-    """How long a filament is watched [s]: long enough for it to show whether it stops.
+    """Duration of a run [s], long enough to show whether the filament stops.
 
-    The ramp, `ELASTIC_TIME`, and of flow the shorter of `ARREST_TIME` and `WEIGHT_TIME`.
+    It is the ramp, `ELASTIC_TIME`, and for the flow the shorter of `ARREST_FLOW_TIME` and `WEIGHT_TIME`.
     """
     flow = place.V * min(WEIGHT_TIME, ARREST_FLOW_TIME * place.G)
     return scene.load.ramp + (ELASTIC_TIME + flow) * gravity_time(scene)
 
 
 def row_of(scene: Scene, place: Place, duration: float) -> dict[str, object]:
-    """What the filament at a place changes in the scene, as a row of :func:`softcat_sym.simulate_many`."""
+    """Changes of the scene for the filament at a point, as a row of :func:`softcat_sym.simulate_many`."""
     delta: dict[str, object] = {} if place.delta == groups_of(scene).delta else {"groups.delta": place.delta}
     return delta | {"groups.G": place.G, "groups.V": place.V, "run.duration": duration}
 
@@ -148,7 +148,7 @@ Node = tuple[int, int]
 Label = Callable[[Sequence[Node]], Sequence[str]]
 
 COARSEST = 8
-"""Least number of squares along an axis to begin with: what is smaller than such a square may be missed."""
+"""Smallest initial number of squares along an axis: regions smaller than such a square may be missed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,16 +175,16 @@ class RefinedLattice:
     """Labels of a lattice."""
 
     cells: int  # Lattice squares along each axis
-    known: dict[Node, str]  # Labels that were asked for
-    squares: tuple[Square, ...]  # What tiles the plane: one step wide where corners differ, wider elsewhere
+    known: dict[Node, str]  # Labels that were computed
+    squares: tuple[Square, ...]  # Squares that tile the plane: one step wide where corners differ, wider elsewhere
 
     @property
     def saved(self) -> int:
-        """Nodes whose label was never asked for."""
+        """Number of nodes whose label was never computed."""
         return (self.cells + 1) ** 2 - len(self.known)
 
     def labels(self) -> npt.NDArray[np.str_]:
-        """The label of every node, shape (cells + 1, cells + 1); in a wide square it is that of its corners."""
+        """The label of every node, shape (cells + 1, cells + 1); a wide square has the label of its corners."""
         longest = max(map(len, self.known.values()))
         filled = np.zeros((self.cells + 1, self.cells + 1), dtype=f"<U{longest}")
         for square in self.squares:
@@ -205,9 +205,9 @@ def coarse_width(cells: int) -> int:
 
 
 def refined(cells: int, label: Label) -> RefinedLattice:
-    """Label a lattice, looking closely only along the boundaries.
+    """Label a lattice, refined only along the boundaries between labels.
 
-    Every square on whose edge or inside two known labels differ is cut in four, down to one lattice step.
+    Every square in which two known labels differ, its edges included, is divided in four, down to one lattice step.
     """
     width = coarse_width(cells)
     squares = [Square(i, j, width) for i in range(0, cells, width) for j in range(0, cells, width)]
@@ -230,25 +230,25 @@ def _ask(squares: Sequence[Square], known: dict[Node, str], label: Label) -> Non
 
 
 def _differs(square: Square, known: dict[Node, str]) -> bool:
-    """Whether two known nodes of a square differ; a finer neighbour may know nodes on its edges."""
+    """Whether two known nodes of a square differ; known nodes on its edges may come from finer neighbours."""
     i, j, w = square.i, square.j, square.width
     nodes = ((i + a, j + b) for a in range(w + 1) for b in range(w + 1))
     return len({known[node] for node in nodes if node in known}) > 1
 
 
 PASSED = 0.5
-"""Sag over span beyond which no catenary rests: the one of least stress sags by 0.338 (3.12, exact)."""
+"""Sag over span beyond which no catenary is in equilibrium: that of the smallest stress sags by 0.338 (3.12, exact)."""
 
 CLAMP_REGION = 0.1
-"""Share of the span next to each end that is not counted as the span: hinges are much shorter."""
+"""Share of the span next to each end that counts as the clamp's region; hinges are much shorter."""
 
 DESCENDING = "descending"
 
 CLAMPS_ONLY = "descending-at-clamps"
-"""Mark of a descending filament whose span, `CLAMP_REGION` away from the ends, counts as arrested by itself."""
+"""Mark of a descending filament that is arrested further than `CLAMP_REGION` from the ends."""
 
 _CHUNK = 16
-"""Filaments that go to a worker of a cluster together: some tenths of a second."""
+"""Number of filaments that a worker of a cluster receives together: some tenths of a second."""
 
 
 @dataclass(frozen=True)
@@ -264,13 +264,13 @@ class PhaseRun:
     """One filament."""
 
     place: Place  # Its groups
-    regime: str | None  # What the run shows; None if it is no answer
+    regime: str | None  # Regime of the run; None if the run is no answer
     outcome: str  # Name of the outcome: of the run that gave the regime, or of the one that failed
-    message: str  # Why, of a run that is no answer
-    duration: float  # Of the run that was judged [s]
-    # Duration [s] of the longer run that was no answer, where the judged one ends as its sag passes `PASSED`.
+    message: str  # Why a run is no answer
+    duration: float  # Of the run that gave the regime [s]
+    # Duration [s] of a longer run that was no answer, if the run that gave the regime ends as its sag passes `PASSED`.
     drawn_out: float | None = None
-    runs: int = 1  # How many were made: 1 or 2
+    runs: int = 1  # Number of runs, 1 or 2
     sag: float = 0.0  # Of the midpoint at the end, over the span
     # Largest plastic rate in the last tenth of the run over sigma_Y/eta: of all fibres, and of those further than
     # `CLAMP_REGION` from the ends.
@@ -278,11 +278,11 @@ class PhaseRun:
     span_rate: float = 0.0
     clamp: LocalStrains = LocalStrains()  # At the end of the run, in the cell at a clamp and in the one at midspan
     midspan: LocalStrains = LocalStrains()
-    steps: int = 0  # Of the integrator, of all runs
+    steps: int = 0  # Time steps of all runs
 
     @property
     def mark(self) -> str:
-        """The regime, or the name of the outcome of a run that has none; `CLAMPS_ONLY` sets a part of one apart."""
+        """The regime, or the name of the outcome without one; `CLAMPS_ONLY` is a part of the descending regime."""
         if self.regime == DESCENDING and self.span_rate < ARREST_RATE:
             return CLAMPS_ONLY
         return self.regime if self.regime is not None else self.outcome
@@ -311,7 +311,7 @@ def run_places(
     contents = {member: store.recall(key) for member, key in keys.items()}
     runs = {member: _FORM.read(content) for member, content in contents.items() if content is not None}
     missing = [member for member in members if member not in runs]
-    study_of(scene)  # made once, before threads look for it
+    study_of(scene)  # Made once, before threads use it
     results = pool.map_members(work, missing, _CHUNK)
     for number, result in counted(results, len(members), len(runs), progress):
         member = missing[number]
@@ -325,15 +325,16 @@ def run_places(
 
 @dataclass(frozen=True)
 class PlaceWork:
-    """Runs the filament at a place, observed for a time [s]; it can be sent to another process."""
+    """Runs the filament at a point for a time [s]; it can be sent to another process."""
 
-    scene: Scene  # What the filaments have in common
+    scene: Scene  # The common part of the filaments
     stop: Stop
 
     def __call__(self, item: tuple[Place, float]) -> PhaseRun:
-        """Run it; if that is no answer once more, to the time at which it has fallen past every catenary.
+        """Run the filament; if the run is no answer, repeat it up to the time at which the sag passes `PASSED`.
 
-        What descends for ever is drawn out in the end, and then it is no answer: what it did before is one.
+        A filament that descends without arrest is drawn out in the end, so that its run is no answer; the shorter run
+        is one.
         """
         place, duration = item
         study = study_of(self.scene)
@@ -383,7 +384,7 @@ def _rates(run: MemberRun) -> tuple[float, float]:
 
 
 def _strains(fields: dict[str, Floats], cell: int) -> LocalStrains:
-    """Strain in the last frame, eps = log s - theta_s z at z of the outer fibres, with the present thickness."""
+    """Strain in the last frame, eps = log s - theta_s z, in the outer fibres of the present thickness."""
     stretch, curvature, thickness = (float(fields[name][-1, cell]) for name in ("stretch", "curvature", "thickness"))
     centreline = float(np.log(stretch))
     return LocalStrains(centreline, centreline + abs(curvature) * thickness / 2)

@@ -1,4 +1,4 @@
-"""What each effect is worth: put in or left out in turn, the change of the answer against the change of the cost."""
+"""Value of each effect: change of the answer against change of the cost, with effects put in or left out in turn."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from softcat_sym.scene.reading import SceneLike
 
 _SHORT, _REPEATS = 1.0, 3
-"""Runs below so many seconds are repeated so often: what else the machine does would show."""
+"""Runs shorter than so many seconds are repeated so often, to reduce the influence of other load on the machine."""
 
 
 @dataclass(frozen=True)
@@ -72,9 +72,9 @@ class PricedRun:
 
 
 def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> PricedRun:
-    """Run a scene with a list of effects, unless it was run before, and measure what it costs.
+    """Run a scene with a list of effects, unless it was run before, and measure its cost.
 
-    The answer may come from the store; a time is worth something only beside others of the same command.
+    The answer may come from the store; times are always measured, as only times of one command are comparable.
     """
     seconds: list[float] = []
 
@@ -110,7 +110,7 @@ def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> Pric
 
 
 EVERYTHING = "everything"
-"""Name of the row that holds all that the scene can have, rotary inertia aside."""
+"""Name of the row with all effects that the scene can have, except rotary inertia."""
 
 DEFINITION = (
     "change: max |variant - base|/max |base| of the midpoint's height over the frames both reached; "
@@ -124,22 +124,22 @@ class PricingRow:
     """One effect, put in or left out."""
 
     effect: str
-    in_force: bool  # Whether the base holds it: then it was left out, otherwise put in
-    also: Names  # Effects that went with it, since they need it or it needs them; empty without a run
-    variant: PricedRun | None  # The run without it, or with it; None where there is none
-    # The base but for `also`, or the base itself where that cannot be had: against it the effect's own share is
-    # measured. None without a variant.
+    in_force: bool  # Whether the base includes it: then it was left out, otherwise put in
+    also: Names  # Effects that were changed with it, as they need it or it needs them; empty without a run
+    variant: PricedRun | None  # The run without it, or with it; None if there is none
+    # The base with `also` changed, or the base itself if the scene cannot have that: the reference of the effect's own
+    # share. None without a variant.
     reference: PricedRun | None
     scale: float  # Largest ``|midpoint|`` of the base [m]
-    change: float | None  # Of the midpoint against the base, over `scale`; None where there is nothing to compare
+    change: float | None  # Of the midpoint against the base, over `scale`; None if there is nothing to compare
     change_final: float | None
-    estimate: float | None  # Change that the program expected; None where the scene cannot have the effect
-    meaning: str  # What the estimate is
+    estimate: float | None  # Change that the program estimates; None if the scene cannot have the effect
+    meaning: str  # Meaning of the estimate
     reason: str  # Why there is no run; empty where there is one
 
     @property
     def fails(self) -> bool:
-        """Whether it was run and the run is not to be trusted."""
+        """Whether there is a run and it fails."""
         return self.variant is not None and not self.variant.outcome.is_success
 
     @property
@@ -147,25 +147,25 @@ class PricingRow:
         """Change that the effect makes by itself, relative to `scale`; None where a run fails."""
         if self.variant is None or self.reference is None or self.fails:
             return None
-        # With nothing that went along the reference is the base, which is what it is.
-        sound = self.reference.outcome.is_success or not self.also
-        return _change(self.variant, self.reference, self.scale) if sound else None
+        # Without further changes the reference is the base, which may fail.
+        is_valid = self.reference.outcome.is_success or not self.also
+        return _change(self.variant, self.reference, self.scale) if is_valid else None
 
     @property
     def share(self) -> float | None:
-        """What the effect is credited with: no more than its removal changes, nor than it changes by itself."""
+        """The smaller of the total change and the effect's own change."""
         changes = [value for value in (self.change, self.own_change) if value is not None]
         return min(changes) if changes and not self.fails else None
 
     def ratio(self, size: Callable[[PricedRun], float]) -> float | None:
-        """A size with the effect over that without it, all else equal."""
+        """Ratio of a size with the effect to that without it, all else equal."""
         if self.variant is None or self.reference is None:
             return None
         having, lacking = (self.reference, self.variant) if self.in_force else (self.variant, self.reference)
         return size(having) / size(lacking) if size(lacking) > 0 else None
 
     def to_dict(self) -> dict[str, Any]:
-        """The effect with its run."""
+        """Entry of the effect in ``effects.json``."""
         return {
             "effect": self.effect,
             "in_force": self.in_force,
@@ -191,7 +191,7 @@ class Pricing:
     Attributes
     ----------
     name : str
-        Name of the scene, as it was asked for; may be empty.
+        Name of the scene; may be empty.
     scene : Scene
         The scene as it was given.
     base : PricedRun
@@ -201,7 +201,7 @@ class Pricing:
     grading : float
         Longest over shortest cell of every run.
     rows : tuple of PricingRow
-        One row for each effect that was asked for, in the order of the registry.
+        One row for each requested effect, in the order of the registry.
     everything : PricingRow
         All effects that the scene can have at once, against the base.
     """
@@ -221,7 +221,7 @@ class Pricing:
 
     @property
     def reading(self) -> str:
-        """Effects that move the midpoint by more than the accuracy asked, the largest first."""
+        """Text with the effects that move the midpoint by more than the requested accuracy, the largest first."""
         parts = []
         for word, in_force in (("in force", True), ("left out", False)):
             shares = [(row.share or 0.0, row.effect) for row in self.rows if row.in_force is in_force]
@@ -231,7 +231,7 @@ class Pricing:
         return f"{trusted}beyond the accuracy asked, {'; '.join(parts)}"
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``effects.json`` holds."""
+        """Content of ``effects.json``."""
         base = {"effects": list(self.base.effects), "midpoint_largest_m": self.scale, **self.base.cost()}
         return {
             "scene": self.name,
@@ -247,7 +247,7 @@ class Pricing:
         }
 
     def to_frame(self) -> pd.DataFrame:
-        """A row for each effect, and one for everything at once; what is not there is missing."""
+        """A row for each effect, and one for everything at once; values that do not exist are missing."""
         rows = [row.to_dict() for row in (*self.rows, self.everything)]
         flat = [{**row, "also": " ".join(row["also"]), **(row.pop("run") or {})} for row in rows]
         return pd.DataFrame(flat, columns=[*rows[0], *self.base.cost()], dtype=object)
@@ -260,7 +260,7 @@ class Pricing:
 
 
 def percent(value: float) -> str:
-    """A share as per cent with two digits; beyond tenfold as a factor."""
+    """A share in per cent with two digits; from ten on, as a factor."""
     if value >= 10:
         return f"× {float(f'{value:.2g}'):g}"
     return f"{float(f'{100 * value:.2g}'):g} %" if value >= 1e-6 or value == 0 else "< 1e-4 %"
@@ -274,18 +274,18 @@ def price_effects(
     Parameters
     ----------
     scene : Scene, str, path or dict
-        The base is the choice of ``auto``, the paper's list, or the scene's own.
+        The base has the effects of this scene: chosen by ``auto``, the paper's list, or its own list.
     progress : Progress, optional
-        Listens to the runs; each begins a stage.
+        Receiver of progress reports; each run begins a stage.
     name : str
         Name of the scene, for tables.
     only : collection of str, optional
-        Price these effects and no others; all unless given.
+        Price only these effects; by default all.
 
     Returns
     -------
     Pricing
-        A variant that cannot be had or fails is a row that says so.
+        A row for each effect; a row whose variant does not exist or fails has the reason.
 
     Raises
     ------
@@ -307,7 +307,7 @@ def price_effects(
     first = recalled(once, progress)
     names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
     listed = with_effects(once.replace({"numerics.cells": cells}), names)
-    # Theories grade their grids differently: on one grid only physics differs.
+    # Theories grade their grids differently; on a common grid only the physics differs.
     grading = scene.numerics.grading or choose_grading(listed, cells)
     listed = listed.replace({"numerics.grading": grading})
     base = priced_run(listed, progress, first)
@@ -321,12 +321,12 @@ def price_effects(
 
 @dataclass
 class _Runs:
-    """Runs of one scene, each list of effects once."""
+    """Runs of one scene, one for each list of effects."""
 
     scene: Scene
     base: PricedRun
     progress: Progress
-    stage: str  # What the names of stages begin with
+    stage: str  # Beginning of the names of stages
     finished: dict[Names, PricedRun] = field(default_factory=dict)
 
     def run(self, names: Names, stage: str) -> PricedRun | str:
@@ -342,7 +342,7 @@ class _Runs:
             self.finished[names] = priced_run(scene, self.progress)
         except SoftcatError as error:
             return " ".join(str(error).split())
-        # CasADi's own: an integrator that cannot even begin.
+        # CasADi raises it for an integrator that cannot start.
         except RuntimeError as error:
             return f"the solver refused: {str(error).splitlines()[0] if str(error) else type(error).__name__}"
         return self.finished[names]
@@ -351,13 +351,13 @@ class _Runs:
 def _row(decision: Decision, names: Names, runs: _Runs) -> PricingRow:
     effect, inside = decision.effect, decision.effect.name in names
     also = dependants(effect.name, names) if inside else requirements(effect.name, names, runs.scene)
-    # What goes with it is changed in both: the effect's own share is the difference of the two.
+    # Effects that are changed with it are so in both runs: the effect's own share is their difference.
     others = ordered(set(names) - set(also) if inside else {*names, *also})
     changed = ordered(set(others) - {effect.name} if inside else {*others, effect.name})
     stage = f"{'without' if inside else 'with'} {effect.name}"
     variant = obstacle(effect, runs.scene, names) or runs.run(changed, stage)
     reference = None if isinstance(variant, str) else runs.run(others, f"{stage}, its own share")
-    # Where they cannot be had without it, all that was changed is its share.
+    # If the scene cannot have the others without it, the whole change is its share.
     own = runs.base if isinstance(reference, str) else reference
     return _compared(effect.name, inside, also, variant, own, decision.estimate, runs.base)
 
@@ -384,7 +384,7 @@ def _compared(
 def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:
     """Largest distance of two midpoints over the frames that both reached, relative to `scale`."""
     frames = min(len(run.midpoint), len(other.midpoint))
-    # The first frame is the start, which says nothing of a run that came no further.
+    # The first frame is the start: a run without further frames cannot be compared.
     if frames < 2:
         return None
     apart = np.abs(run.midpoint[:frames] - other.midpoint[:frames])

@@ -41,25 +41,25 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 REFUSED, FAILED, LOST = "refused", "failed", "lost"
-"""Outcomes that no run has: a scene that makes no sense, a program that failed, workers that died."""
+"""Outcomes of members without a run: an invalid scene, an error of the program, workers that died."""
 
 SHAPE_FRAMES, SHAPE_NODES = 21, 41
 STORE, TABLE = "sweep.nc", "sweep.csv"
 
 _ERRORS = (SoftcatError, RuntimeError, ArithmeticError, ValueError)
-"""What may end a member without ending the sweep."""
+"""Errors that end a member without ending the sweep."""
 
 _ABOUT: Final[Mapping[str, tuple[str, str]]] = {
-    "outcome": ("", "how the run ended; refused: no sound scene; failed: the program; lost: its worker died"),
-    "regime": ("", "what the run shows; empty if it is no answer"),
-    "message": ("", "why it is no answer"),
+    "outcome": ("", "how the run ended; refused: invalid scene; failed: error of the program; lost: its worker died"),
+    "regime": ("", "regime that the run shows; empty if the run is no answer"),
+    "message": ("", "why the run is no answer"),
     "midpoint_final": ("m", "height of midspan at the end, negative down"),
     "sag_largest": ("m", "largest sag of midspan, positive down"),
     "sag_over_span": ("1", "largest sag of midspan over the span"),
-    "time_to_90": ("s", "when the sag first reaches 90 % of its last value"),
-    "largest_stretch": ("1", "largest stretch of the centreline, anywhere and ever"),
+    "time_to_90": ("s", "time at which the sag first reaches 90 % of its last value"),
+    "largest_stretch": ("1", "largest stretch of the centreline, at any place and time"),
     "energy_residual": ("1", "imbalance of energy over the largest energy"),
-    "wall_s": ("s", "wall time, beside other members"),
+    "wall_s": ("s", "wall time, while other members run in parallel"),
     **{name: ("1", words) for name, words in RESOLUTION.items()},
     "span": ("m", "span of the filament"),
     "thickness": ("m", "thickness of the undeformed filament"),
@@ -101,7 +101,7 @@ class MemberResult:
 
 
 def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
-    """When the sag first reaches a share of its last value [s], between frames by a straight line; NaN if it rises."""
+    """Time at which the sag first reaches a share of its last value [s], linear between frames; NaN if it rises."""
     if not sag[-1] > 0:
         return math.nan
     level = share * float(sag[-1])
@@ -114,7 +114,7 @@ def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
 
 
 def _shapes(time: Floats, fields: Mapping[str, Floats], nodes: Floats, cells: Floats) -> npt.NDArray[np.float32]:
-    """Shapes at equal steps of time and material, between frames and nodes by straight lines."""
+    """Shapes at equal steps of time and material, linear between frames and nodes."""
     places = np.linspace(nodes[0], nodes[-1], SHAPE_NODES)
     instants = np.linspace(time[0], time[-1], SHAPE_FRAMES)
     after = np.clip(np.searchsorted(time, instants), 1, len(time) - 1)
@@ -130,14 +130,14 @@ def _shapes(time: Floats, fields: Mapping[str, Floats], nodes: Floats, cells: Fl
 class MemberWork:
     """Runs the member of a row; it can be sent to another process."""
 
-    scene: Scene  # What the members have in common
+    scene: Scene  # The common part of the members
     shapes: bool
     estimate: bool
     stop: Stop
-    centre: Centre  # Whose resolution they share
+    centre: Centre  # The member whose resolution all share
 
     def __call__(self, row: Row) -> MemberResult:
-        """The row's result, whatever becomes of its run."""
+        """The row's result, even if its run fails."""
         begun, study, scene = time.perf_counter(), study_of(self.scene), None
         try:
             with study.workshop.alone():
@@ -149,7 +149,7 @@ class MemberWork:
             run = judged(member, *study.workshop.run(member, self.stop))
             too_long = run.outcome in OF_A_STEP_TOO_LONG and scene.numerics.rtol is None
             if too_long or _has_missing_effect(run):
-                # Rare: what a single run would be repeated for is repeated as a single run, one at a time.
+                # A rare case: a single run would be repeated here, so the member is repeated as one, one at a time.
                 with study.workshop.alone():
                     own = {"numerics.rtol": scene.numerics.rtol}
                     return self._simulated(without_estimate(member.scene).replace(own), begun)
@@ -167,7 +167,7 @@ class MemberWork:
     def without_answer(
         self, outcome: str, message: str, scene: Scene | None = None, begun: float = math.nan
     ) -> MemberResult:
-        """A member that gives no numbers; its scene, if there is one, says how large it was."""
+        """A member without results; it has the sizes of its scene, if there is one."""
         nothing = np.full(self.scene.run.frames, np.nan)
         if scene is None:
             return MemberResult(outcome, "", message, nothing)
@@ -179,7 +179,7 @@ class MemberWork:
         return MemberResult(outcome, "", message, nothing, wall_s=time.perf_counter() - begun, **size)
 
     def _simulated(self, scene: Scene, begun: float) -> MemberResult:
-        """A member by :func:`softcat_sym.simulate`: every check, and repeated where the finished run calls for it."""
+        """A member by :func:`softcat_sym.simulate`, with every check, and with a repetition if the run needs one."""
         run = simulated(scene)
         if not run.outcome.is_success:
             return self.without_answer(run.outcome.name, run.summary["message"], scene, begun)
@@ -222,7 +222,7 @@ class MemberWork:
 
 
 def _has_missing_effect(run: MemberRun) -> bool:
-    """Whether the program has left out of a member what the finished run calls for."""
+    """Whether the finished run calls for an effect that the program has left out."""
     scene, effects = run.member.scene, run.member.effects
     if scene.run.effects != "auto":
         return False
@@ -244,7 +244,7 @@ def _packed(results: Sequence[MemberResult]) -> bytes:
 
 
 class _Blocks:
-    """Finished blocks in a file, in whatever order they are finished: memory stays the same however many there are."""
+    """Finished blocks in a file, in the order in which they finish, so that memory does not grow with their number."""
 
     def __init__(self, plan: SweepPlan, file: IO[bytes]) -> None:
         self._plan, self._file, self._places = plan, file, dict[int, tuple[int, int]]()
@@ -269,7 +269,7 @@ class _Blocks:
 
 @dataclass
 class Counts:
-    """How many members ended in each outcome, and in each regime."""
+    """Numbers of members by outcome and by regime."""
 
     outcomes: Counter[str] = field(default_factory=Counter)
     regimes: Counter[str] = field(default_factory=Counter)
@@ -358,7 +358,7 @@ class Sweep:
     Attributes
     ----------
     plan : SweepPlan
-        The members as they were planned.
+        The plan of the members.
     path : pathlib.Path
         The store, ``sweep.nc``.
     counts : Counts
@@ -368,13 +368,13 @@ class Sweep:
     place : str
         Where the members ran: threads, or a cluster.
     wall_s : float
-        Time on the clock [s].
+        Wall time [s].
     peak_memory : float
         Largest memory of this process so far [MB].
     centre : Centre
-        The member in the middle, with its cells, fibres, rtol and estimated error; all others have at least these.
+        The member in the middle, with its cells, fibres, rtol and estimated error; all others are at least as fine.
     loaded : xarray.Dataset or None
-        The results in memory, where they are no longer on disk.
+        The results in memory, if they are no longer on disk.
     """
 
     plan: SweepPlan
@@ -392,7 +392,7 @@ class Sweep:
 
     @cached_property
     def data(self) -> xr.Dataset:
-        """The store, dims ``member`` and ``frame``; read from disk as it is used.
+        """The store, dims ``member`` and ``frame``, read from disk on use.
 
         A variable for each varied key, ``outcome``, ``regime``, ``message``, ``midpoint`` [m] and numbers of each
         member; with shapes ``x``, ``y`` [m] and ``stretch``.
@@ -402,7 +402,7 @@ class Sweep:
         return self.loaded if self.loaded is not None else xr.open_dataset(self.path, engine="h5netcdf")
 
     def plot(self) -> Figure:
-        """Draw the sag over what varies.
+        """Draw the sag over the varied keys.
 
         Raises
         ------
@@ -424,13 +424,13 @@ class Sweep:
         return html(repr(self), self.plot())
 
     def in_memory(self) -> Sweep:
-        """The same with its data loaded, independent of the file."""
+        """The sweep with its data loaded into memory, independent of the file."""
         import xarray as xr
 
         return replace(self, loaded=xr.load_dataset(self.path, engine="h5netcdf"))
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``sweep.json`` holds."""
+        """Content of ``sweep.json``."""
         ran = len(self) - self.resumed
         return {
             "title": self.plan.scene.title,
@@ -451,8 +451,8 @@ class Sweep:
 
 
 def peak_memory() -> float:
-    """Largest resident memory of this process so far [MB]; zero where the system does not tell."""
-    # What getrusage says of a Linux process begins at the peak of the one that started it.
+    """Largest resident memory of this process so far [MB]; zero where the system does not provide it."""
+    # On Linux getrusage includes the peak of the parent process.
     with contextlib.suppress(OSError):
         lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
         for line in lines:
@@ -488,34 +488,37 @@ def sweep(
 ) -> Sweep:
     """Run a filament for every value of some parameters, in constant memory; results go to disk.
 
-    A member that makes no sense, fails or is no answer is a row like the others. Unless ``numerics.estimate = false``,
-    the one in the middle of the ranges is run by :func:`simulate` before: all have at least its cells, fibres and
+    A member that is invalid or fails is a row like the others. Unless ``numerics.estimate = false``, :func:`simulate`
+    first runs the member in the middle of the ranges; all members have at least its cells and fibres, and at most its
     tolerance.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
-        What the members have in common.
+        The common part of the members.
     vary : mapping, sequence of str, or pathlib.Path
         ``{"groups.G": "0.01:3:40:log", "material.yield_stress": ["5 kPa", 1e4]}``, plain numbers in SI; or texts
         ``"KEY=a:b:n:log"``, ``"KEY=v1,v2"``; or a CSV file whose header names the keys.
     directory : str or pathlib.Path, optional
         For ``sweep.nc`` and ``sweep.csv``, else in memory.
     mode, samples, seed
-        ``"grid"``: every combination; ``"zip"``: side by side; ``"lhs"``: so many samples of a Latin hypercube.
+        ``"grid"``: every combination; ``"zip"``: values side by side; ``"lhs"``: a Latin hypercube of `samples`.
     shapes, estimate : bool
-        Keep 21 x 41 points of shape; run each by :func:`simulate`, its error estimated, not as :func:`simulate_many`.
+        Keep 21 x 41 points of each shape; run each member by :func:`simulate` with an error estimate, instead of as
+        :func:`simulate_many` does.
     workers, scheduler, local_cluster : optional
-        Threads, all cores by default; or the address of a Dask cluster, ``"tcp://host:8786"``; or how many processes.
+        Number of threads, by default all cores; or the address of a Dask cluster, ``"tcp://host:8786"``; or a number of
+        processes.
     fresh : bool
-        Run every member, finished ones too: otherwise these are taken from the store, as after an interruption.
+        Run every member, even finished ones, which otherwise come from the store, as after an interruption.
     progress : MembersProgress, optional
-        Updated with members done and time left, such as :class:`softcat_sym.ensemble.MembersBar`.
+        Receiver of the number of finished members and the time left, such as
+        :class:`softcat_sym.ensemble.MembersBar`.
 
     Raises
     ------
     SoftcatError, KeyboardInterrupt
-        If the plan makes no sense, before anything runs; if the user stops it.
+        If the plan is invalid, before anything runs; if the user stops it.
     """
     check_executor(workers, scheduler, local_cluster)
     plan = plan_sweep(as_scene(scene), vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
@@ -533,10 +536,10 @@ def run_sweep(
     where: tuple[int | None, str | None, int | None],
     progress: MembersProgress | None = None,
 ) -> Sweep:
-    """Run what of a plan is not in the store yet, and write all of it."""
+    """Run the members of a plan that are not in the store yet, and write all of them."""
     begun = time.perf_counter()
     _refuse_plan(plan)
-    # A file without a name: whatever ends the program, nothing of it is left.
+    # A file without a name vanishes however the program ends.
     with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched() as interrupts:
         blocks, centre = _Blocks(plan, passing), _centre(plan)
         for number in range(plan.blocks):
@@ -560,7 +563,7 @@ def run_sweep(
 
 
 def _centre(plan: SweepPlan) -> Centre:
-    """The member in the middle, run and estimated, unless each is."""
+    """The member in the middle, run with an error estimate, unless every member is."""
     if plan.estimate:
         return Centre(plan.centre, why_not="each is estimated by itself")
     try:
@@ -601,7 +604,7 @@ def _run_blocks(
 
 
 def _refuse_plan(plan: SweepPlan) -> None:
-    """Look for a member that can be run; a key that no scene has is refused by itself."""
+    """Refuse a plan without any member that can be run, and keys that no scene has."""
     for key, value in plan.unknown_keys():
         plan.scene.replace({key: value})
     order = (0, plan.members - 1, plan.members // 2, *range(plan.members))

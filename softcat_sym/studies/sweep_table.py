@@ -1,4 +1,4 @@
-"""What a sweep varies, as axes or as the rows of a CSV file, and its members in order."""
+"""The plan of a sweep: varied keys, as axes or as the rows of a CSV file, and the members in order."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ _FORM = (
 )
 _FAULTS_LISTED, _VALUES_LISTED = 10, 200
 _BLOCK, _BLOCKS, _SLOW_BLOCK = (10, 500), 200, 4
-"""Members of a block, how many blocks a sweep should have, and members of a block where each takes seconds: what an
-interruption can cost, against a file for each."""
+"""Range of the members of a block, target number of blocks, and members of a block where each takes seconds: small
+blocks lose less in an interruption, large ones need fewer files."""
 
 
 @dataclass(frozen=True)
@@ -47,13 +47,13 @@ class VariedColumn:
     """How the values of a key are stored."""
 
     key: str
-    units: str  # ``"1"`` of pure numbers; an empty text of text
+    units: str  # ``"1"`` for pure numbers; empty for text
     scale: str  # ``"lin"`` or ``"log"``
-    kind: Quantity | None  # By which text with a unit is read; None where any unit will do
-    is_text: bool  # Whether values are no numbers
+    kind: Quantity | None  # Quantity as which text with a unit is read; None if any unit is accepted
+    is_text: bool  # Whether values are not numbers
 
     def array(self, values: Sequence[Value]) -> npt.NDArray[Any]:
-        """Values as text, or as numbers in SI, NaN where one makes none."""
+        """Values as text, or as numbers in SI; NaN for a value that cannot be read."""
         if self.is_text:
             return np.array(list(map(str, values)))
         return np.array([self._number(value) for value in values], dtype=float)
@@ -69,14 +69,14 @@ class VariedColumn:
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """What is to be run."""
+    """The members of a sweep."""
 
-    scene: Scene  # What the members have in common
-    axes: tuple[SweepAxis, ...]  # What varies
+    scene: Scene  # The common part of the members
+    axes: tuple[SweepAxis, ...]  # The varied keys
     # ``"grid"``: every combination, the last axis fastest; ``"zip"`` and ``"table"``: values side by side; ``"lhs"``:
     # a Latin hypercube (McKay, Beckman and Conover 1979).
     mode: Mode = "grid"
-    samples: int = 0  # Of the hypercube
+    samples: int = 0  # Number of samples of the hypercube
     seed: int = 0
     shapes: bool = False  # Whether shapes are stored
     # Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
@@ -84,24 +84,24 @@ class SweepPlan:
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """What varies."""
+        """The varied keys."""
         return tuple(axis.key for axis in self.axes)
 
     @cached_property
     def members(self) -> int:
-        """How many there are."""
+        """Number of members."""
         if self.mode == "grid":
             return math.prod(len(axis.values) for axis in self.axes)
         return self.samples if self.mode == "lhs" else len(self.axes[0].values)
 
     @property
     def block_size(self) -> int:
-        """Members that are stored together."""
+        """Number of members that are stored together."""
         return _SLOW_BLOCK if self.estimate else int(np.clip(math.ceil(self.members / _BLOCKS), *_BLOCK))
 
     @property
     def blocks(self) -> int:
-        """How many there are."""
+        """Number of blocks."""
         return math.ceil(self.members / self.block_size)
 
     def block(self, number: int) -> list[Row]:
@@ -110,7 +110,7 @@ class SweepPlan:
         return [self.row(member) for member in range(start, min(start + self.block_size, self.members))]
 
     def row(self, member: int) -> Row:
-        """What a member changes in the scene."""
+        """Values of the varied keys for a member."""
         if self.mode == "grid":
             places = np.unravel_index(member, [len(axis.values) for axis in self.axes])
             return {axis.key: axis.values[int(place)] for axis, place in zip(self.axes, places, strict=True)}
@@ -121,7 +121,7 @@ class SweepPlan:
 
     @cached_property
     def _shares(self) -> npt.NDArray[np.float64]:
-        """Places of the samples, shape (samples, axes), each axis cut into as many equal parts, one in each."""
+        """Positions of the samples, shape (samples, axes): one in each of `samples` equal parts of every axis."""
         random = np.random.default_rng(self.seed)
         parts = np.stack([random.permutation(self.samples) for _ in self.axes], axis=1)
         return np.asarray((parts + random.random(parts.shape)) / self.samples)
@@ -144,7 +144,7 @@ class SweepPlan:
                 yield axis.key, axis.values[0]
 
     def to_dict(self) -> dict[str, Any]:
-        """For the record; of long lists of values it gives the number."""
+        """The plan for records; a long list of values is replaced by its length."""
         axes = [asdict(axis) for axis in self.axes]
         for axis in axes:
             axis["values"] = len(axis["values"]) if len(axis["values"]) > _VALUES_LISTED else list(axis["values"])
@@ -155,19 +155,19 @@ class SweepPlan:
 
     @cached_property
     def digest(self) -> str:
-        """Hash of all that decides the results."""
+        """Hash of everything on which the results depend."""
         how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
         return key_of("plan of a sweep", identity_of(self.scene), self.axes, how)
 
     @property
     def centre(self) -> Row:
-        """What the member in the middle of the ranges changes."""
+        """Values of the varied keys for the member in the middle of the ranges."""
         if self.mode == "grid":
             return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
         return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.row(self.members // 2)
 
     def key(self, block: int, centre: Centre) -> str:
-        """Key of the results of a block whose members share the resolution of one."""
+        """Key of the results of a block whose members share the resolution of the centre."""
         how = [self.shapes, self.estimate, centre.cells, centre.fibres, centre.tighter]
         return key_of("sweep", identity_of(self.scene), self.block(block), how)
 
@@ -182,13 +182,13 @@ def plan_sweep(
     shapes: bool = False,
     estimate: bool = False,
 ) -> SweepPlan:
-    """Read what is asked for."""
+    """Make the plan of a sweep from its arguments."""
     if mode not in MODES:
         raise SoftcatError(f"no mode {mode!r} of a sweep; accepted: {', '.join(MODES)}")
     _check_samples(mode, samples, seed)
     if isinstance(vary, Path):
         if mode != "grid":
-            raise SoftcatError(f"a table has its members in rows: no mode {mode!r}")
+            raise SoftcatError(f"a table lists its members in rows: it has no mode {mode!r}")
         mode, axes = "table", _table_axes(scene, vary)
     else:
         axes = read_axes(scene, vary, drawn=mode == "lhs")
@@ -215,7 +215,7 @@ def _check_samples(mode: str, samples: int | None, seed: int) -> None:
 
 
 def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
-    """Refuse sides of unequal lengths, and a value of a grid that is named twice: its members would be run twice."""
+    """Refuse zipped axes of unequal lengths, and values of a grid that are named twice, as members would run twice."""
     lengths = {axis.key: len(axis.values) for axis in axes}
     if mode == "zip" and len(set(lengths.values())) > 1:
         found = ", ".join(f"{key} has {count}" for key, count in lengths.items())
@@ -227,7 +227,7 @@ def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
 
 
 def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
-    """Refuse text that is no quantity where one is needed: a slip, where a value out of range is a refused member."""
+    """Refuse text that is not the needed quantity; a value out of range, in contrast, is a refused member."""
     if {"material.index", "material.law"} & {axis.key for axis in axes}:
         axes = [axis for axis in axes if axis.key.rpartition(".")[2] not in OF_THE_INDEX]
     faults = []
@@ -246,7 +246,7 @@ def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
 def read_axes(
     scene: Scene, vary: Mapping[str, Sequence[Value] | str] | Sequence[str], *, drawn: bool = False
 ) -> tuple[SweepAxis, ...]:
-    """Read what is to be varied."""
+    """Read the varied keys with their values."""
     texts = [vary] if isinstance(vary, str) else vary
     faults: list[Fault] = []
     axes: dict[str, SweepAxis] = {}
@@ -293,7 +293,7 @@ def _axis(scene: Scene, key: str, values: Sequence[Value] | str, drawn: bool) ->
 
 
 def _list(scene: Scene, key: str, text: str) -> list[Value]:
-    """Values between commas, in TOML if they are; plain numbers take the unit of the last value."""
+    """Values between commas, read as TOML if possible; plain numbers take the unit of the last value."""
     try:
         values: list[Value] = tomllib.loads(f"values = [{text}]")["values"]
     except (ValueError, RecursionError):
@@ -361,7 +361,7 @@ def _header(file: Path, number: int, cells: Sequence[str]) -> list[tuple[str, st
 
 
 def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
-    """What a cell holds, or what is wrong with it."""
+    """Value of a cell, or its fault."""
     if not cell:
         return Fault(key, "an empty cell", "a value")
     number = number_in(cell)
@@ -391,7 +391,7 @@ def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
         return VariedColumn(axis.key, "", "lin", None, True)
     column = VariedColumn(axis.key, units, axis.scale, quantity, False)
     if axis.ends is None:
-        # Listed positive values over more than a decade are better seen over a logarithm.
+        # Listed positive values over more than a decade have a logarithmic axis.
         values = column.array(axis.values)
         values = values[np.isfinite(values)]
         if len(values) > 2 and np.min(values) > 0 and np.max(values) / np.min(values) > 10:

@@ -1,4 +1,4 @@
-"""Where the one-dimensional theory ends: its error against finite elements as one variable of a scene changes."""
+"""Limits of the one-dimensional theory: its error against finite elements as one variable of a scene changes."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _MAX_VALUES = 1000
 
 @dataclass(frozen=True)
 class Variation:
-    """A variable and the values it takes."""
+    """A variable and its values."""
 
     path: str  # Dotted path in the scene file
     texts: tuple[str, ...]  # Values as ``--set`` takes them, each once
@@ -53,7 +53,7 @@ def read_variation(text: str) -> Variation:
 
 
 def number_at(scene: Scene, path: str, text: str) -> float:
-    """The value as a number for the axis of a chart: a group as it is, anything else in SI units."""
+    """The value as a number for the axis of a chart: dimensionless for a group, otherwise in SI units."""
     value: object = _number(text) if path.startswith("groups.") else scene
     if value is scene:
         for name in path.split("."):
@@ -64,7 +64,7 @@ def number_at(scene: Scene, path: str, text: str) -> float:
 
 
 def _range(values: str) -> tuple[str, ...]:
-    """Values of a range; none if it is no range."""
+    """Values of a range; empty if the text is not a range."""
     found = _RANGE.fullmatch(values)
     if found is None:
         return ()
@@ -72,7 +72,7 @@ def _range(values: str) -> tuple[str, ...]:
     sound = math.isfinite(first) and math.isfinite(last) and 2 <= count <= _MAX_VALUES
     if not sound or (found[4] and min(first, last) <= 0):
         return ()
-    # Twelve digits: what rounding adds would end up in file names and tables.
+    # Twelve digits keep rounding errors out of file names and tables.
     return tuple(f"{number:.12g}" for number in (np.geomspace if found[4] else np.linspace)(first, last, count))
 
 
@@ -90,7 +90,7 @@ DEFINITION = (
 
 
 def relative_error(time: Floats, curve: Floats, reference: Floats) -> Floats:
-    """How much more one midpoint sags than another: at four moments, of the means, and the largest, shape (6,)."""
+    """Relative error of a midpoint curve: at four times, of the mean, and the largest, shape (6,)."""
     frames = list(moments(len(time)))
     with np.errstate(divide="ignore", invalid="ignore"):
         error = np.where(reference == 0, np.nan, curve / reference - 1)
@@ -118,7 +118,7 @@ def slender_limit(delta: Floats, error: Floats, mesh: Floats) -> dict[str, Any] 
 
     fitted = fit(x, y, x.max())
     shifts = [abs(fit(thin := np.delete(x, k), np.delete(y, k), thin.max())[0] - fitted[0]) for k in range(len(x))]
-    # A fit is linear in what it fits: against the coarser elements the intercept moves by that of the mesh's own error.
+    # The fit is linear in the errors: with the coarser elements the intercept shifts by that of the mesh error.
     leaving_out, moved = float(max(shifts)), float(abs(fit(x, mesh[known], x.max())[0]))
     first, second = np.argsort(x)[:2]
     ratio = y[second] / y[first] if y[first] else math.nan
@@ -133,14 +133,14 @@ def slender_limit(delta: Floats, error: Floats, mesh: Floats) -> dict[str, Any] 
 
 
 ASPECT, _STEEPEST = 1.5, 64.0
-"""Length of the elements at the clamp over their height, where `along` elements of equal length would be longer."""
+"""Length of the elements at the clamp over their height, unless `along` elements of equal length are shorter."""
 
 
 def mesh_following(thickness: float, along: int = 32, through: int = 4) -> Mesh:
     """A mesh whose elements at the clamp are `ASPECT` times as long as high, and longer towards midspan.
 
-    The layer in which the clamp bends the filament is as short as the filament is thin, so that equal elements would
-    lose it; the explicit step is that of the shortest edge, which stays the height.
+    The bending layer at the clamp is as short as the filament is thin, so that elements of equal length would not
+    resolve it. The explicit step is limited by the shortest edge, which is still the height.
     """
     if along < 2 or along % 2 or through < 4 or through % 4:
         raise SoftcatError(
@@ -150,7 +150,7 @@ def mesh_following(thickness: float, along: int = 32, through: int = 4) -> Mesh:
     share = ASPECT * thickness / through * 2 * along
 
     def last(grading: float) -> float:
-        """The last element over the mean."""
+        """Length of the last element over the mean length."""
         ratio = grading ** (-1 / (along - 1))
         return float(along / grading * (1 - ratio) / (1 - ratio**along))
 
@@ -158,12 +158,12 @@ def mesh_following(thickness: float, along: int = 32, through: int = 4) -> Mesh:
     grading = 1.0 if share >= last(even) else _STEEPEST
     if last(_STEEPEST) < share < last(even):
         grading = brentq(lambda g: last(g) - share, even, _STEEPEST)
-    # Two digits: a mesh that people can name.
+    # Two digits, for the name of the mesh.
     return Mesh(along, through, grading=max(1.0, float(f"{grading:.2g}")))
 
 
 def coarser(mesh: Mesh) -> Mesh:
-    """Half as many elements both ways, graded alike."""
+    """Half as many elements in both directions, with the same grading."""
     return replace(mesh, along=mesh.along // 2, through=mesh.through // 2)
 
 
@@ -172,16 +172,16 @@ SLENDER = ("groups.delta", "filament.thickness")
 
 _TIGHTER = 0.1
 _MAX_STEPS = 5_000
-"""A run that takes more of them runs away; on a finer grid it would hardly end."""
+"""Largest number of steps of a run that is repeated on a finer grid; a longer run diverges and would hardly end."""
 
 
 @dataclass(frozen=True)
 class TheoryError:
     """One theory at one value of the variable."""
 
-    row: Row  # Its run as the program chooses cells and tolerance: what it costs
+    row: Row  # The run with the program's own cells and tolerance, for its cost
     # Relative error, shape (6,), with twice the cells and a tenth of the tolerance, against the finer elements; of the
-    # program's own run where that is not to be trusted, or runs away.
+    # program's own run if that run fails or diverges.
     error: Floats
     trusted: bool
     grid: float  # Largest change of that error with the program's own cells and tolerance; NaN without another run
@@ -191,10 +191,10 @@ class TheoryError:
 class Measured:
     """One value of the variable."""
 
-    text: str  # As it was written
+    text: str  # As the user wrote it
     value: float  # As a number
-    comparison: Comparison  # The finer elements, and the filaments as the program runs them
-    coarse: ElementRun  # Half as many elements both ways
+    comparison: Comparison  # The finer elements, and the filaments with the program's own settings
+    coarse: ElementRun  # Half as many elements in both directions
     mesh: Floats  # Relative error of the coarser elements against the finer, shape (6,)
     theories: dict[str, TheoryError]  # By name, in the order of ``comparison.rows``
 
@@ -209,8 +209,8 @@ class Unmeasured(NamedTuple):
 
 LIMIT_DEFINITION = (
     "fit of e0 + a delta (+ b delta^2 from five values on) to the errors; leaving_out: largest change of e0 when one "
-    "value is left out; mesh: change of e0 when the coarser elements judge; order: power of delta between the two "
-    "thinnest filaments"
+    "value is left out; mesh: change of e0 with the coarser elements as reference; order: power of delta between the "
+    "two thinnest filaments"
 )
 
 
@@ -218,27 +218,27 @@ LIMIT_DEFINITION = (
 class TheoryEnd:
     """Errors of the one-dimensional theories over one variable."""
 
-    scene: Scene  # What was asked, before it was varied
+    scene: Scene  # The scene before the variation
     variation: Variation
     measured: tuple[Measured, ...]  # By increasing value
     unmeasured: tuple[Unmeasured, ...]  # By increasing value
-    # By theory, at the moments of :class:`RelativeError`; empty unless the variable is the thickness.
+    # By theory, for each error of :func:`relative_error`; empty unless the variable is the thickness.
     limits: dict[str, list[dict[str, Any] | None]]
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Theories that were run at any value, the scene's own first."""
+        """Theories that were run at some value, the scene's own first."""
         return tuple(dict.fromkeys(name for each in self.measured for name in each.theories))
 
     @property
     def moments(self) -> tuple[str, ...]:
-        """What the errors belong to: ``t = 46``, ..., ``mean``, ``largest``."""
+        """Labels of the errors: ``t = 46``, ..., ``mean``, ``largest``."""
         run = self.measured[0].comparison.elements
         times = (run.time[frame] / run.elastic_time for frame in moments(len(run.time)))
         return (*(f"t = {time:.4g}" for time in times), "mean", "largest")
 
     def to_frame(self) -> pd.DataFrame:
-        """A row for each value and theory; the elements' own rows are those of the coarser against the finer."""
+        """A row for each value and theory; the rows of the elements compare the coarser with the finer ones."""
         names = [name.replace(" = ", "_") for name in self.moments]
         rows: list[tuple[Any, ...]] = []
         for each in self.measured:
@@ -254,9 +254,9 @@ class TheoryEnd:
         return pd.DataFrame(rows, columns=[*first, *names, "grid"])
 
     def costs(self) -> pd.DataFrame:
-        """A row for each value and run, with the ratios of the finer elements over it; seconds are of the solve.
+        """A row for each value and run, with ratios of the finer elements over the run; seconds are of the solve.
 
-        The finer elements have the error that their coarser companions have against them; the coarser have the same.
+        Both element runs have the error of the coarser elements against the finer ones.
         """
         rows: list[tuple[Any, ...]] = []
         for each in self.measured:
@@ -286,7 +286,7 @@ class TheoryEnd:
         return pd.DataFrame(rows, columns=["theory", "moment", *names, "slope", "order"])
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``compare.json`` holds of a varied scene; each of ``values`` as a comparison of that scene alone."""
+        """Content of ``compare.json`` for a varied scene; each of ``values`` is a comparison of one scene."""
         limits: dict[str, Any] = {_key(name): each for name, each in self.limits.items()}
         return {
             "title": self.scene.title,
@@ -360,7 +360,7 @@ def where_theory_ends(
     """Run elements on two meshes, and the filament in each of its theories, at every value of a variable."""
     cases = [(text, scene_with(f"{variation.path}={text}")) for text in variation.texts]
     for _, case in cases:
-        # The elements and the filament may refuse the scene: before anything is run.
+        # The elements and the filament may refuse the scene here, before anything is run.
         problem_of(case)
         choose_effects(case)
     numbered = sorted((number_at(case, variation.path, text), text, case) for text, case in cases)
@@ -402,10 +402,10 @@ def _measure(
 
 
 def _theory(row: Row, elements: ElementRun) -> TheoryError:
-    """Run a theory again on a grid and to a tolerance that no longer show."""
+    """Run a theory again with a negligible discretization error."""
     run = row.trajectory
     chosen = relative_error(elements.time, row.midpoint, elements.midpoint)
-    # What is not to be trusted is not made better by a finer grid.
+    # A finer grid does not improve a run that fails.
     if not run.outcome.is_success or run.summary["steps"] > _MAX_STEPS:
         return TheoryError(row, chosen, run.outcome.is_success, math.nan)
     finer = {"numerics.cells": 2 * run.summary["cells"], "numerics.rtol": _TIGHTER * run.summary["rtol"]}
@@ -418,7 +418,7 @@ def _theory(row: Row, elements: ElementRun) -> TheoryError:
 
 
 def _limits(end: TheoryEnd, name: str) -> list[dict[str, Any] | None]:
-    """The limit of each error of a theory; values where it was not run, or not to be trusted, are left out."""
+    """The limit of each error of a theory; values without a run, or with one that fails, are left out."""
     filaments = [each.comparison.scene.filament for each in end.measured]
     delta = np.array([filament.thickness / filament.span for filament in filaments])
     meshes = np.array([each.mesh for each in end.measured])

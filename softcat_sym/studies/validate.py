@@ -1,4 +1,4 @@
-"""Held against the world: what others have measured or computed, beside what comes out here."""
+"""Validation: published measurements and computations, compared with results of this package."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ CASES = (*elastic.CASES, *viscous.CASES, *glass.CASES, *yielding.CASES)
 
 
 class Steps(Protocol):
-    """Listens to a study of several tasks."""
+    """Receiver of the progress of a study with several tasks."""
 
     def step(self, what: str) -> None:
-        """Take note of which task begins."""
+        """Receive the name of the task that begins."""
         ...
 
 
 @dataclass(frozen=True)
 class Result:
-    """A case, and what came out.
+    """Result of a case.
 
     Attributes
     ----------
     case : Case
-        What others have published.
+        The published case.
     finding : Finding or None
-        What the runs have come to; None where there were none, or one of them is no answer.
+        Results of the runs; None if there were no runs, or one of them is no answer.
     not_run : str
-        Why there were none; empty otherwise.
+        Why there were no runs; empty otherwise.
     failure : str
-        What is wrong with a run that is no answer; empty otherwise.
+        Why a run is no answer; empty otherwise.
     """
 
     case: Case
@@ -53,7 +53,7 @@ class Result:
     failure: str = ""
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``validation.json`` holds of it."""
+        """Entry of the case in ``validation.json``."""
         case, found = self.case, self.finding
         texts = ("name", "title", "source", "kind", "stated", "independent", "explains")
         rows = [] if found is None else found.rows
@@ -69,12 +69,12 @@ class Result:
 
 @dataclass(frozen=True)
 class Validation:
-    """Published cases beside what comes out here.
+    """Published cases and the results of this package.
 
     Attributes
     ----------
     results : tuple of Result
-        One a case, in the order of the table.
+        One for each case, in the order of the table.
     """
 
     results: tuple[Result, ...]
@@ -85,11 +85,11 @@ class Validation:
         return tuple(result for result in self.results if result.failure)
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``validation.json`` holds; differences are in the unit of an absolute one, else relative."""
+        """Content of ``validation.json``; absolute differences are in the unit of the quantity, others relative."""
         return {"cases": [result.to_dict() for result in self.results]}
 
     def to_frame(self) -> pd.DataFrame:
-        """One row a number; a case that was not run is one without any."""
+        """One row for each number; a case that was not run is a row without numbers."""
         names = ("quantity", "unit", "published", "ours", "difference", "is_absolute", "band", "agrees")
         rows = []
         for result in self.results:
@@ -101,7 +101,7 @@ class Validation:
         return pd.DataFrame(rows)
 
     def figures(self) -> dict[str, Figure]:
-        """A picture of each case that has one, by its name."""
+        """Pictures by the names of their cases, where there are any."""
         from softcat_sym.plotting.validate import case_figure
 
         return {
@@ -123,7 +123,7 @@ class Validation:
 
 
 def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:
-    """The cases of these names, in the order of the table; all of them without any.
+    """The cases of these names, in the order of the table; all cases if no name is given.
 
     Raises
     ------
@@ -138,21 +138,21 @@ def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:
 
 
 def validate(names: Sequence[str] = (), progress: Steps | None = None) -> Validation:
-    """Hold the package against what others have measured or computed.
+    """Compare the package with published measurements and computations.
 
-    Nothing is fitted: every case has its constants from its source. Finished cases come from the store.
+    Nothing is fitted: the constants of every case come from its source. Finished cases come from the store.
 
     Parameters
     ----------
     names : sequence of str
-        Of the cases; all of them if empty.
+        Names of cases; all cases if empty.
     progress : Steps, optional
-        Told which case begins.
+        Receiver of the name of each case as it begins.
 
     Returns
     -------
     Validation
-        A case that cannot be run stands in it with the reason; one with a run that is no answer with its failure.
+        Results of the cases; those that cannot be run have a reason, and those whose run is no answer a failure.
 
     Raises
     ------
@@ -183,7 +183,7 @@ def _result(case: Case) -> Result:
 
 
 _PACKAGES = {"rheodata": "rheopy-rheodata"}
-"""Names under which what is needed is installed."""
+"""Distribution names of needed packages."""
 
 
 def _read(written: Mapping[str, Any]) -> Finding:

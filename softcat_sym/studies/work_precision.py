@@ -1,4 +1,4 @@
-"""What accuracy costs in time: this program from coarse to fine, and rivals, against one converged answer."""
+"""Work-precision diagram: error over time of this program and of rivals, against one converged answer."""
 
 from __future__ import annotations
 
@@ -46,26 +46,26 @@ CELLS = (10, 20, 40, 80, 160)
 """Grids of this program, each with a quarter of the error of the one before."""
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
-"""Of the other programs."""
+"""Tolerances of the other programs."""
 
 LEVELS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
 """Errors at which programs are compared."""
 
 LIMIT, LIMIT_OF_ALL = 45.0, 600.0
-"""Seconds that a study takes at most, of two rivals and of all programs."""
+"""Time limits of a study in seconds, with two rivals and with all programs."""
 
 _FIRST, _LOOSEST = 40, 1e-3
-"""The grid on which the tolerance is the one that the program chooses, and the loosest of all grids."""
+"""The grid with the tolerance that the program chooses, and the loosest tolerance of all grids."""
 
 _SHARE, _GROWTH = 0.45, 4.0
-"""Share of the time that this program may take, and by how much a grid takes longer than the one before, or more."""
+"""Share of the time that this program may take, and smallest expected ratio of the times of successive grids."""
 
 _EXTRAPOLATED = 3
 _REMAINDER = 7
-"""What is left of an extrapolated answer falls at least as the third power: by 8 from grid to grid."""
+"""Factor of the error estimate: the error of an extrapolated answer falls by 8 or more from grid to grid."""
 
-_GRADINGS = (1.0, 4.0)  # of RK4, whose step the shortest cell rules
-_STEPS = (0.95,)  # of the stable step: the time error of RK4 there is far below that of any grid
+_GRADINGS = (1.0, 4.0)  # Gradings of RK4, whose step the shortest cell limits
+_STEPS = (0.95,)  # Over the stable step of RK4, where its time error is far below that of any grid
 _GAIN, _NEARLY = 0.8, 2.0
 _TWICE = 2
 
@@ -74,39 +74,39 @@ Answers = list[tuple[Program, Task, Measured]]
 
 @dataclass(frozen=True)
 class Reference:
-    """A midpoint for vanishing cells and steps."""
+    """A midpoint extrapolated to vanishing cells and steps."""
 
     midpoint: Floats  # shape (frames,); In rest lengths
-    space: float  # How much the answer may still change with the grid, of its largest
+    space: float  # Estimated error by the grid, over the largest midpoint
     cells: tuple[int, ...]  # Grids from which it is extrapolated
-    time: float = nan  # How far a rival is from this program on one grid, of the largest; NaN where none answered
-    rival: str = ""  # Which one, and on which grid
+    time: float = nan  # Difference of a rival from this program on one grid, over the largest; NaN without a rival
+    rival: str = ""  # Name of the rival, and its grid
 
     @property
     def floor(self) -> float:
-        """The error below which nothing can be read off."""
+        """The smallest error that can be measured against the reference."""
         return max(self.space, self.time if isfinite(self.time) else 0.0)
 
     @property
     def note(self) -> str:
-        """Where it comes from, and what it is worth."""
+        """Text on the origin and the error of the reference."""
         text = (
-            f"softcat on {', '.join(map(str, self.cells))} cells, extrapolated to none; its error is {self.space:.1e} "
-            "by two extrapolations"
+            f"softcat on {', '.join(map(str, self.cells))} cells, extrapolated to zero cell length; its error is "
+            f"{self.space:.1e} by two extrapolations"
         )
         if isfinite(self.time):
             return f"{text}; {self.rival} differs from softcat by {self.time:.1e}"
         return f"{text}; no rival had the time to confirm it"
 
     def error(self, midpoint: Sequence[float]) -> float:
-        """Largest difference from it over the largest it has; infinite where the midpoint is not finite."""
+        """Largest difference from the reference over its largest value; infinite if the midpoint is not finite."""
         if len(midpoint) != len(self.midpoint):
             return inf
         difference = _apart(midpoint, self.midpoint)
         return difference if isfinite(difference) else inf
 
     def confirmed(self, answers: Answers) -> Reference:
-        """The same with the nearest answer of a rival on the finest grid that both have."""
+        """The reference with the nearest answer of a rival on the finest common grid."""
         own = {_grid(task): found.midpoint for program, task, found in answers if program.key == THIS_PROGRAM}
         beside = [
             (-task.cells, _apart(found.midpoint, own[_grid(task)]), f"{program.name}, on {task.cells} cells,")
@@ -128,7 +128,7 @@ def _grid(task: Task) -> tuple[int, float, int]:
 
 
 def extrapolated(answers: Answers) -> Reference:
-    """By Richardson's rule from the last three grids, cells and fibres doubled together and steps with them."""
+    """Richardson extrapolation from the last three grids, with cells, fibres and time steps refined together."""
     sound = [(task, np.array(found.midpoint)) for _, task, found in answers if not found.message][-_EXTRAPOLATED:]
     if len(sound) < _EXTRAPOLATED:
         why = next((found.message for _, _, found in answers if found.message), "")
@@ -143,19 +143,19 @@ def extrapolated(answers: Answers) -> Reference:
 
 
 class Budget:
-    """What is left of the time of a study, told while it passes."""
+    """The remaining time of a study, with progress reports."""
 
     def __init__(self, seconds: float, on_progress: Callable[[str, float], None]) -> None:
         self.seconds, self.end = seconds, time.monotonic() + seconds
         self._tell, self._doing = on_progress, ""
 
     def doing(self, what: str) -> None:
-        """Something begins."""
+        """Set the name of the present task, and report it."""
         self._doing = what
         self.tick()
 
     def tick(self) -> None:
-        """Time has passed."""
+        """Report the time that has passed."""
         self._tell(f"{self._doing}, at most {self.left:.0f} s left", 1 - self.left / self.seconds)
 
     @property
@@ -170,7 +170,7 @@ NO_TIME = "no time was left"
 
 
 class Worker:
-    """One process at a time that measures tasks; started when it is first needed, and again after it was ended."""
+    """One process at a time that measures tasks; it starts on first use, and again after it was killed."""
 
     def __init__(self, scene: Scene, budget: Budget) -> None:
         self._scene, self._budget = scene, budget
@@ -178,7 +178,7 @@ class Worker:
         self._pipe: Connection | None = None
 
     def measure(self, task: Task, seconds: float) -> Measured:
-        """Have a task measured; what is not done in time, or dies, comes back as a failure."""
+        """Measure a task in the process; a task that exceeds its time, or kills the process, is a failure."""
         if seconds <= 0:
             return Measured(0.0, message=NO_TIME, stopped=True)
         end = time.monotonic() + seconds
@@ -200,7 +200,7 @@ class Worker:
         return Measured(seconds, message=text, stopped=not died)
 
     def close(self) -> None:
-        """End the process, at once."""
+        """Kill the process."""
         if self.process is not None and self._pipe is not None:
             self.process.kill()
             self.process.join()
@@ -208,7 +208,7 @@ class Worker:
             self.process = self._pipe = None
 
     def _answer(self, pipe: Connection, end: float) -> object:
-        """What the process says next: None if it is silent for too long, an empty text if it is gone."""
+        """The next message of the process: None after the time limit, an empty text if the process has died."""
         try:
             while (left := end - time.monotonic()) > 0:
                 if pipe.poll(min(left, LOOK)):
@@ -220,8 +220,8 @@ class Worker:
 
 
 def _serve(pipe: Connection, scene: Scene) -> None:
-    """What the process does: answer each task with what was measured."""
-    # Ctrl-C is for the command, which ends this process in whatever call it is; SUNDIALS and Fortran print at will.
+    """Run in the process: receive tasks and send their measurements."""
+    # The command handles Ctrl-C and kills this process. Its output is discarded, as SUNDIALS and Fortran print freely.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
@@ -275,12 +275,12 @@ class WorkPrecision:
 
     @property
     def names(self) -> dict[str, str]:
-        """Programs, by key."""
+        """Names of the programs, by key."""
         return {str(key): str(name) for key, name in zip(self.runs["key"], self.runs["program"], strict=True)}
 
     @property
     def refusals(self) -> dict[str, str]:
-        """Why programs have no answer at all, by key."""
+        """Reasons of programs without any answer, by key."""
         answered = self.runs.groupby("key", sort=False)["error"].count()
         last = self.runs.drop_duplicates("key", keep="last").set_index("key")["message"]
         return {str(key): last[key] for key in answered[answered == 0].index}
@@ -292,16 +292,16 @@ class WorkPrecision:
         return set(self.runs[stopped]["key"])
 
     def knee(self, error: float, where: str = "kind in ('own', 'rival')") -> pd.Series[Any] | None:
-        """The quickest run with at most this error of those that a query selects; None if there is none."""
+        """The fastest run with at most this error among those that a query selects; None if there is none."""
         sound = self.runs[self.runs["error"].astype(float) <= error].query(where)
         return None if sound.empty else sound.loc[sound["seconds"].astype(float).idxmin()]
 
     @property
     def level(self) -> float:
-        """The accuracy that the scene asks for, or the next of 3, 10, 30 times it that can be told and was reached."""
+        """The scene's accuracy, or the next of 3, 10, 30 times it that the reference resolves and a run reached."""
         own = [step * self.scene.run.accuracy for step in (1, 3, 10, 30)]
-        told = (level for level in own if level >= self.reference.floor and self._time(THIS_PROGRAM, level))
-        return next(told, own[-1])
+        reached = (level for level in own if level >= self.reference.floor and self._time(THIS_PROGRAM, level))
+        return next(reached, own[-1])
 
     def _time(self, key: str, level: float) -> str:
         best = self.knee(level, f"key == '{key}'")
@@ -320,7 +320,7 @@ class WorkPrecision:
         return f"{'; '.join(filter(None, [own, ', '.join(parts)]))}."
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``accuracy.json`` holds."""
+        """Content of ``accuracy.json``."""
         reference, knees, programs, hidden = self.reference, [], [], ["key", "task", "kind"]
         for level in LEVELS:
             pairs = {"best": self.knee(level), "best_rival": self.knee(level, "kind == 'rival'")}
@@ -357,11 +357,11 @@ class WorkPrecision:
         }
 
     def to_frame(self) -> pd.DataFrame:
-        """One row a run, failures included."""
+        """One row for each run, failures included."""
         return self.runs.drop(columns=["key", "task"])
 
     def figures(self) -> dict[str, Figure]:
-        """Error against time, one line a program."""
+        """Figure of error over time, one line for each program."""
         from softcat_sym.plotting.accuracy import accuracy_figure
 
         return {"accuracy": accuracy_figure(self)}
@@ -374,20 +374,20 @@ def study(
     limit: float = LIMIT,
     on_progress: Callable[[str, float], None] = lambda what, share: None,
 ) -> WorkPrecision:
-    """Measure a scene with this program and others; times are worth something side by side only, and are not stored.
+    """Measure a scene with this program and others; times are comparable within one study only, and are not stored.
 
     Parameters
     ----------
     name : str
-        Of the scene.
+        Name of the scene.
     asked : Scene
-        What is run.
+        The scene.
     programs : sequence of Program
-        Beside this one.
+        Programs besides this one.
     limit : float
-        How long all of it may take [s]: what is not done then is ended.
+        Time limit of the study [s], at which a running task is stopped.
     on_progress : callable
-        Told what is done, and the share of the time that has passed.
+        Receives the present task, and the share of the time that has passed.
     """
     effects = choose_effects(asked)
     backend = choose_backend(asked, effects)
@@ -417,7 +417,7 @@ def study(
 
 
 def _matched(fibres: int, cells: int, scene: Scene) -> int:
-    """Fibres are doubled with the cells, since the errors of both fall as the square; not in three dimensions."""
+    """Number of fibres, which is doubled with the cells as both errors are quadratic; not in three dimensions."""
     return fibres if is_spatial(scene) or not fibres else max(4, fibres * cells // _FIRST)
 
 
@@ -435,7 +435,7 @@ def _from_coarse_to_fine(own: Program, ladder: Sequence[Task], worker: Worker, b
             answers.append((own, task, Measured(0.0, message=f"it would take {seconds_text(expected)}", stopped=True)))
             break
         budget.doing(f"softcat: {task.text}")
-        # Without three grids there is no reference, and no error of anything.
+        # The first three grids may take all of the time, as the reference needs them.
         found = worker.measure(task, left if len(answers) >= _EXTRAPOLATED else budget.left)
         answers.append((own, task, found))
         if found.stopped:
@@ -452,11 +452,11 @@ def measured(
     budget: Budget,
     until: float,
 ) -> Iterator[tuple[Program, Task, Measured]]:
-    """All that is measured of one program until its time is over: on each grid tolerances until they gain nothing.
+    """Measure one program until its time is over: on each grid, tighter tolerances until the error no longer falls.
 
-    A method may be unstable, and slow, at a loose tolerance: none may take more than half of what is left, and it is
-    given up where the next tighter one is stopped too. A finer grid begins at the loosest tolerance that was nearly as
-    good as the best on the one before.
+    A method may be unstable, and slow, at a loose tolerance: a task may take at most half of the remaining time, and a
+    grid ends if two successive tolerances are stopped. A finer grid begins at the loosest tolerance that was nearly as
+    accurate as the best one on the grid before.
     """
     begin, tolerances = 0, _STEPS if program.key in STEPPED else TOLERANCES
     for cells, grading, section in grids:

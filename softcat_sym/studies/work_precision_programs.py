@@ -1,4 +1,4 @@
-"""The programs of a work-precision diagram: the package's integrators, and rivals on the same right-hand side."""
+"""Programs of a work-precision diagram: integrators of the package, and rivals with the same right-hand side."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ from softcat_sym.solvers.solution import Silence, Solution
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One program with one set of its numbers."""
+    """One program with its numerical settings."""
 
     program: str  # Key of a program, such as ``"compiled-rodas5p"``
     cells: int  # Per half span
     grading: float  # Length of the cells at midspan over that at the clamps
-    section: int = 0  # Fibres through the thickness; 0 where a section has no choice
-    rtol: float = 1e-3  # Relative tolerance; of RK4 its step over the longest stable one
+    section: int = 0  # Fibres through the thickness; 0 without fibres
+    rtol: float = 1e-3  # Relative tolerance; for RK4, the step over the longest stable one
 
     @property
     def text(self) -> str:
-        """As people read it: ``40 cells, 8 fibres, rtol 1e-03``."""
+        """Text such as ``40 cells, 8 fibres, rtol 1e-03``."""
         parts = [f"{self.cells} cells"]
         if self.section:
             parts.append(f"{self.section} fibres")
@@ -63,24 +63,24 @@ class Task:
 
 
 STEPPED = frozenset({"compiled-rk4", "numpy-rk4"})
-"""Programs that take equal steps."""
+"""Programs with a constant step."""
 
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What came of a task."""
+    """Measurement of a task."""
 
-    # Median of the integration in several warm runs [s of the processor]; of what failed, how long it took to
+    # Median processor time of the integration in several warm runs [s]; for a failure, the time until it failed
     seconds: float
-    build: float = 0.0  # Wall time of everything before, the first time in a process, libraries found in the cache [s]
-    steps: int = 0  # Steps; 0 where nobody counts
-    evaluations: int = 0  # Right-hand sides without those of Jacobians; 0 where nobody counts
+    build: float = 0.0  # Wall time of all preparations, the first time in a process, with cached libraries [s]
+    steps: int = 0  # Number of steps; 0 if not counted
+    evaluations: int = 0  # Number of right-hand sides, without those of Jacobians; 0 if not counted
     repeats: int = 0  # Runs of which `seconds` is the median
     midpoint: tuple[float, ...] = ()  # Height of midspan at the output times, in rest lengths; empty if it failed
-    message: str = ""  # Why it failed, else empty
-    first: float = 0.0  # Of the first integration, before anything is warm [s of the processor]
+    message: str = ""  # Why it failed; empty if it did not
+    first: float = 0.0  # Processor time of the first, cold integration [s]
     stopped: bool = False  # Whether it took longer than the limit
-    hopeless: bool = False  # Whether no other grid or tolerance would mend it
+    hopeless: bool = False  # Whether it would fail with any grid or tolerance
 
 
 _HEADER = "softcat_model.h"
@@ -106,17 +106,17 @@ _JACOBIAN = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, Doubles, D
 
 
 _STIFF = 1e9
-"""Rate at which algebraic unknowns are driven to where their equation holds, in units of a time scale; a method that is
-stiffly accurate solves that equation itself as it grows (Hairer & Wanner 1996, VI.1)."""
+"""Relaxation rate of algebraic unknowns towards the solution of their equation, in units of the time scale; for large
+rates a stiffly accurate method solves that equation itself (Hairer & Wanner 1996, VI.1)."""
 
 
 class CompiledRates:
-    """Rates and Jacobian of a compiled filament; the state has a place for each slot."""
+    """Rates and Jacobian of a compiled filament, for states with an entry for every slot."""
 
     def __init__(self, prepared: Prepared) -> None:
         whole = prepared.integration
         if not isinstance(whole, CompiledIntegration) or prepared.start is None:
-            raise SoftcatError("an explicit method needs a compiled right-hand side and a shape to begin from")
+            raise SoftcatError("an explicit method needs a compiled right-hand side and a starting shape")
         filament, source = whole.filament, "work_precision_explicit.c"
         library = _library("filament.c", filament.model.model.text)
         self._c = _library(source, (resources.files("softcat_sym.studies") / source).read_text(encoding="utf-8"))
@@ -129,7 +129,7 @@ class CompiledRates:
         self.start = self._sites.state(prepared.start.x, prepared.start.z).ravel()
         live = np.zeros(self.size, dtype=bool)
         live[np.concatenate([self._sites.x, self._sites.z])] = True
-        # Memory of its own, and pointers made once: a call then costs little more than its arithmetic.
+        # Memory is allocated and pointers are made once, so that a call costs little more than its arithmetic.
         parameters, places = np.ascontiguousarray(prepared.p), filament.places
         held = np.flatnonzero(~live).astype(np.int32)
         self._state, self._rates, self._scratch = (
@@ -141,7 +141,7 @@ class CompiledRates:
         self._for_rates = tuple(map(_pointer, (self._state, self._rates, self._scratch)))
         self._for_entries = tuple(map(_pointer, (self._state, self._entries, self._scratch)))
         self._keep = library, parameters, places, held, model
-        # Row, column and place among the entries of each that counts; then in the order of columns.
+        # Row, column and number of every entry that can differ from zero, in the order of columns.
         row, offset, column = (
             np.array(part[: model.entries], dtype=np.int64) for part in (model.row, model.offset, model.column)
         )
@@ -165,11 +165,11 @@ class CompiledRates:
             self._pace[algebraic] = -_STIFF / towards
 
     def unknowns(self, states: Floats) -> tuple[Floats, Floats]:
-        """What :class:`softcat_sym.solvers.Solution` holds as x and z, of states (frames, size)."""
+        """Arrays x and z of :class:`softcat_sym.solvers.Solution`, from states (frames, size)."""
         return self._sites.vectors(states.reshape(len(states), *self._sites.shape))
 
     def rates(self, t: float, state: Floats) -> Floats:
-        """Rates of a state, shape (size,), zero of what is held."""
+        """Rates of a state, shape (size,); zero for entries that are held."""
         self._state[:] = state
         self._c.explicit_rates(*self._head, ct.c_double(t), *self._for_rates)
         return self._rates * self._pace
@@ -185,26 +185,26 @@ class CompiledRates:
         return csc_matrix((self.entries(t, state), self._rows, self._starts), shape=(self.size, self.size))
 
     def banded(self, t: float, state: Floats) -> Floats:
-        """The Jacobian by diagonals, shape (2 band + 1, size), as LAPACK and LSODA have it."""
+        """The Jacobian by diagonals, shape (2 band + 1, size), in the format of LAPACK and LSODA."""
         packed = np.zeros((2 * self.band + 1, self.size))
         packed[self._rows - self._columns + self.band, self._columns] = self.entries(t, state)
         return packed
 
     def dense(self, t: float, state: Floats) -> Floats:
-        """The Jacobian of what is not held, shape (nx, nx)."""
+        """The Jacobian of the entries that are not held, shape (nx, nx)."""
         live = np.sort(self._sites.x)
         return np.asarray(self.sparse(t, state).toarray()[np.ix_(live, live)])
 
     def advance(self, state: Floats, begin: float, end: float, steps: int) -> bool:
-        """Carry a state through equal steps of RK4, in place; whether it is still finite."""
+        """Advance a state by constant steps of RK4, in place; return whether it is still finite."""
         ends, room = (ct.c_double(begin), ct.c_double(end), ct.c_long(steps)), (_pointer(state), _pointer(self._room))
         return self._c.explicit_rk4(*self._head, *ends, *room) == 0 and bool(np.isfinite(state).all())
 
 
 def stable_step(jacobian: Floats) -> float:
-    """The longest step of RK4 that lets no mode of a linear system grow."""
+    """The longest step of RK4 at which no mode of a linear system grows."""
     modes = np.linalg.eigvals(jacobian)
-    # What grows by itself grows whatever the step.
+    # Modes that grow physically do so with any step.
     modes = modes[modes.real <= 1e-6 * np.abs(modes)]
     fastest = float(np.abs(modes).max(initial=0.0))
     if fastest == 0:
@@ -220,7 +220,7 @@ def stable_step(jacobian: Floats) -> float:
 
 @lru_cache(maxsize=16)
 def _library(name: str, text: str) -> ct.CDLL:
-    """A C text that asks for the model's header, loaded once a process."""
+    """C code that includes the model's header, loaded once in a process."""
     return load(compile_library({name: text, _HEADER: runtime_sources()[_HEADER]}))
 
 
@@ -237,7 +237,7 @@ _TRIAL_STEPS = 50
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """What one integration found, and how many steps and right-hand sides it took, 0 where nobody counts."""
+    """Result of one integration, with the numbers of steps and right-hand sides; 0 if not counted."""
 
     midpoint: Floats
     steps: int
@@ -248,11 +248,11 @@ class Solved:
 class Program:
     """A row of the diagram."""
 
-    key: str  # In tables of ours, and for people
+    key: str  # Key in tables, and name for readers
     name: str
-    kind: Kind  # ``own``: what the package runs; ``rival``: what it does not
-    backend: str  # ``numerics.backend`` of the scene on which it runs
-    solver: str  # ``numerics.solver`` of the same
+    kind: Kind  # ``own``: an integrator of the package; ``rival``: another one
+    backend: str  # ``numerics.backend`` of its scene
+    solver: str  # ``numerics.solver`` of its scene
 
 
 PROGRAMS: tuple[Program, ...] = (
@@ -270,26 +270,26 @@ PROGRAMS: tuple[Program, ...] = (
     Program("scipy-lsoda", "SciPy LSODA", "rival", "compiled", "rosenbrock"),
 )
 RIVALS = tuple(program for program in PROGRAMS if program.key in ("idas", "scipy-radau"))
-"""Beside this program, unless all are asked for: the better IDAS, and what Python has for stiff equations."""
+"""Default rivals: the better IDAS, and a usual choice in Python for stiff equations."""
 
 OTHER_FAMILIES = frozenset({"cvodes", "cvodes-5", "idas", "idas-5", "scipy-radau", "scipy-bdf", "scipy-lsoda"})
-"""Programs whose method is not Rosenbrock's: they can confirm an answer."""
+"""Programs without a Rosenbrock method, which can confirm an answer."""
 
 THIS_PROGRAM = "softcat"
-"""Key of what `softcat run` chooses."""
+"""Key of the program that `softcat run` uses."""
 
 _SCIPY = {"scipy-radau": "Radau", "scipy-bdf": "BDF", "scipy-lsoda": "LSODA"}
 
 
 class _FifthOrder(Settings):
-    """BDF up to its fifth order, which is accurate where flow damps the elastic waves, and unstable where none does."""
+    """BDF up to order five, which is accurate where flow damps the elastic waves, and unstable without damping."""
 
     def options(self) -> dict[str, Any]:
         return {**Settings.options(self), "max_order": _FIFTH}
 
 
 class _Rodas4(CModel):
-    """A compiled model integrated by the method of fourth order (Hairer & Wanner 1996); nothing is loaded anew."""
+    """A compiled model, integrated by the method of order four (Hairer & Wanner 1996) with the same library."""
 
     def __init__(self, model: CModel) -> None:
         vars(self).update(vars(model))
@@ -301,17 +301,17 @@ class _Rodas4(CModel):
 
 
 class Bench:
-    """Makes programs ready for a scene, one after another; what they share is built once."""
+    """Prepares programs for a scene, one after another; common parts are built once."""
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
         self._built: tuple[Scene, Assembled] | None = None
 
     def ready(self, task: Task, seconds: float = math.inf) -> Callable[[], Solved]:
-        """Build all that a program needs; what is returned does nothing but integrate, in so many seconds at most."""
+        """Build everything that a program needs; return a function that only integrates, within a time limit."""
         prepared = self._prepare(task)
         if prepared.start is None:
-            raise SoftcatError("no shape in balance was found to begin from")
+            raise SoftcatError("no equilibrium was found to start from")
         if task.program in ("compiled-rk4", "numpy-rk4"):
             return self._stepped(prepared, task, seconds)
         if task.program in _SCIPY:
@@ -335,13 +335,13 @@ class Bench:
         return prepared
 
     def _assembled(self, scene: Scene) -> Assembled:
-        """The filament of a scene, kept until another grid or section is asked for."""
+        """The filament of a scene, kept until a scene with another grid or section comes."""
         if self._built is None or self._built[0] != scene:
             self._built = scene, assembled(scene, choose_effects(scene))
         return self._built[1]
 
     def _stepped(self, prepared: Prepared, task: Task, seconds: float) -> Callable[[], Solved]:
-        """RK4 in equal steps: in C, or step by step in NumPy."""
+        """RK4 with a constant step, in C or in NumPy."""
         if prepared.graph.is_dae:
             raise SceneError(
                 [Fault("run.effects", "algebraic unknowns", "effects without any, for an explicit method")]
@@ -370,7 +370,7 @@ class Bench:
 
 
 def scene_of(scene: Scene, task: Task) -> Scene:
-    """The scene on which a task runs: one run, nothing chosen but by this program."""
+    """The scene of a task: a single run with the settings of the task."""
     program = next((each for each in PROGRAMS if each.key == task.program), None)
     return scene.replace(
         {
@@ -387,7 +387,7 @@ def scene_of(scene: Scene, task: Task) -> Scene:
 
 
 def _advance_in_numpy(rates: CompiledRates, state: Floats, begin: float, end: float, steps: int) -> bool:
-    """Carry a state through equal steps of RK4, in place and in arrays that are made once; whether it is finite."""
+    """Advance a state by constant steps of RK4, in place; return whether it is still finite."""
     stage, total, dt = np.empty(rates.size), np.empty(rates.size), (end - begin) / steps
     for t in begin + dt * np.arange(steps):
         np.multiply(rates.rates(t, state), dt / 6, out=total)
@@ -449,13 +449,13 @@ def _midpoint(prepared: Prepared, rates: CompiledRates, states: Floats) -> Float
 
 
 _REPEATS = 7
-_LONG = 0.5  # s; what takes longer altogether is not repeated again
+_LONG = 0.5  # s; total time after which there are no further repetitions
 EXPECTED = (SoftcatError, RuntimeError, ArithmeticError, ValueError, MemoryError)
-"""What integrators of others raise when they cannot go on, beside our own refusals."""
+"""Errors of other integrators that fail, and our own."""
 
 
 def integrate(solve: Callable[[], Solved], build: float, seconds: float = math.inf) -> Measured:
-    """Integrate once to warm up, then several times; what takes long, or most of the seconds left, once."""
+    """Integrate once to warm up, then several times; only once if that is long or takes most of the remaining time."""
     began = time.process_time()
     try:
         found = solve()

@@ -46,7 +46,7 @@ def _curve(truth: str, error: str, random: np.random.Generator) -> FlowCurve:
 
 def _is_told(fit: FlowCurveFit) -> bool:
     """Whether nothing warns of another law, or of a yield stress that may be zero."""
-    return not any("hardly told apart" in text or "yield stress" in text for text in fit.warnings)
+    return not any("fit about equally well" in text or "yield stress" in text for text in fit.warnings)
 
 
 def _yielding(counts: dict[str, Counter[str]]) -> float:

@@ -157,7 +157,7 @@ def test_an_interrupted_sweep_resumed_from_gives_the_same_file(
         assert ended(process, number) == (
             status,
             "",
-            "softcat: interrupted; the same command goes on from what was finished\n",
+            "softcat: interrupted; the same command resumes from what was finished\n",
         )
     kept = len(list(results.iterdir()))
     assert 3 <= kept < MEMBERS // 10

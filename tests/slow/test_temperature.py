@@ -12,7 +12,7 @@ import softcat_sym as sc
 from tests.common.table import show
 from tests.common.warm_bars import CAPACITY, DIAMETER, FLOWING, RHO, bar, run
 
-pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore:the section is taken as of one temperature")]
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore:the section is assumed to have one temperature")]
 
 LAW = {"initial": 370.0, "law": "arrhenius", "activation_energy": 40e3, "reference": 340.0}
 PULLED: dict[str, Any] = {"initial": {"stretch": 1.05, "relaxed": False}, "duration": 1.0}

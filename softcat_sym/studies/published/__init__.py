@@ -1,1 +1,1 @@
-"""What others have measured or computed: one case a record, by subject, with its scene as TOML."""
+"""Published measurements and computations: one record for each case, by subject, with its scene as TOML."""

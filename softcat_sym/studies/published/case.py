@@ -1,4 +1,4 @@
-"""What a published case is, what is found of it, and how its filaments are run."""
+"""Published cases, their results, and the runs of their filaments."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Floats = npt.NDArray[np.float64]
 
 
 class Kind(StrEnum):
-    """What a case is held against."""
+    """Kind of data with which a case is compared."""
 
     MEASURED = "measured"
     COMPUTED = "computed by others"
@@ -38,13 +38,13 @@ class Row:
     Attributes
     ----------
     quantity, unit : str
-        What it is; an empty unit is none.
+        Name and unit of the quantity; the unit of a pure number is empty.
     published, ours : float
         The two numbers.
     band : (float, float) or None
-        Between what the source has it; None where it says nothing of that.
+        Range that the source states; None if it states no range.
     is_absolute : bool
-        Whether the difference is told in the unit, as of a temperature, and not relative to what is published.
+        Whether the difference is given in the unit, as for a temperature, instead of relative to the published number.
     """
 
     quantity: str
@@ -56,13 +56,13 @@ class Row:
 
     @property
     def difference(self) -> float:
-        """Ours less the published, in its unit or relative to it."""
+        """Our number minus the published one, in its unit or relative to it."""
         apart = self.ours - self.published
         return apart if self.is_absolute else apart / abs(self.published)
 
     @property
     def agrees(self) -> bool | None:
-        """Whether ours lies in the published band; None where there is none."""
+        """Whether our number lies in the published range; None if there is none."""
         return None if self.band is None else self.band[0] <= self.ours <= self.band[1]
 
 
@@ -78,20 +78,20 @@ class Curve:
 
 @dataclass(frozen=True)
 class Picture:
-    """What a case's picture shows."""
+    """Content of a case's picture."""
 
     x: str
     y: str
     curves: tuple[Curve, ...]
     is_log_x: bool = False
     is_log_y: bool = False
-    published_x: float | None = None  # Where a line is drawn down, or across
+    published_x: float | None = None  # Published values, drawn as a vertical or a horizontal line
     published_y: float | None = None
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What the runs of a case have come to."""
+    """Results of the runs of a case."""
 
     rows: tuple[Row, ...]
     picture: Picture | None = None
@@ -104,25 +104,25 @@ class Case:
     Attributes
     ----------
     name : str
-        By which the command is asked for it.
+        Name of the case for the command.
     title, source : str
-        What it is about, and who published it.
+        Subject, and publication.
     kind : Kind
-        What ours is held against.
+        Kind of the published data.
     stated : str
-        What the source states, and where it was read.
+        Statement of the source, and where it was read.
     independent : str
-        What of the comparison is not ours.
+        Parts of the comparison that are independent of this package.
     explains : str
-        What may explain a difference.
+        Possible explanation of a difference.
     run : callable or None
-        Runs the package and returns what it finds; None where that cannot be done yet.
+        Function that runs the package and returns the results; None if the case cannot be run yet.
     scenes : tuple of str
         Names of its scenes.
     needs : str
-        A package of the extra ``peers`` without which it cannot be run; empty if none.
+        A package of the extra ``peers`` that the case needs; empty if none.
     reason : str
-        Why it is not run.
+        Why the case is not run.
     """
 
     name: str
@@ -146,7 +146,7 @@ def published_scene(name: str) -> Scene:
 
 
 def answer_of(scene: Scene) -> Run:
-    """A run that is an answer."""
+    """Run a scene; raise an error if the run is no answer."""
     run = simulated(scene)
     if not run.outcome.is_answer:
         raise SoftcatError(f"{scene.title}: {run.outcome.name}; {run.summary['message'] or run.outcome.value}")
@@ -154,7 +154,7 @@ def answer_of(scene: Scene) -> Run:
 
 
 def answers_of(scene: Scene, rows: Sequence[Mapping[str, object]]) -> Iterator[MemberRun]:
-    """Runs that are answers, one for each row of changes; they share their equations."""
+    """Run a scene for each row of changes with shared equations; raise an error if a run is no answer."""
     workshop, stop = Workshop(), Stop()
     for member in members_of(scene, [dict(row) for row in rows], "once"):
         run = judged(member, *workshop.run(member, stop))

@@ -9,16 +9,16 @@ import numpy as np
 from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, answers_of, published_scene
 
 _GENTLEST = 2 ** (1 / 3)
-"""Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) is least, sqrt(32)."""
+"""Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) has its minimum sqrt(32)."""
 
 _RATIOS = (1.0, 2.0, 3.0, 3.5)
 """gamma/(G R) of the runs, all below every threshold."""
 
 
 def _threshold(stretch: float) -> tuple[float, Curve, Curve]:
-    """gamma/(G R) at which undulations grow without limit, from how much of them there is below it.
+    """gamma/(G R) at which undulations grow without limit, from their amplitude below it.
 
-    The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there, which three runs determine.
+    The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there; three runs determine it.
     """
     scene = published_scene("undulation")
     radius, modulus = scene.filament.thickness / 2, float(scene.material.youngs_modulus or 0) / 3
@@ -60,7 +60,7 @@ _SOLID = {
 }
 """Tip displacements [mm] the stiff and the soft way, by load [N]: 4 x 12 x 500 solid elements."""
 _BEAMS = {8.896: ((10.61328706, 8.837226265, 3.538889001), (42.08232124, 108.987937, 142.19437))}
-"""The same of 199 beam elements."""
+"""The same for 199 beam elements."""
 
 
 def _newtons(*force: float) -> list[str]:
@@ -98,7 +98,7 @@ def _curved_beam() -> Finding:
         published_scene("curved-beam"), [{"load.tip_force": _newtons(0.0, 0.0, force)} for force in _BENDS]
     )
     for (force, theirs), run in zip(_BENDS.items(), runs, strict=True):
-        # Along the chord and across it here; there along the tangent at the clamp and towards the centre.
+        # Our axes are along the chord and across it; theirs along the tangent at the clamp and towards the centre.
         tip = [float(run.fields[axis][-1, -1] - run.fields[axis][-1, 0]) for axis in "xyz"]
         rows += [
             Row(f"{axis} of the tip, force {force:g}", "", b, a) for axis, a, b in zip("xyz", tip, theirs, strict=True)
@@ -107,7 +107,7 @@ def _curved_beam() -> Finding:
 
 
 _LIMIT = 0.05
-"""Sag in diameters that the rule allows."""
+"""Largest sag in diameters by the rule."""
 
 
 def _spanning() -> Finding:
@@ -133,8 +133,8 @@ CASES = (
         "Mora et al., Phys. Rev. Lett. (2010), 214301",
         Kind.MEASURED,
         "Filaments of agar gel undulate once their radius is a sixth of gamma/G (authors' summary of the paper).",
-        "the measured threshold; their G is a rheometer's",
-        "nothing needs to: what is left is the length of the wave, (2 pi R/L)^2",
+        "the measured threshold; their G was measured with a rheometer",
+        "no large difference is expected; the finite wavelength changes the threshold by about (2 pi R/L)^2",
         _mora,
         ("undulation",),
     ),
@@ -159,8 +159,8 @@ CASES = (
         "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS by load and loading angle, "
         "as tabulated in the tests of Exudyn. The measured displacements themselves could not be had as numbers.",
         "solid elements of another program",
-        "a flat section held at its root curls across less than a beam's does (anticlastic bending): the beam elements "
-        "of the same authors are as far from their solid ones",
+        "a flat section held at its root has less anticlastic bending than a beam: the beam elements of the same "
+        "authors differ as much from their solid ones",
         _princeton,
         ("princeton",),
     ),
@@ -171,7 +171,7 @@ CASES = (
         Kind.COMPUTED,
         "Place of the tip of Bathe & Bolourchi's bend under forces of 300 and 600, eight elements.",
         "elements of others",
-        "eight elements are not converged: as many of ours lie as far from the limit",
+        "eight elements are not converged: as many of ours are as far from the limit",
         _curved_beam,
         ("curved-beam",),
     ),
@@ -183,7 +183,7 @@ CASES = (
         "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). "
         "Their measured deflections could not be had.",
         "their rule, stated to two digits",
-        "a beam that bends alone gives 1.39; clamps need a fifth of it, and surface tension helps",
+        "a beam with bending alone gives 1.39; clamps need a fifth of it, and surface tension reduces it further",
         _spanning,
         ("spanning-strand",),
     ),

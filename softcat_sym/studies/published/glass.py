@@ -21,7 +21,7 @@ from softcat_sym.studies.published.case import (
 )
 
 ELONGATES, RATE = 1e-3 / 60, 5 / 60
-"""Speed [m/s] of a fibre at its softening point, and how fast its furnace heats [K/s]: ASTM C338."""
+"""Elongation rate [m/s] of a fibre at its softening point, and heating rate of its furnace [K/s]: ASTM C338."""
 ZERO = 273.15
 _BELOW, _ABOVE = 40.0, 10.0
 
@@ -34,11 +34,11 @@ class Glass:
     B: float
     T_0: float
     softens: float  # Published softening point [C]
-    density: float  # About its own [kg/m^3]
-    surface: float  # About its surface tension [N/m]
+    density: float  # Approximate density [kg/m^3]
+    surface: float  # Approximate surface tension [N/m]
 
     def viscosity(self, celsius: Floats | float) -> Floats:
-        """In Pa s."""
+        """Viscosity [Pa s]."""
         return np.asarray(10 ** (self.A - 1 + self.B / (np.asarray(celsius) - self.T_0)))
 
 
@@ -71,13 +71,13 @@ class Softening:
     """A fibre in its furnace."""
 
     furnace: Floats  # Temperatures [C]
-    speed: Floats  # How fast it grows meanwhile [m/s]
+    speed: Floats  # Elongation rate at these temperatures [m/s]
     at: float  # Temperature of the furnace at 1 mm/min [C]
-    fibre: float  # That of the fibre then, in the middle of the furnace [C]
+    fibre: float  # Temperature of the fibre at that time, in the middle of the furnace [C]
 
 
 def softening(glass: Glass) -> Softening:
-    """Heat a fibre as ASTM C338 does."""
+    """Heat a fibre as in ASTM C338."""
     run = answer_of(fibre_scene(glass))
     fields, heat = run.fields, run.scene.temperature
     time, length = fields["time"], -fields["y"][:, -1]
@@ -123,7 +123,7 @@ def _beam() -> Finding:
     area, second = filament.thickness**2, filament.thickness**4 / 12
     own, viscosity = filament.density * area * filament.span, (scene.material.viscosity or 0.0) / 3
     bare, loaded = (
-        # Per minute, as the method has it.
+        # Per minute, as in the method.
         float(run.midpoint[1] - run.midpoint[2]) * 60 / (scene.run.duration / 2)
         for run in answers_of(scene, [{"load.point_mass": "0 kg"}, {"load.point_mass": f"{_WEIGHT} kg"}])
     )
@@ -149,7 +149,7 @@ _SOFTENS = (
 )
 _COLDER = (
     "a furnace that is some 50 K colder at its ends than at its thermocouple, or heats half the length; twice the "
-    "surface tension would be half of it, 10 % of density 2.7 K, the lag of the fibre is 0.2 K"
+    "surface tension would explain half of it, 10 % of density 2.7 K; the lag of the fibre is 0.2 K"
 )
 
 CASES = (
@@ -159,7 +159,7 @@ CASES = (
         f"ASTM C338; NBS Standard Sample 710: {_NBS}",
         Kind.MEASURED,
         f"{_SOFTENS} Published: 724 C, and the constants of its viscosity.",
-        "the softening point, measured apart from the viscosity that the run is given",
+        "the softening point, measured independently of the viscosity in the run",
         _COLDER,
         _softens_710,
         ("softening-fibre",),
@@ -170,7 +170,7 @@ CASES = (
         "ASTM C338; NIST Standard Reference Material 717a",
         Kind.MEASURED,
         f"{_SOFTENS} Published: 720 C, and the constants of its viscosity.",
-        "the softening point, measured apart from the viscosity that the run is given",
+        "the softening point, measured independently of the viscosity in the run",
         _COLDER,
         _softens_717a,
         ("softening-fibre",),
@@ -182,7 +182,7 @@ CASES = (
         Kind.COMPUTED,
         "The shear viscosity is g L^3/(2.4 I v) (M + rho A L/1.6), v the midpoint's speed per minute.",
         "the standard's two constants",
-        "the grid: it tends to both as its square",
+        "the grid, whose error is quadratic in the cell length",
         _beam,
         ("glass-beam",),
     ),
@@ -193,7 +193,7 @@ CASES = (
         Kind.MEASURED,
         "A fibre of 0.65 mm grows by 0.14 mm/min under 1 kg while it cools by 4 K/min, and at 0.0316 of that at the "
         "strain point (a laboratory's page); 10^13 and 10^14.5 poise.",
-        reason="the heated length of the fibre and the certified points of the glasses are not in what could be had",
+        reason="the heated length of the fibre and the certified points of the glasses were not available",
     ),
 )
 """In the order of the table."""

@@ -96,7 +96,7 @@ CASES = (
         "The axial force, read from how much gravity bends threads of fructose solutions and silicone oils (0.9 to 60 "
         "Pa s), confirms Papageorgiou's solution for Newtonian fluids, X = 0.7127 (abstract; not its scatter).",
         "the measured force, and Papageorgiou's number",
-        "the neck nears its final shape slowly: at R/R0 = 0.04 it is still under way",
+        "the neck approaches its final shape slowly: at R/R0 = 0.04 it has not reached it",
         _thinning,
         ("thinning-thread",),
     ),
@@ -107,7 +107,7 @@ CASES = (
         Kind.MEASURED,
         "Over two decades of kinematic viscosity the kind of descent depends on radius and length of the filament only "
         "(abstracts); the catenary number of the transition is not in them.",
-        "what was observed; inertia, which would make a difference, is in the runs",
+        "the observation; the runs include inertia, which would make a difference",
         "inertia, which the least viscous of the three still shows",
         _shapes,
         ("hanging-oil",),
@@ -118,8 +118,8 @@ CASES = (
         "Zylstra & Mitescu, EPL (2009); Koulakis et al., J. Fluid Mech. 609, 87 (2008)",
         Kind.MEASURED,
         "A clear transition as the catenary number, of radius and length, passes a certain value (abstract).",
-        reason="neither the number nor its value is in what could be had, nor the measured curves; and thin threads of "
-        "this theory gather into beads, which want thousands of cells",
+        reason="neither the number nor its value was available, nor the measured curves; and thin threads of this "
+        "theory form beads, which need thousands of cells",
     ),
     Case(
         "brochard",
@@ -138,7 +138,7 @@ CASES = (
         "Teichman & Mahadevan, J. Fluid Mech. 478, 71 (2003)",
         Kind.COMPUTED,
         "Bending at short times, stretching everywhere but near the clamps later, breaking in finite time (abstract).",
-        reason="the abstract has no prefactor; the tests hold the filament against an exact string instead",
+        reason="the abstract has no prefactor; the tests compare the filament with an exact string instead",
     ),
     Case(
         "roy",
@@ -146,7 +146,7 @@ CASES = (
         "Roy, Mahadevan & Thiffeault, J. Fluid Mech. 563, 283 (2006)",
         Kind.MEASURED,
         "If the ends are brought together quickly after stretching, the filament straightens by rising (abstract).",
-        reason="no number, and neither its fluid nor its path are in what could be had",
+        reason="numbers, fluid and path were not available",
     ),
 )
 """In the order of the table."""

@@ -1,4 +1,4 @@
-"""Yield stresses: what is taken over from shear, and the flow curves of others."""
+"""Yield stresses: conversion from shear to tension, and published flow curves."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ CASES = (
         "For gels, emulsions and suspensions the elongational yield stress is sqrt 3 times that in shear, in agreement "
         "with von Mises (abstract; its scatter could not be had).",
         "nothing: a shear yield stress is converted by this very factor",
-        "no test of the program; the measurement is why it may assume it",
+        "no test of the program: the measurement justifies its assumption",
         _elongational,
         ("shear-data",),
     ),
@@ -71,7 +71,7 @@ CASES = (
         "The coefficient of viscous traction of pitch is about three times its viscosity, and experiment supports it "
         "(discourse; its table could not be had).",
         "nothing: a shear viscosity is converted by this very factor",
-        "no test of the program; the measurement is why it may assume it",
+        "no test of the program: the measurement justifies its assumption",
         _trouton,
         ("shear-data",),
     ),
@@ -83,7 +83,7 @@ CASES = (
         "Curves digitised or measured anew, and whether the material has a yield stress, by its authors; emulsions of "
         "Mason, Bibette & Weitz (1996) have one from a volume fraction of 0.58 on.",
         "measured stresses, and what their authors call the material",
-        "a curve that ends above its plateau tells no yield stress from a small index",
+        "a curve that ends above its plateau cannot distinguish a yield stress from a small index",
         _flow_curves,
         needs="rheodata",
     ),
