@@ -397,13 +397,19 @@ def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
     """Loss of every fit in a common unit of residuals, which is 1 m if the noise is not known.
 
     The scale of a robust loss is that of the smallest noise. The residuals include those of priors, so that fitted
-    errors of camera and theory count against a law.
+    errors of camera and theory count against a law; and so does, by the determinant of the covariance, how large an
+    error of the theory a law is allowed.
     """
-    known = next(iter(fits.values())).noise_known
-    units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
+    first = next(iter(fits.values()))
+    units = {name: 1.0 if first.noise_known else one.problem.unit for name, one in fits.items()}
     if loss.kind != "linear":
         loss = Loss(loss.kind, loss.scale * min(units.values()))
-    return {name: loss.value(units[name] * one.starts.best.residuals) for name, one in fits.items()}
+    found = {}
+    for name, one in fits.items():
+        value, volume = loss.value(units[name] * one.starts.best.residuals), one.problem.log_determinant
+        # -2 log L is chi^2 + log det C, or with the best variance m log(sum of squares) + log det C.
+        found[name] = value + volume / 2 if first.noise_known else value * math.exp(volume / first.problem.readings)
+    return found
 
 
 # Relative excess of a wider law's sum of squares over a narrower law's that is allowed: the limit is not quite reached.

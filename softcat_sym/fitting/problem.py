@@ -95,6 +95,7 @@ class Filmed:
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error in the problem
     basis: Floats | None = None  # shape (n, amplitudes); Height for a unit of each amplitude [m]
     theory_size: float = 0.0  # Standard deviation of the theory's error over the heights
+    theory_volume: float = 0.0  # log det of the covariance of the theory's error and the noise, over that of the noise
     # Directions of the theory's error without amplitudes, shape (n, directions), of whitened residuals; and the shares
     # by which the residuals are shortened along them.
     rest: tuple[Floats, Floats] | None = None
@@ -174,17 +175,26 @@ class Filmed:
 
     def _decorrelated(self, over: Floats) -> Floats:
         """Rows in standard errors, decorrelated from the reading before."""
-        count = self.series.time.size
-        if not self.correlation or count < 2:
+        count, carried = self.series.time.size, self._carried
+        if not carried.size:
             return over
-        apart = np.diff(self.series.time)
-        carried = self.correlation ** (apart / np.median(apart))
         root = np.sqrt(1 - carried**2)
         if over.ndim > 1:
             carried, root = carried[:, None], root[:, None]
         result = over.copy()
         result[1:count] = (over[1:count] - carried * over[: count - 1]) / root
         return result
+
+    @property
+    def _carried(self) -> Floats:
+        """Correlation of each reading of the midpoint with the one before, shape (readings - 1,); empty without any."""
+        apart = np.diff(self.series.time) if self.correlation else np.empty(0)
+        return self.correlation ** (apart / np.median(apart)) if apart.size else apart
+
+    @property
+    def log_determinant(self) -> float:
+        """Log det of the covariance of the readings over that of white noise of the same standard errors."""
+        return self.theory_volume + float(np.log1p(-(self._carried**2)).sum())
 
 
 class FilamentProblem(Unknowns):
@@ -314,6 +324,7 @@ class FilamentProblem(Unknowns):
             theory=tuple(range(begin, begin + count)),
             basis=basis,
             theory_size=error.amplitude,
+            theory_volume=float(np.log1p(np.linalg.svd(film._decorrelated(components), compute_uv=False) ** 2).sum()),
             rest=(rest, 1 - 1 / np.sqrt(1 + lengths**2)),
         )
 
@@ -321,6 +332,11 @@ class FilamentProblem(Unknowns):
     def logarithmic(self) -> tuple[bool, ...]:
         """Which unknowns are logarithms."""
         return tuple(free.logarithmic for free in self.free)
+
+    @property
+    def log_determinant(self) -> float:
+        """Log det of the covariance of all readings over that of white noise of the same standard errors."""
+        return sum(film.log_determinant for film in self.films)
 
     @property
     def unit(self) -> float:

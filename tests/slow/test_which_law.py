@@ -86,7 +86,8 @@ def test_the_right_law_wins_or_it_cannot_be_told(film: Film) -> None:
     title = f"{film.law}, {film.noise:.0%} noise, {film.frames} frames: {found.sentence}"
     show(title, ["law", "constants", "criterion", "BIC", "difference", "failure"], rows)
     assert found.choice.verdict in film.verdicts
-    assert film.law in found.choice.close
+    # Of few readings the wider law may have more unknowns, those of camera and theory among them, than there are.
+    assert film.law in (*found.choice.close, *found.failures)
     if found.choice.verdict == CANNOT:
         assert found.sentence.startswith("cannot tell: ")
         return
