@@ -25,6 +25,7 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.collapse_test import CollapseTest, Contour
     from softcat_sym.fitting.least_squares import Loss
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.fitting.model_selection import LawComparison
@@ -126,6 +127,14 @@ PriorOption = Annotated[
         help="Prior of a parameter, from scipy.stats: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
     ),
 ]
+TestOption = Annotated[
+    str | None,
+    typer.Option(
+        "--test",
+        metavar="TEST",
+        help="collapse: DATA is the contour (x, y) of a strand on pillars; its yield stress and modulus are fitted.",
+    ),
+]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the initial guesses.")]
 
 
@@ -136,6 +145,7 @@ def fit(
     output: OutputOption = None,
     free: FreeOption = None,
     law: LawOption = None,
+    test: TestOption = None,
     bounds: BoundsOption = None,
     loss: LossOption = "linear",
     scale: ScaleOption = None,
@@ -159,40 +169,36 @@ def fit(
     status 0 if an optimum was found. A parameter that the data do not determine has a verdict instead of a value. After
     Ctrl-C the same command resumes from the finished evaluations, and gives the same numbers.
     """
-    if not free and not law:
-        raise typer.BadParameter("name at least one parameter, or a law with --law", param_hint="--free")
-    if prior and not posterior:
-        raise typer.BadParameter("priors belong to a posterior: add --posterior", param_hint="--prior")
-    if posterior and loss != "linear":
-        raise typer.BadParameter(
-            "the likelihood of a posterior is Gaussian: leave --loss out", param_hint="--posterior"
-        )
+    _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = scene_and_directory(scene, changes, output, "fit")
+    from softcat_sym.fitting.collapse_test import read_contour
     from softcat_sym.fitting.measurements import read_measurements
     from softcat_sym.fitting.posterior import packages, posterior_of
-    from softcat_sym.plotting.fit import print_fit, print_laws, write_fit
+    from softcat_sym.plotting.fit import print_collapse, print_fit, print_laws, write_fit
     from softcat_sym.progress import StudyDisplay
 
     if posterior:
         # A missing package is reported before the fit.
         packages()
-    films, also = read_measurements(data), free or []
+    films = read_contour(data[0]) if test else read_measurements(data)
     with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
         how |= {"calibrated": calibrated, "discrepancy": not no_discrepancy, "time_limit": time_limit}
         how |= {"flow_curve": flow_curve} if flow_curve else {}
-        found, compared = _fitted(films, known, also, law or [], how)
+        found, compared, collapse = _fitted(films, known, free or [], law or [], how)
         drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
-        written = write_fit(found, output, command, compared, drawn)
+        written = write_fit(found, output, command, compared, drawn, collapse)
     if not quiet:
         if compared is not None:
             print_laws(compared)
         print_fit(found, posterior=drawn)
+        if collapse is not None:
+            print_collapse(collapse)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     if not found.outcome.converged:
         if quiet:
@@ -202,19 +208,49 @@ def fit(
         raise typer.Exit(UNTRUSTED)
 
 
+def _check(
+    data: list[Path],
+    free: list[str],
+    law: list[str],
+    test: str | None,
+    flow_curve: Path | None,
+    prior: list[str],
+    loss: str,
+    *,
+    posterior: bool,
+) -> None:
+    """Refuse options that contradict each other."""
+    faults = [
+        ("--free", test is None and not free and not law, "name at least one parameter, or a law with --law"),
+        ("--test", test not in (None, "collapse"), f"{test!r} is no test; accepted: collapse"),
+        ("DATA", test is not None and len(data) > 1, "a collapse test has one contour"),
+        ("--law", test is not None and bool(law), "a collapse test fits the law of the scene"),
+        ("--flow-curve", test is not None and flow_curve is not None, "a collapse test fits the contour alone"),
+        ("--prior", bool(prior) and not posterior, "priors belong to a posterior: add --posterior"),
+        ("--posterior", posterior and loss != "linear", "the likelihood of a posterior is Gaussian: leave --loss out"),
+    ]
+    for option, is_wrong, message in faults:
+        if is_wrong:
+            raise typer.BadParameter(message, param_hint=option)
+
+
 def _fitted(
-    films: Measurements, known: Scene, also: list[str], law: list[str], how: dict[str, Any]
-) -> tuple[Fit, LawComparison | None]:
-    """The fit, or, of several laws, the best fit with the comparison."""
+    films: Measurements | Contour, known: Scene, also: list[str], law: list[str], how: dict[str, Any]
+) -> tuple[Fit, LawComparison | None, CollapseTest | None]:
+    """The fit, or, of several laws, the best fit with the comparison; of a contour with what its gaps show."""
+    from softcat_sym.fitting.collapse_test import Contour, collapse_test
     from softcat_sym.fitting.fit import fit as fit_filament
     from softcat_sym.fitting.model_selection import fit_law, fit_laws
 
+    if isinstance(films, Contour):
+        collapse = collapse_test(films, known, also, **how)
+        return collapse.fit, None, collapse
     if not law:
-        return fit_filament(films, known, also, **how), None
+        return fit_filament(films, known, also, **how), None, None
     if len(law) == 1:
-        return fit_law(films, known, law[0], also_free=also, **how), None
+        return fit_law(films, known, law[0], also_free=also, **how), None, None
     compared = fit_laws(films, known, law, also_free=also, **how)
-    return compared.best, compared
+    return compared.best, compared, None
 
 
 def _loss(kind: str, scale: float | None) -> Loss:

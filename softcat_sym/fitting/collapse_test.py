@@ -133,10 +133,10 @@ class GapResult:
         ``pillars.height``.
     angle : float
         Steepest inclination of the strand [rad].
-    closed_form : float
+    closed_form : float or None
         Tensile yield stress by the closed formula rho g span/(2 sin(angle)) [Pa]: half of the weight is carried by the
-        yield stress along the strand where it is steepest.
-    ratio : float
+        yield stress along the strand where it is steepest. None where the sag is not significant.
+    ratio : float or None
         That over the fitted yield stress.
     """
 
@@ -147,8 +147,8 @@ class GapResult:
     collapsed: float | None
     remaining: float | None
     angle: float
-    closed_form: float
-    ratio: float
+    closed_form: float | None
+    ratio: float | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -506,7 +506,7 @@ def closed_form(gap: Gap, scene: Scene) -> float:
 
 def _result(gap: Gap, contour: Contour, scene: Scene, stress: float) -> GapResult:
     closed, share = closed_form(gap, scene), gap.area / (gap.span * (contour.pillar_height or math.nan))
-    known = math.isfinite(share)
+    known, sags = math.isfinite(share), gap.sag > _SIGNIFICANT * gap.level_std
     return GapResult(
         number=gap.number,
         span=gap.span,
@@ -515,6 +515,6 @@ def _result(gap: Gap, contour: Contour, scene: Scene, stress: float) -> GapResul
         collapsed=share if known else None,
         remaining=1 - share if known else None,
         angle=gap.angle,
-        closed_form=closed,
-        ratio=closed / stress,
+        closed_form=closed if sags else None,
+        ratio=closed / stress if sags else None,
     )

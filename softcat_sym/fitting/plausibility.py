@@ -90,7 +90,8 @@ def _checked(series: Series, scene: Scene) -> Series:
     faults: list[Fault] = []
     turn: dict[str, bool] = {}
     for track in _tracks(series):
-        if _sags(scene):
+        # In a photograph of the supports themselves up is up.
+        if _sags(scene) and not (series.shapes and series.shapes.level_std):
             turn[track.name], note, fault = _sign(track)
             notes += note
             faults += fault

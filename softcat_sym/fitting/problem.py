@@ -611,6 +611,9 @@ def _camera_parameters(scene: Scene, film: Series, asked: set[str]) -> tuple[Fre
     """The camera's parameters that are not free parameters themselves, with their priors."""
     read = Readings.of(film)
     names = [name for name in CAMERA if name not in asked and (name != TILT or film.shapes is not None)]
+    if film.shapes is not None and film.shapes.level_std:
+        # Supports in the same picture are its ruler.
+        names = [name for name in names if name != SCALE]
     if not read.largest:
         # A load cell has a clock, but no heights.
         names = [name for name in names if name == TIME_OFFSET]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -437,6 +438,8 @@ FEATURES = {
 }
 """Features of a film: attributes of `Features`, their names for readers, and the units in names of keys."""
 
+_INNER = 0.85
+_INNER_STD = float(stats.truncnorm.std(*stats.norm.interval(_INNER)))
 MIN_READINGS = 20
 """Smallest number of readings whose distribution is tested."""
 SIGNIFICANT = 0.01
@@ -466,13 +469,17 @@ def combination_text(combination: Combination, problem: FilamentProblem) -> str:
 
 
 def far_out(residuals: Floats) -> NDArray[np.bool_]:
-    """Find outliers: residuals so large that noise would produce one in less than a thousandth of all films."""
+    """Flag the residuals so far out that noise alone would produce one in one film of several hundred.
+
+    The scale is the root mean square of the smaller 85 % of the residuals, which up to 15 % of outliers hardly change.
+    """
     count = residuals.size
-    limit = float(stats.norm.isf(0.5e-3 / max(count, 1)))
-    # The median is robust against outliers.
-    scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
-    found: NDArray[np.bool_] = (np.abs(residuals) > limit * scale) & (count >= MIN_READINGS)
-    return found
+    if count < MIN_READINGS:
+        return np.zeros(count, dtype=bool)
+    limit = float(stats.norm.isf(0.5e-3 / count))
+    inner = np.sort(np.abs(residuals))[: math.ceil(_INNER * count)]
+    scale = max(float(np.sqrt(np.mean(inner**2))) / _INNER_STD, 1e-9)
+    return np.asarray(np.abs(residuals) > limit * scale)
 
 
 def fitted_parameter(

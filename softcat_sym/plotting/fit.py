@@ -14,11 +14,13 @@ from rich.table import Table
 from rich.text import Text
 
 from softcat_sym.plotting.files import json_bytes, page, write_results
-from softcat_sym.plotting.fit_figures import FIGURES, features_figure, laws_figure
+from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
 from softcat_sym.plotting.fit_words import (
+    GAP_HEADINGS,
     LAW_HEADINGS,
     basis,
     feature_texts,
+    gap_texts,
     law_remarks,
     law_texts,
     parameter_texts,
@@ -30,6 +32,7 @@ from softcat_sym.plotting.terminal import text_table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.posterior import Posterior
     from softcat_sym.fitting.result import Fit
@@ -53,6 +56,13 @@ def print_laws(found: LawComparison, console: Console | None = None) -> None:
     screen.print()
 
 
+def print_collapse(test: CollapseTest, console: Console | None = None) -> None:
+    """Print what every gap of a collapse test shows."""
+    rows = [gap_texts(one) for one in test.results]
+    title, numbers = "Collapse test: every gap", tuple(range(len(GAP_HEADINGS)))
+    (console or Console()).print(text_table(GAP_HEADINGS, rows, title=title, right=numbers, padding=(0, 1, 0, 0)))
+
+
 def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | None = None) -> None:
     """Print parameters, outcome, warnings and diagnostics of a fit."""
     screen, parameters = console or Console(), list(fit.parameters.values())
@@ -65,7 +75,7 @@ def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | N
     rows += [("warning", text) for text in fit.warnings]
     rows += [] if posterior is None else posterior_texts(posterior)
     rows += [row for row in basis(fit) if row[0] not in ("effects", "solver", "effort")]
-    for film in fit.films:
+    for film in (film for film in fit.films if film.of_midpoint.any()):
         rows += [("film", film.name)] if len(fit.films) > 1 else []
         rows += feature_texts(film)
     below = Table(box=None, show_header=False, padding=(0, 1, 0, 0))
@@ -83,6 +93,7 @@ def fit_page(
     command: str = "",
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
+    collapse: CollapseTest | None = None,
 ) -> bytes:
     """Write a self-contained page."""
     table = [] if laws is None else laws.choice.table
@@ -98,20 +109,22 @@ def fit_page(
         law_rows=[(row.law.name in laws.choice.close, law_texts(laws, row)) for row in table] if laws else [],
         law_remarks=law_remarks(laws) if laws else [],
         law_numbers=_LAW_NUMBERS,
+        gap_headings=GAP_HEADINGS,
+        gap_rows=[gap_texts(one) for one in collapse.results] if collapse else [],
         headings=HEADINGS,
         numbers=_NUMBERS,
         rows=[(one.verdict == "identified", parameter_texts(one)) for one in parameters],
         reasons=[f"{one.name}: {one.reason}" for one in parameters if one.reason],
         remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
         basis=[*([] if posterior is None else posterior_texts(posterior)), *basis(fit)],
-        features=[(film.name, feature_texts(film)) for film in fit.films],
+        features=[(film.name, feature_texts(film)) for film in fit.films if film.of_midpoint.any()],
         pictures=[(name.removesuffix(".png"), what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
         command=command,
     )
 
 
 # Files that only some fits write: those of an earlier fit in the same folder are removed.
-_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws|posterior)\.png|laws\.csv|posterior\.nc")
+_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws|posterior|collapse)\.png|laws\.csv|posterior\.nc")
 
 
 def write_fit(
@@ -120,6 +133,7 @@ def write_fit(
     command: str = "",
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
+    collapse: CollapseTest | None = None,
 ) -> list[Path]:
     """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``.
 
@@ -130,7 +144,9 @@ def write_fit(
         pictures["laws.png"] = ("residuals of every law, the best law first", png(laws_figure(laws)))
     if posterior is not None:
         pictures["posterior.png"] = ("draws of the posterior, best fit and intervals", png(posterior.plot(fit)))
-    beside = {"laws": laws, "posterior": posterior}
+    if collapse is not None:
+        pictures["collapse.png"] = ("the levelled contour and the fitted filaments", png(collapse_figure(collapse)))
+    beside = {"laws": laws, "posterior": posterior, "collapse_test": collapse}
     facts = fit.to_dict() | {name: one.to_dict() for name, one in beside.items() if one is not None}
     contents = {
         "fit.json": json_bytes(facts, is_ascii=False),
@@ -139,7 +155,7 @@ def write_fit(
         "laws.csv": None if laws is None else laws.to_frame().to_csv(index=False),
         **{name: picture for name, (_, picture) in pictures.items()},
         "posterior.nc": None if posterior is None else posterior.to_bytes(),
-        "fit.html": fit_page(fit, pictures, command, laws, posterior),
+        "fit.html": fit_page(fit, pictures, command, laws, posterior, collapse),
     }
     written = write_results(directory, contents)
     for path in Path(directory).iterdir():

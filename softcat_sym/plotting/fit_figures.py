@@ -21,6 +21,7 @@ from softcat_sym.plotting.style import legend, sheet
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.free_parameters import FreeParameter
     from softcat_sym.fitting.inference import Profile
     from softcat_sym.fitting.model_selection import LawComparison
@@ -333,6 +334,41 @@ def starts_figure(fit: Fit) -> Figure:
             name = "the best fit" if cluster == 0 else f"another fit ({cluster + 1})"
             handles.append(Line2D([], [], marker="s", label=name, **{**marks, "color": _color(cluster)}))
         legend(body, handles=handles, ncols=6, handletextpad=0.3)
+    return figure
+
+
+def collapse_figure(test: CollapseTest) -> Figure:
+    """Draw the levelled contour of a strand on its pillars, with the fitted filament over each gap."""
+    ends = [edge for gap in test.gaps for edge in (gap.left_x, gap.left_x + gap.span)]
+    top = [height for gap in test.gaps for height in (gap.left_y, gap.left_y - gap.drop)]
+    ruler = length_unit(ends[-1] - ends[0])
+    pillar = test.contour.pillar_height or 1.5 * max(gap.sag for gap in test.gaps)
+    below = f"{test.fit.outcome.word} · turned back by {np.degrees(test.tilt):.3g}°"
+    with style.styled():
+        figure, body = headed(test.fit, below, 3.0)
+        axes = body.subplots()
+        outer = 0.04 * (ends[-1] - ends[0])
+        edges = [ends[0] - outer, *ends, ends[-1] + outer]
+        heights = [top[0], *top, top[-1]]
+        for k in range(0, len(edges), 2):
+            block = [edges[k], edges[k], edges[k + 1], edges[k + 1]]
+            level = [min(top) - pillar, heights[k], heights[k + 1], min(top) - pillar]
+            axes.fill(ruler.of(block), ruler.of(level), color=style.GREY, alpha=0.3, linewidth=0)
+        for gap, film in zip(test.gaps, test.fit.films, strict=True):
+            place = ruler.of(gap.x + gap.left_x + gap.span / 2)
+            look: dict[str, Any] = {"color": style.BLACK, "markersize": 2, "alpha": 0.5}
+            axes.plot(place, ruler.of(gap.y + gap.left_y), ".", label="contour" if gap.number == 1 else None, **look)
+            label = "fitted filament" if gap.number == 1 else None
+            axes.plot(place, ruler.of(film.model + gap.left_y), color=style.VERMILLION, linewidth=1.2, label=label)
+            sag = f"{length_unit(gap.span).text(gap.span)}\n{length_unit(max(gap.sag, 1e-9)).text(gap.sag)}"
+            axes.annotate(sag, (float(place.mean()), 1.0), (0, 2), ("data", "axes fraction"), "offset points",
+                          ha="center", va="bottom", fontsize=7)  # fmt: skip
+        axes.set_xlabel(f"x [{ruler.symbol}], gaps and their sags above")
+        axes.set_ylabel(f"height [{ruler.symbol}]")
+        lowest = min(min(top) - pillar, *(float(gap.y.min()) + gap.left_y for gap in test.gaps))
+        axes.set_ylim(float(ruler.of(lowest)))
+        axes.legend(loc="lower right", fontsize=7.5)
+        style.lighten(axes)
     return figure
 
 

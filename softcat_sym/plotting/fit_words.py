@@ -9,6 +9,7 @@ from softcat_sym.fitting.result import FEATURES
 from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.collapse_test import GapResult
     from softcat_sym.fitting.features import Reading
     from softcat_sym.fitting.model_selection import LawComparison, Ranked
     from softcat_sym.fitting.posterior import Posterior
@@ -160,6 +161,19 @@ def reading_text(one: Reading, unit: Unit) -> str:
     if one.value is None or one.error is None:
         return f"not read: {one.reason}"
     return f"{with_error(one.value / unit.size, one.error / unit.size)} {unit.symbol}".rstrip()
+
+
+GAP_HEADINGS = ("gap", "sag", "drop", "collapsed", "remaining", "steepest", "closed formula", "over the fit")
+"""Headings of the columns of :func:`gap_texts`."""
+
+
+def gap_texts(one: GapResult) -> tuple[str, ...]:
+    """Row of the table of a collapse test: one gap, its collapse factor in both senses, and the closed formula."""
+    lengths = [length_unit(abs(value)).text(value) if value else "0" for value in (one.span, one.sag, one.drop)]
+    shares = [NONE if share is None else f"{100 * share:.3g} %" for share in (one.collapsed, one.remaining)]
+    stress = NONE if one.closed_form is None else display_unit("Pa", one.closed_form).text(one.closed_form)
+    ratio = NONE if one.ratio is None else significant(one.ratio)
+    return (*lengths, *shares, f"{math.degrees(one.angle):.3g}°", stress, ratio)
 
 
 LAW_HEADINGS = ("law", "constants", "criterion", "BIC", "above the best", "weight", "residuals", "rms")
