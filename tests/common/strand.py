@@ -25,10 +25,10 @@ def strand(span: float, changes: dict[str, object] | None = None) -> sc.Scene:
             "law": "bingham",
             "youngs_modulus": f"{MODULUS!r} Pa",
             "yield_stress": f"{YIELD_STRESS!r} Pa",
-            "viscosity": "450 Pa*s",
+            "viscosity": "150 Pa*s",
         },
         load={"ramp": "20 ms"},
-        run={"duration": "20 s", "accuracy": 0.02, "dimensions": 2},
+        run={"duration": "4 s", "accuracy": 0.02, "dimensions": 2},
     )
     return scene.replace(changes or {})
 
