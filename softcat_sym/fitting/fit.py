@@ -252,6 +252,8 @@ def _with_run_outcome(found: Fit) -> Fit:
 # Corrections of the modulus to match a frequency, which scales with a power of it between 1/3 and 1/2.
 _TUNINGS = 2
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
+# Share of its distance from the optimum that a stuck search may keep with smaller time steps.
+_HELPFUL = 0.5
 ROUNDS = 8
 """Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
@@ -347,11 +349,13 @@ def _refined(
     """Repeat the fit from its optimum until noise, theory error and resolution are consistent with that optimum."""
     resolution, fine, spent = None, request.rtol is not None, best.evaluations
     again: tuple[FilamentProblem, Floats] | None
+    looser: tuple[FilamentProblem, Optimum] | None = None
     for number in range(ROUNDS):
         again = None
-        if best.status == STUCK and request.rtol is None:
-            again = problem.at(tighter(problem), best.q)
+        if _smaller_steps_may_help(best, looser, request):
+            looser, again = (problem, best), problem.at(tighter(problem), best.q)
         elif best.converged:
+            looser = None
             now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
             # The discretization error looks like correlated noise: the correlation waits for the final resolution.
             alone = now if fine else replace(now, correlation=problem.noise.correlation)
@@ -373,7 +377,21 @@ def _refined(
         except TimeLimitError:
             break
         spent += best.evaluations
+    # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
+    problem, best = min(looser or (problem, best), (problem, best), key=lambda pair: _distance(pair[1]))
     return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, how["loss"])
+
+
+def _smaller_steps_may_help(best: Optimum, looser: tuple[FilamentProblem, Optimum] | None, request: _Request) -> bool:
+    """Whether a search got stuck, and smaller steps are untried or have led much nearer to the optimum."""
+    if best.status != STUCK or request.rtol is not None:
+        return False
+    return looser is None or best.offset < _HELPFUL * looser[1].offset
+
+
+def _distance(best: Optimum) -> tuple[bool, float]:
+    """Order of optima: those that converged first, then by their distance from where the derivatives vanish."""
+    return not best.converged, best.offset
 
 
 def _accept_if_near(

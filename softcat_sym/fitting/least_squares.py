@@ -238,7 +238,7 @@ def minimise(
     loss: Loss = LINEAR,
     method: Method = "gauss-newton",
     gain: float | None = None,
-    max_evaluations: int = 300,
+    max_evaluations: int = 100,
 ) -> Optimum:
     """Minimise 1/2 sum rho(r^2) in the box of the problem, from one start.
 
