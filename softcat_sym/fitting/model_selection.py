@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from scipy.optimize import minimize_scalar
 
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
@@ -18,9 +19,10 @@ from softcat_sym.fitting.defaults import STARTS
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
-from softcat_sym.fitting.least_squares import LINEAR, STUCK, Loss
+from softcat_sym.fitting.least_squares import LINEAR, STUCK, Floats, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
+from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, kind_of_constant
 from softcat_sym.scene.scene import Scene
@@ -43,7 +45,7 @@ class FittedLaw:
 
     name: str  # The law
     unknowns: int  # Number of fitted unknowns
-    squares: float  # Sum of the squared residuals; chi^2 where the noise is known
+    squares: float  # As :func:`loss_values` has them: chi^2 + log det C where the noise is known
     failure: str = ""  # Why there is no fit; empty if there is one
 
 
@@ -321,7 +323,7 @@ class LawComparison:
         return {
             "law": law.name,
             "constants": law.unknowns,
-            "squares": None if one is None else law.squares,
+            "squares": None if one is None else one.squares,
             **{key: getattr(row, key) for key in ("criterion", "aic", "bic", "difference", "weight")},
             "residual_std_m": None if one is None else one.residual_std,
             "residuals": None if one is None else one.checks.verdict,
@@ -377,39 +379,82 @@ def _ranked(
     Stated errors that are too small are replaced by estimated ones, and readings with a correlation r of neighbours
     count as (1 - r)/(1 + r) independent readings each.
     """
-    first, values = next(iter(fits.values())), loss_values(loss, fits)
-    rows = [
-        FittedLaw(law, fits[law].problem.asked, 2 * values[law])
-        if law in fits
-        else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
-        for law in laws
-    ]
+    first = next(iter(fits.values()))
     known, independent = first.noise_known, 1.0
     if judge is not None:
         checks = judge.checks
         known = known and not (checks.size and checks.size.p_value < SIGNIFICANCE)
         if checks.verdict == "not white" and (r := checks.autocorrelation or 0.0) > 0:
             independent = (1 - r) / (1 + r)
+    values = loss_values(loss, fits, known=known)
+    rows = [
+        FittedLaw(law, fits[law].problem.asked, 2 * values[law])
+        if law in fits
+        else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
+        for law in laws
+    ]
     return choose_model(rows, first.problem.readings, noise_known=known, independent=independent)
 
 
-def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
-    """Loss of every fit in a common unit of residuals, which is 1 m if the noise is not known.
+def loss_values(loss: Loss, fits: Mapping[str, Fit], *, known: bool) -> dict[str, float]:
+    """Half the squares of every fit in a common unit, as :class:`FittedLaw` has them.
 
-    The scale of a robust loss is that of the smallest noise. The residuals include those of priors, so that fitted
-    errors of camera and theory count against a law; and so does, by the determinant of the covariance, how large an
-    error of the theory a law is allowed.
+    With the linear loss those of -2 log L, and every law is allowed the same error of the theory, the largest that any
+    of them has: otherwise a law that may err more would fit better, or pay for it where it need not. The loss of a
+    robust fit is that of its residuals, with the scale of the smallest noise. What the camera's errors take up counts
+    against a law.
     """
-    first = next(iter(fits.values()))
-    units = {name: 1.0 if first.noise_known else one.problem.unit for name, one in fits.items()}
+    units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
     if loss.kind != "linear":
         loss = Loss(loss.kind, loss.scale * min(units.values()))
+        return {name: loss.value(units[name] * one.starts.best.residuals) for name, one in fits.items()}
+    problems = [one.problem for one in fits.values()]
+    widest = [
+        max(films, key=lambda film: film.theory_size) for films in zip(*(one.films for one in problems), strict=True)
+    ]
+    unit = float(np.mean(np.concatenate([film.std[~film.is_force] for film in widest] or [np.ones(1)])))
+    limits = 1.0 if known else min(units.values()) / unit, 1.0 if known else _NOISIER * max(units.values()) / unit
+    count = problems[0].readings
     found = {}
     for name, one in fits.items():
-        value, volume = loss.value(units[name] * one.starts.best.residuals), one.problem.log_determinant
-        # -2 log L is chi^2 + log det C, or with the best variance m log(sum of squares) + log det C.
-        found[name] = value + volume / 2 if first.noise_known else value * math.exp(volume / first.problem.readings)
+        value = _misfit(one, widest, limits)
+        found[name] = value / 2 if known else count * math.exp(value / count) / 2
     return found
+
+
+_NOISIER = 3.0
+"""By how much more than any of the laws found the noise may be."""
+
+
+def _misfit(one: Fit, widest: Sequence[Filmed], limits: tuple[float, float]) -> float:
+    """-2 log L with given covariances of the theory's error, for the best standard deviation of the noise in limits.
+
+    In units of the standard deviations of the films whose covariances are given, and without the constant.
+    """
+    q, problem = one.starts.best.q, one.problem
+    sizes, inside, outside, free = list[Floats](), list[Floats](), 0.0, 0
+    for film, seen, wide in zip(problem.films, one.films, widest, strict=True):
+        residual = (seen.model - film.error(q) - film.data) / wide.std
+        components = np.zeros((residual.size, 0)) if wide.components is None else wide.components / wide.std[:, None]
+        vectors, size, _ = np.linalg.svd(components, full_matrices=False)
+        along = vectors.T @ residual
+        sizes.append(size**2)
+        inside.append(along**2)
+        outside += float(residual @ residual - along @ along)
+        free += residual.size - size.size
+    size, along = np.concatenate(sizes), np.concatenate(inside)
+    known = problem.squares_of_camera(q)
+    if problem.flow is not None:
+        known += float(np.sum(problem.flow.residuals(q) ** 2))
+
+    def value(log_noise: float) -> float:
+        variance = math.exp(2 * log_noise)
+        return float(
+            free * 2 * log_noise + outside / variance + np.sum(np.log(variance + size) + along / (variance + size))
+        )
+
+    low, high = (math.log(limit) for limit in limits)
+    return known + (minimize_scalar(value, bounds=(low, high), method="bounded").fun if low < high else value(low))
 
 
 # Relative excess of a wider law's sum of squares over a narrower law's that is allowed: the limit is not quite reached.
@@ -547,7 +592,7 @@ def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     near = {name: fits[name] for name in (law, *LIMITS.get(law, {})) if name in fits and fits[name].outcome.converged}
     if not near or set(near) == {law}:
         return ""
-    values = loss_values(loss, near)
+    values = loss_values(loss, near, known=next(iter(near.values())).noise_known)
     own = values.pop(law, math.inf)
     best = min(values, key=lambda name: values[name])
     return best if own > values[best] * (1 + _NO_WORSE) else ""
@@ -561,7 +606,7 @@ def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, f
         return False
     former = fits.get(law)
     if former is not None and former.outcome.converged:
-        values = loss_values(request.how["loss"], {"former": former, "again": again})
+        values = loss_values(request.how["loss"], {"former": former, "again": again}, known=former.noise_known)
         if not (again.outcome.converged and values["again"] < values["former"]):
             return False
     fits[law] = again

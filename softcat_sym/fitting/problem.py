@@ -95,7 +95,8 @@ class Filmed:
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error in the problem
     basis: Floats | None = None  # shape (n, amplitudes); Height for a unit of each amplitude [m]
     theory_size: float = 0.0  # Standard deviation of the theory's error over the heights
-    theory_volume: float = 0.0  # log det of the covariance of the theory's error and the noise, over that of the noise
+    # shape (n, components); C C^T is the covariance of the theory's error [m^2].
+    components: Floats | None = None
     # Directions of the theory's error without amplitudes, shape (n, directions), of whitened residuals; and the shares
     # by which the residuals are shortened along them.
     rest: tuple[Floats, Floats] | None = None
@@ -190,11 +191,6 @@ class Filmed:
         """Correlation of each reading of the midpoint with the one before, shape (readings - 1,); empty without any."""
         apart = np.diff(self.series.time) if self.correlation else np.empty(0)
         return self.correlation ** (apart / np.median(apart)) if apart.size else apart
-
-    @property
-    def log_determinant(self) -> float:
-        """Log det of the covariance of the readings over that of white noise of the same standard errors."""
-        return self.theory_volume + float(np.log1p(-(self._carried**2)).sum())
 
 
 class FilamentProblem(Unknowns):
@@ -324,7 +320,7 @@ class FilamentProblem(Unknowns):
             theory=tuple(range(begin, begin + count)),
             basis=basis,
             theory_size=error.amplitude,
-            theory_volume=float(np.log1p(np.linalg.svd(film._decorrelated(components), compute_uv=False) ** 2).sum()),
+            components=film.std[:, None] * components,
             rest=(rest, 1 - 1 / np.sqrt(1 + lengths**2)),
         )
 
@@ -332,11 +328,6 @@ class FilamentProblem(Unknowns):
     def logarithmic(self) -> tuple[bool, ...]:
         """Which unknowns are logarithms."""
         return tuple(free.logarithmic for free in self.free)
-
-    @property
-    def log_determinant(self) -> float:
-        """Log det of the covariance of all readings over that of white noise of the same standard errors."""
-        return sum(film.log_determinant for film in self.films)
 
     @property
     def unit(self) -> float:
@@ -386,6 +377,11 @@ class FilamentProblem(Unknowns):
         of_priors = np.zeros((self._known.size, q.size))
         of_priors[np.arange(self._known.size), self._known] = 1 / self._spread
         return np.concatenate([*residuals, self._priors(q)]), np.concatenate([*rows, of_priors])
+
+    def squares_of_camera(self, q: Floats) -> float:
+        """Squares of the residuals of the camera's priors."""
+        of_camera = np.array([self.free[k].path != THEORY for k in self._known], dtype=bool)
+        return float(np.sum(self._priors(q)[of_camera] ** 2))
 
     def _priors(self, q: Floats) -> Floats:
         return np.asarray((q - self.typical)[self._known] / self._spread)

@@ -42,7 +42,7 @@ def _scene(law: str, factors: np.ndarray, index: float) -> sc.Scene:
     return scene.replace({"run.effects": [name for name in choose_effects(scene).names if name != "inertia"]})
 
 
-def _verdict(law: str, film: int, noise: float, correlation: float) -> str:
+def _verdict(law: str, film: int, noise: float, correlation: float, *, theory: bool) -> str:
     """The verdict on a film with errors of a share of the largest sag, each correlated with the one before."""
     random = np.random.default_rng([film, LAWS.index(law)])
     factors, index = np.exp(random.uniform(-0.7, 0.7, 3)), round(random.uniform(0.3, 0.7), 3)
@@ -53,7 +53,7 @@ def _verdict(law: str, film: int, noise: float, correlation: float) -> str:
         start = [correlation * random.standard_normal()]
         error = lfilter([np.sqrt(1 - correlation**2)], [1, -correlation], error, zi=start)[0]
     readings = Measurements.of(run.time.values[1:], height + noise * np.abs(height).max() * error)
-    found = fit_laws(readings, _scene(law, WRONG * factors, index), LAWS, starts=1, seed=film)
+    found = fit_laws(readings, _scene(law, WRONG * factors, index), LAWS, starts=1, seed=film, discrepancy=theory)
     print(f"{law} {film}: {found.sentence}")
     if law in found.choice.wider:
         return NARROWER
@@ -61,23 +61,34 @@ def _verdict(law: str, film: int, noise: float, correlation: float) -> str:
 
 
 @pytest.mark.parametrize(
-    ("films", "noise", "correlation"),
-    [(range(5), 0.01, 0.0), (range(5, 7), 0.002, 0.0), (range(7, 9), 0.01, 0.9)],
-    ids=["1 % noise", "0.2 % noise", "1 % noise, correlated"],
+    ("films", "noise", "correlation", "theory"),
+    [
+        (range(5), 0.01, 0.0, False),
+        (range(5, 7), 0.002, 0.0, False),
+        (range(5), 0.01, 0.0, True),
+        (range(7, 9), 0.01, 0.9, True),
+    ],
+    ids=[
+        "1 % noise",
+        "0.2 % noise",
+        "1 % noise, and the theory may err",
+        "1 % noise, correlated, and the theory may err",
+    ],
 )
-def test_no_wrong_law_wins_with_certainty(films: range, noise: float, correlation: float) -> None:
-    verdicts = {law: Counter(_verdict(law, film, noise, correlation) for film in films) for law in LAWS}
+def test_no_wrong_law_wins_with_certainty(films: range, noise: float, correlation: float, theory: bool) -> None:
+    """Without shear and fibres the theory errs by 2 to 5 %: as much as laws differ, which then cannot be told."""
+    verdicts = {law: Counter(_verdict(law, film, noise, correlation, theory=theory) for film in films) for law in LAWS}
     rows = [
         [truth, *(found[law] for law in LAWS), found[NARROWER], *(found[f"{CANNOT}, {law}"] for law in LAWS)]
         for truth, found in verdicts.items()
     ]
     header = ["truth", *LAWS, NARROWER, *(f"{CANNOT}: {law} first" for law in LAWS)]
     count = len(LAWS) * len(films)
-    show(f"{count} films, errors of {noise:.1%} with a correlation of {correlation:g}: verdicts", header, rows)
+    known = "may err" if theory else "is exact"
+    show(f"{count} films, noise of {noise:.1%} correlated by {correlation:g}, theory {known}: verdicts", header, rows)
     told = sum(found[law] for law, found in verdicts.items())
     wrong = sum(found[law] for truth, found in verdicts.items() for law in LAWS if law != truth)
     first = told + sum(found[f"{CANNOT}, {law}"] for law, found in verdicts.items())
     print(f"\ntold: {told} of {count}; first, told or not: {first}; wrong with certainty: {wrong}")
     assert wrong == 0
-    # What is ranked by correlated errors is worth less, and is told less often.
-    assert correlation or (told >= 0.4 * count and first >= 0.8 * count)
+    assert theory or (told >= 0.4 * count and first >= 0.8 * count)
