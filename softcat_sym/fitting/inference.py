@@ -225,7 +225,7 @@ class _Path:
         return math.copysign(math.sqrt(abs(increase) / self.threshold), increase)
 
     def _optimised(self, fixed: Fixed, start: Floats) -> tuple[Floats, float, bool] | None:
-        """The other unknowns optimised, twice the loss, and whether they converged; None without an answer at start."""
+        """The other unknowns optimised, twice the loss, and whether it is certain; None without an answer at start."""
         if not start.size or self.budget < math.inf:
             residuals = fixed.residuals(start)
             self.left -= 1
@@ -242,7 +242,9 @@ class _Path:
         gain = _GAIN * self.threshold * self.variance
         found = minimise(fixed, start, loss=self.loss, gain=gain, max_evaluations=allowed)
         self.left -= found.evaluations
-        return found.q, 2 * found.value, found.converged
+        # A search that got stuck is good enough where even the predicted decrease leaves it beyond the threshold.
+        predicted = 2 * found.value * max(1 - found.offset**2 / found.residuals.size, 0.0)
+        return found.q, 2 * found.value, found.converged or self._root(predicted) >= 1
 
 
 Word = Literal["identified", "one-sided", "not identified", "at a bound"]
