@@ -19,7 +19,7 @@ from softcat_sym.fitting.defaults import STARTS
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
-from softcat_sym.fitting.least_squares import LINEAR, STUCK, Floats, Loss
+from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.problem import Filmed
@@ -361,9 +361,9 @@ def compared(
 
 
 def _predicted_decrease(one: Fit) -> float:
-    """Decrease of the criterion in the next step, to first order, where the search got stuck; infinite otherwise."""
+    """Decrease of the criterion in the next step, to first order; infinite of a fit without the time to search."""
     best = one.starts.best
-    return best.offset**2 if best.status == STUCK else math.inf
+    return math.inf if best.status == OUT_OF_TIME else best.offset**2
 
 
 def _ranked(
