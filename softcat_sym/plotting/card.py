@@ -290,10 +290,14 @@ def _draw_exponents(axes: Axes, card: Card) -> None:
         return
     powers = [power for _, power in found]
     colours = [style.BLUE if power > 0 else style.VERMILLION for power in powers]
-    bars = axes.barh([printable(name, 18) for name, _ in found], powers, color=colours, height=0.62)
-    axes.bar_label(bars, [significant(round(power, 3)) for power in powers], fontsize=7.0, padding=3)
+    axes.barh([printable(name, 18) for name, _ in found], powers, color=colours, height=0.62)
+    for row, power in enumerate(powers):
+        # To the right of every bar, where no name of a row stands.
+        place, value = (max(power, 0.0), row), significant(round(power, 3))
+        axes.annotate(value, place, (3, 0), textcoords="offset points", va="center", fontsize=7.0)
     axes.invert_yaxis()
-    axes.margins(x=0.7)
+    low, high = min(*powers, 0.0), max(*powers, 0.0)
+    axes.set_xlim(low - 0.05 * (high - low), high + 0.5 * (high - low))
     axes.axvline(0.0, color=style.GREY, lw=0.6)
     axes.xaxis.set_major_locator(MaxNLocator(3))
     axes.tick_params(axis="y", length=0)
