@@ -11,6 +11,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.collapse_test import closed_form, collapse_test, level, measurements_of, read_contour
+from softcat_sym.fitting.discrepancy import shape_modes
 from tests.common.in_process import Softcat
 from tests.common.strand import YIELD_STRESS, photograph, strand, write
 
@@ -98,6 +99,18 @@ def test_films_of_all_gaps_are_shapes_of_their_own_spans(tmp_path: Path) -> None
         assert np.all(film.shapes.time == 30)
         assert float(film.overrides["filament.span"].split()[0]) == pytest.approx(span, rel=1e-4)
         assert film.overrides["filament.thickness"] == "0.5 mm"
+
+
+def test_the_error_of_a_shape_is_alike_nearby_and_on_both_sides() -> None:
+    """Correlations of the relative error: one of a point with itself and its mirror image, Gaussian in the distance."""
+    place = np.array([-2e-3, -1e-3, 0.0, 0.5e-3, 1e-3, 2e-3, np.nan])
+    modes = shape_modes(place, 4e-3)
+    alike = modes @ modes.T
+    assert np.diag(alike) == pytest.approx(1)
+    assert alike[0, 5] == pytest.approx(1) and alike[1, 4] == pytest.approx(1) and alike[2, 6] == pytest.approx(1)
+    for other in (0, 1, 3):
+        apart = (abs(place[other]) / 4e-3) / 0.125
+        assert alike[2, other] == pytest.approx(np.exp(-0.5 * apart**2), abs=0.02)
 
 
 QUICK = {"run.effects": "paper", "numerics.cells": 8, "numerics.grading": 5.0, "run.accuracy": 0.05}

@@ -51,6 +51,36 @@ class Discrepancy:
         return np.asarray(self.amplitude**2 * correlation * (np.outer(heights, heights) + np.outer(pace, pace)))
 
 
+_ALONG, _GRID, _NEGLIGIBLE = 1 / 8, 33, 1e-3
+
+
+def shape_modes(place: Floats, span: float) -> Floats:
+    """Modes of the error along a strand: hinges and string are not wrong by the same share.
+
+    Parameters
+    ----------
+    place : ndarray, shape (n,)
+        Distance from halfway between the supports [m]; NaN of a midpoint.
+    span : float
+        Distance of the supports [m].
+
+    Returns
+    -------
+    ndarray, shape (n, modes)
+        M of the correlation M M^T of the relative errors of two points: Gaussian in their distance, over an eighth of
+        the span, and alike on both sides; with one for every point of itself.
+    """
+    grid = np.linspace(0.0, 0.5, _GRID)
+    size, vectors = np.linalg.eigh(_alike(grid, grid))
+    kept = size > _NEGLIGIBLE * size[-1]
+    found = _alike(np.abs(np.nan_to_num(place)) / span, grid) @ vectors[:, kept] / np.sqrt(size[kept])
+    return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))
+
+
+def _alike(one: Floats, other: Floats) -> Floats:
+    return np.asarray(np.exp(-0.5 * (np.subtract.outer(one, other) / _ALONG) ** 2))
+
+
 def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:
     """Return the error of a theory against the continuum.
 

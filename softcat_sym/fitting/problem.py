@@ -16,7 +16,7 @@ from scipy.linalg import eigh
 
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.fitting.discrepancy import discrepancy
+from softcat_sym.fitting.discrepancy import discrepancy, shape_modes
 from softcat_sym.fitting.flow_curve import FlowCurve
 from softcat_sym.fitting.flow_readings import FlowReadings
 from softcat_sym.fitting.forward_model import ForwardModel
@@ -292,7 +292,7 @@ class FilamentProblem(Unknowns):
             return film
         heights, std = heights[seen], film.std[seen]
         times, row = np.unique(film.time[seen], return_inverse=True)
-        # Assumption: all points of a shape err by the same share, that of the deepest point.
+        # Points of a shape err by a share that changes along it, and in time as that of the deepest point.
         order = np.lexsort((np.abs(heights), row))
         deepest = heights[order[np.append(np.flatnonzero(np.diff(row[order])), row.size - 1)]]
         last = times.size - 1
@@ -302,7 +302,11 @@ class FilamentProblem(Unknowns):
         scaled = np.where(deepest == 0, 1.0, deepest)
         shares = vectors * np.sqrt(np.maximum(size, 0.0)) / scaled[:, None]
         # Principal components of the error in the readings, relative to their noise.
-        left, singular, _ = np.linalg.svd(heights[:, None] * shares[row] / std[:, None], full_matrices=False)
+        relative = shares[row]
+        if film.series.shapes is not None:
+            along = shape_modes(film.place[seen], scene.filament.span)
+            relative = (relative[:, :, None] * along[:, None, :]).reshape(row.size, -1)
+        left, singular, _ = np.linalg.svd(heights[:, None] * relative / std[:, None], full_matrices=False)
         count = min(int(np.sum(singular**2 > _MIN_VARIANCE)), _MAX_DIRECTIONS)
         begin = len(self.free)
         several = f"_{number + 1}" if len(self._how[1].series) > 1 else ""

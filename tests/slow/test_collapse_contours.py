@@ -1,6 +1,6 @@
 """The collapse test on contours that finite elements made: intervals hold the constants, the closed formula is off.
 
-The elements take an hour, once; they are kept in the user's cache.
+The elements take half an hour, once; they are kept in the user's cache.
 """
 
 from __future__ import annotations
@@ -20,12 +20,14 @@ pytestmark = pytest.mark.slow
 
 SPANS = (3e-3, 5e-3, 6e-3)
 MESH = Mesh(48, 6, grading=4.0)
+EARLY = {"run.duration": "1 s", "run.frames": 11}
+"""The photograph: later the elements' clamps neck, which on finer meshes lets the strand of 6 mm go down for ever."""
 
 
 @cache
 def _line(span: float) -> Line:
     """Centre line [m] of the whole gap at the end of the elements' run."""
-    run = elements(strand(span, {"run.frames": 41}), MESH)
+    run = elements(strand(span, EARLY), MESH)
     x, y = run.x[-1], run.y[-1]
     return [*-x[:0:-1], *x], [*y[:0:-1], *y]  # type: ignore[return-value]
 
@@ -34,7 +36,9 @@ def _line(span: float) -> Line:
 def test_contours_of_the_elements_have_their_constants(tmp_path: Path, tilt: float, steps: tuple[float, ...]) -> None:
     seen = photograph([_line(span) for span in SPANS], SPANS, tilt=tilt, steps=steps)
     guess = strand(5e-3, {"material.yield_stress": "120 Pa", "material.youngs_modulus": "50 kPa"})
-    found = collapse_test(write(tmp_path / "photo.csv", *seen, "pillars.height = 3 mm"), guess, profiles=False)
+    found = collapse_test(
+        write(tmp_path / "photo.csv", *seen, "pillars.height = 3 mm", "pillars.time = 1 s"), guess, profiles=False
+    )
     truth = {"yield_stress": YIELD_STRESS, "youngs_modulus": MODULUS}
     rows = [
         [name, truth[name], f"{one.best:.5g}", *one.ci95, one.verdict] for name, one in found.fit.parameters.items()
