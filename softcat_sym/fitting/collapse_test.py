@@ -289,6 +289,8 @@ def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]
 
 def _edge(text: str, unit: float) -> float:
     value = number_in(text.strip())
+    if value is None and is_pixels(text.strip().lstrip("+-.0123456789eE ")):
+        raise NotAQuantity(f"{shown(text.strip())} in pixels, which are plain numbers beside a column x_px")
     return to_si(text.strip(), "length", "m") if value is None else value * unit
 
 
