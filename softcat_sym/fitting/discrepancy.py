@@ -16,6 +16,7 @@ from softcat_sym.scene.scene import Scene, groups_of
 # the error of the finite elements themselves, 0.04 %. Second row: without them, in either closure. _STOPPING holds near
 # arrest, where the limit load of the hinges at the clamps decides.
 _OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
+_HINGES, _MOST_STOPPING = 0.21, 1.0
 _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 
 
@@ -99,8 +100,14 @@ def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrep
         by as much.
     """
     delta, regime = groups_of(scene).delta, expected_regime(scene, effects)
-    number, limit = regime.gravity_number, regime.arrest_exact
-    stops = number is not None and limit is not None and regime.name != "no-yield" and number < limit
+    number, limit = regime.gravity_number or 0.0, regime.arrest_exact
+    stops = number > 0 and limit is not None and regime.name != "no-yield" and number < limit
     if terms.shear and (terms.resolved or not terms.yields):
-        return Discrepancy(_STOPPING * delta if stops else _OWN + _FLOWING * delta**2)
+        return Discrepancy(_stopping(number, regime.collapse) * delta if stops else _OWN + _FLOWING * delta**2)
     return Discrepancy((_PUBLISHED_STOPPING if stops else _PUBLISHED_FLOWING) * delta)
+
+
+def _stopping(number: float, collapse: float | None) -> float:
+    """Error over h0/L of a filament that stops: that of the hinges' load, by which the sag grows as sqrt(G/G_c - 1)."""
+    beyond = 1 - (collapse or 0.0) / number
+    return _STOPPING if beyond <= 0 else min(max(_STOPPING, _HINGES / beyond), _MOST_STOPPING)
