@@ -62,6 +62,8 @@ _WINDOW = 8
 """A strand's slope is that of a line through an eighth of the gap."""
 _NEAR, _FEWEST_NEAR = 12, 6
 """The height of an edge is read from points within a twelfth of the gap, six at least."""
+_ONE_WAY = 0.75
+"""Share of the points of a centre line that go one way at least; of an outline half of them do."""
 _RESTING = 0.95
 """Share of the pillars' height at which a strand has come to lie on the bed."""
 
@@ -78,6 +80,18 @@ class Contour:
     overrides: tuple[tuple[str, str], ...] = ()  # Values of the scene that stand in the file
     path: Path | None = None
     notes: tuple[str, ...] = ()  # What was left out, a sentence each
+
+    @property
+    def forth(self) -> NDArray[np.bool_]:
+        """Points from one end to the other, shape (points,): all of a centre line, one of both edges of an outline."""
+        ends = sorted((int(np.argmin(self.x)), int(np.argmax(self.x))))
+        number = np.arange(self.x.size)
+        return np.asarray((number >= ends[0]) & (number <= ends[1]))
+
+    @property
+    def is_outline(self) -> bool:
+        """Whether the points go forth on one edge and back on the other."""
+        return bool(np.mean(self.forth) < _ONE_WAY)
 
 
 @dataclass(frozen=True, eq=False)
@@ -340,12 +354,8 @@ def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, F
     """Points over one gap, x increasing; of an outline the middle between its edges."""
     x, y = contour.x, contour.y
     inside = (x > left) & (x < right)
-    # An outline goes forth on one edge and back on the other: two long pieces of opposite ways.
-    first, last = int(np.argmin(x)), int(np.argmax(x))
-    forth = np.zeros(x.size, dtype=bool)
-    forth[min(first, last) : max(first, last) + 1] = True
-    edges = [inside & forth, inside & ~forth]
-    if min(int(one.sum()) for one in edges) < FEWEST:
+    edges = [inside & contour.forth, inside & ~contour.forth]
+    if not contour.is_outline or min(int(one.sum()) for one in edges) < FEWEST:
         order = np.argsort(x[inside], kind="stable")
         return x[inside][order], y[inside][order]
     sorted_edges = [(x[one][order], y[one][order]) for one in edges for order in (np.argsort(x[one], kind="stable"),)]
@@ -371,19 +381,16 @@ def _edge_heights(
     the nearest points of the gap, which a hinge may bend: its error is at least by how much it differs from a line.
     """
     reach = (edges[1] - edges[0]) / _NEAR
-    seen = np.all(np.diff(contour.x) >= 0)
     heights, errors = list[float](), list[float]()
     for edge, outwards, others in (
         (edges[0], -1.0, [right for _, right in contour.gaps if right < edges[1]]),
         (edges[1], 1.0, [left for left, _ in contour.gaps if left > edges[0]]),
     ):
         # Half of a pillar is this gap's, the other half that of the next.
-        half = min(
-            (abs(edge - other) / 2 for other in others if other != edges[0] and other != edges[1]), default=reach
-        )
+        half = min((abs(edge - other) / 2 for other in others), default=reach)
         beyond = outwards * (contour.x - edge)
-        on_pillar = (beyond >= 0) & (beyond <= max(half, reach))
-        if seen and on_pillar.sum() >= _FEWEST_NEAR:
+        on_pillar = (beyond >= 0) & (beyond <= half)
+        if not contour.is_outline and on_pillar.sum() >= _FEWEST_NEAR:
             height, error = _intercept(contour.x[on_pillar] - edge, contour.y[on_pillar], 1)
             errors.append(noise * error)
         else:
@@ -437,11 +444,7 @@ def measurements_of(contour: Contour, gaps: Sequence[Gap], scene: Scene) -> Meas
                 np.empty(0),
                 np.empty(0),
                 shapes=Shapes(np.full(one.x.size, when), one.x, one.y, level_std=one.level_std),
-                overrides={
-                    **dict(contour.overrides),
-                    "filament.span": f"{one.span!r} m",
-                    "ends.drop": f"{one.drop!r} m",
-                },
+                overrides={"filament.span": f"{one.span!r} m", "ends.drop": f"{one.drop!r} m"},
                 path=contour.path,
                 label=f"gap {one.number}, {1e3 * one.span:.3g} mm",
             )
@@ -480,6 +483,7 @@ def collapse_test(
     """
     seen = contour if isinstance(contour, Contour) else read_contour(contour)
     scene = as_scene(scene)
+    scene = scene.replace(dict(seen.overrides)) if seen.overrides else scene
     names = [yield_stress_name(scene), "youngs_modulus"]
     gaps, tilt = level(seen)
     if seen.pillar_height is not None:
@@ -493,22 +497,29 @@ def collapse_test(
     free = [*names, *(one for one in also_free if one not in names)]
     # The closed formula lies above the yield stress, where a strand stops; below it long ones may fall without end.
     deepest = max(gaps, key=lambda one: one.sag)
-    closed = closed_form(deepest, scene) / (math.sqrt(3) if names[0].startswith("shear") else 1.0)
-    begin = scene.replace({f"material.{names[0]}": f"{closed!r} Pa"})
-    found = fit(measurements_of(seen, gaps, scene), begin, free, **how)
+    closed = closed_form(deepest, scene)
+    if closed is not None:
+        closed /= math.sqrt(3) if names[0].startswith("shear") else 1.0
+        scene = scene.replace({f"material.{names[0]}": f"{closed!r} Pa"})
+    found = fit(measurements_of(seen, gaps, scene), scene, free, **how)
     stress = found.fitted_scene.material.yield_stress or math.nan
     results = tuple(_result(one, seen, found.fitted_scene, stress) for one in gaps)
     return CollapseTest(found, seen, gaps, tilt, results)
 
 
-def closed_form(gap: Gap, scene: Scene) -> float:
-    """Tensile yield stress [Pa] that alone carries half of the strand where it is steepest: rho g L/(2 sin(angle))."""
+def closed_form(gap: Gap, scene: Scene) -> float | None:
+    """Tensile yield stress [Pa] that alone carries half of the strand where it is steepest: rho g L/(2 sin(angle)).
+
+    None where the sag is not significant.
+    """
+    if not gap.sag > _SIGNIFICANT * gap.level_std or not gap.angle > 0:
+        return None
     return scene.filament.density * scene.load.gravity * gap.span / (2 * math.sin(gap.angle))
 
 
 def _result(gap: Gap, contour: Contour, scene: Scene, stress: float) -> GapResult:
     closed, share = closed_form(gap, scene), gap.area / (gap.span * (contour.pillar_height or math.nan))
-    known, sags = math.isfinite(share), gap.sag > _SIGNIFICANT * gap.level_std
+    known = math.isfinite(share)
     return GapResult(
         number=gap.number,
         span=gap.span,
@@ -517,6 +528,6 @@ def _result(gap: Gap, contour: Contour, scene: Scene, stress: float) -> GapResul
         collapsed=share if known else None,
         remaining=1 - share if known else None,
         angle=gap.angle,
-        closed_form=closed if sags else None,
-        ratio=closed / stress if sags else None,
+        closed_form=closed,
+        ratio=None if closed is None else closed / stress,
     )

@@ -341,6 +341,11 @@ class Shapes:
         if faults:
             raise refusal("shapes", None, faults)
 
+    @property
+    def shows_supports(self) -> bool:
+        """Whether the supports are in the same picture: their level, and with their distance its scale."""
+        return self.level_std > 0
+
 
 @dataclass(frozen=True, eq=False)
 class Forces:

@@ -412,7 +412,8 @@ def loss_values(loss: Loss, fits: Mapping[str, Fit], *, known: bool) -> dict[str
     widest = [
         max(films, key=lambda film: film.theory_size) for films in zip(*(one.films for one in problems), strict=True)
     ]
-    unit = float(np.mean(np.concatenate([film.std[~film.is_force] for film in widest] or [np.ones(1)])))
+    std, is_force = (np.concatenate([getattr(film, name) for film in widest]) for name in ("std", "is_force"))
+    unit = float(np.mean(std if is_force.all() else std[~is_force]))
     limits = 1.0 if known else min(units.values()) / unit, 1.0 if known else _NOISIER * max(units.values()) / unit
     count = problems[0].readings
     found = {}

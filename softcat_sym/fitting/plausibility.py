@@ -91,7 +91,7 @@ def _checked(series: Series, scene: Scene) -> Series:
     turn: dict[str, bool] = {}
     for track in _tracks(series):
         # In a photograph of the supports themselves up is up.
-        if _sags(scene) and not (series.shapes and series.shapes.level_std):
+        if _sags(scene) and not (series.shapes and series.shapes.shows_supports):
             turn[track.name], note, fault = _sign(track)
             notes += note
             faults += fault

@@ -611,7 +611,7 @@ def _camera_parameters(scene: Scene, film: Series, asked: set[str]) -> tuple[Fre
     """The camera's parameters that are not free parameters themselves, with their priors."""
     read = Readings.of(film)
     names = [name for name in CAMERA if name not in asked and (name != TILT or film.shapes is not None)]
-    if film.shapes is not None and film.shapes.level_std:
+    if film.shapes is not None and film.shapes.shows_supports:
         # Supports in the same picture are its ruler.
         names = [name for name in names if name != SCALE]
     if not read.largest:
