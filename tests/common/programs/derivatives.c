@@ -36,8 +36,9 @@ int main(void)
         with.by_step = value != 0.0 ? NULL : &step;
         if (k == s->time_scale) continue;
         if (length > 5 && strcmp(s->parameter_names[k] + length - 5, "_time") == 0) continue;
-        /* A support that is elsewhere at the release would jump there: that has no derivative. */
+        /* An end that is elsewhere, or turned, at the release would jump there: that has no derivative. */
         if (strncmp(s->parameter_names[k], "motion_0_", 9) == 0) continue;
+        if (strcmp(s->parameter_names[k], "turn_0_angle") == 0) continue;
         if (softcat_solve_with(params, CELLS, time, 1, &with, &results, NULL)) return 1;
         params[k] = value + step;
         if (shape(params, up)) return 1;
