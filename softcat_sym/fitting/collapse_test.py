@@ -14,26 +14,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.fitting.fit import fit
+from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
 from softcat_sym.fitting.result import Fit
 from softcat_sym.fitting.trackers import camera_in
 from softcat_sym.scene.csv_reader import (
-    Column,
-    CsvTable,
-    absent,
+    Wanted,
+    columns_in,
     counted,
     header_pattern,
     is_pixels,
     missing_rows,
-    named,
     number_in,
     numbers_in,
     refusal,
@@ -49,7 +47,16 @@ Floats = NDArray[np.float64]
 
 _KIND = "contour"
 _NAME = header_pattern(("x", "y"))
-_ACCEPTED = {one: f"{one}_mm, {one}_m, {one}_um, or {one}_px with a line # camera.pixel = 0.05 mm" for one in "xy"}
+_AXES = {
+    one: Wanted(
+        one,
+        "length",
+        "m",
+        f"{one}_mm",
+        f"{one}_mm, {one}_m, {one}_um, or {one}_px with a line # camera.pixel = 0.05 mm",
+    )
+    for one in "xy"
+}
 _LINE = re.compile(r"#\s*pillars\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
 _FORMS = {
     "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
@@ -213,7 +220,13 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     faults += wrong
     if cells is None:
         raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", accepted)])
-    columns, wrong = _columns(cells, camera.pixel)
+
+    def unit_in(name: str, unit: str) -> float:
+        if camera.pixel is not None and (is_pixels(unit) or not unit):
+            return camera.pixel
+        return unit_of(unit, _AXES[name].dimension, _AXES[name].si)
+
+    columns, wrong = columns_in(cells, _NAME, _AXES, unit_in)
     if faults or wrong:
         raise refusal(_KIND, file, faults + wrong)
     pillars, wrong = _pillars(text, columns["x"].unit)
@@ -242,30 +255,6 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     single = {key: pillars[key][0] if pillars[key] else None for key in ("height", "time")}
     notes = (said,) if said else ()
     return Contour(x, y, gaps, single["height"], single["time"], tuple(overrides.items()), file, notes)
-
-
-def _columns(table: CsvTable, pixel: float | None) -> tuple[dict[str, Column], list[Fault]]:
-    """Columns of x and y and their units."""
-    where, faults = f"line {table.line}", list[Fault]()
-    found: dict[str, list[Column]] = {"x": [], "y": []}
-    for place, name in enumerate(table.header):
-        match = _NAME.fullmatch(name.strip())
-        if match is None:
-            continue
-        axis, unit, _ = named(match)
-        try:
-            si = pixel if pixel is not None and (is_pixels(unit) or not unit) else unit_of(unit, "length", "m")
-        except NotAQuantity as error:
-            faults.append(Fault(where, f"column {shown(name)}: {error}", _ACCEPTED[axis]))
-            si = math.nan
-        found[axis].append(Column(name, place, si))
-    for axis, several in found.items():
-        if not several:
-            faults.append(absent(f"column {axis}", f"{axis}_mm", _ACCEPTED[axis], table, _NAME))
-        elif len(several) > 1:
-            names = ", ".join(column.name for column in several)
-            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
-    return {axis: several[0] for axis, several in found.items() if several}, faults
 
 
 def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]:
@@ -454,7 +443,10 @@ def measurements_of(contour: Contour, gaps: Sequence[Gap], scene: Scene) -> Meas
 
 
 def collapse_test(
-    contour: Contour | str | os.PathLike[str], scene: SceneLike, also_free: Sequence[str] = (), **how: Any
+    contour: Contour | str | os.PathLike[str],
+    scene: SceneLike,
+    also_free: Sequence[str] = (),
+    **how: Unpack[FitOptions],
 ) -> CollapseTest:
     """Find the yield stress and the modulus of a strand from its contour over gaps between pillars.
 

@@ -7,7 +7,7 @@ import os
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from scipy import stats
@@ -144,6 +144,23 @@ class _Request:
         made = FilamentProblem(scene, films, *how, **given)
         made.deadline = self.deadline
         return made
+
+
+class FitOptions(TypedDict, total=False):
+    """Options of :func:`fit` that a fit of another kind passes on to it."""
+
+    bounds: Mapping[str, tuple[object, object]] | None
+    loss: Loss
+    starts: int
+    profiles: bool
+    backend: str
+    rtol: float | None
+    seed: int
+    method: Method
+    calibrated: bool
+    discrepancy: bool
+    time_limit: float | None
+    progress: Progress | None
 
 
 def fit(

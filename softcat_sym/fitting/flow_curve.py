@@ -18,20 +18,19 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
 from softcat_sym.scene.csv_reader import (
-    Column,
     CsvTable,
-    absent,
+    Wanted,
+    columns_in,
     counted,
     header_pattern,
     missing_rows,
-    named,
     numbers_in,
     refusal,
     table_in,
     text_of,
     unit_of,
 )
-from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown
+from softcat_sym.scene.units import NotAQuantity, did_you_mean
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -41,13 +40,12 @@ Floats = NDArray[np.float64]
 RATE, STRESS, STD = "shear_rate_1_s", "shear_stress_Pa", "shear_stress_std_Pa"
 """Names of the columns that are read, with their SI units; that of standard errors may be missing."""
 
-# Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
-_STRESS_KIND = (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
+_STRESS_KIND = Wanted(STRESS, "stress", "Pa", STRESS, f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
 _KNOWN = {
-    "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
+    "shear_rate": Wanted(RATE, "shear rate", "1/s", RATE, f"{RATE}, or shear rate [1/s]"),
     "shear_stress": _STRESS_KIND,
     "stress": _STRESS_KIND,
-    "shear_stress_std": (STD, "stress", "Pa", f"{STD}, shear_stress_std_kPa, or no such column"),
+    "shear_stress_std": Wanted(STD, "stress", "Pa", STD, f"{STD}, shear_stress_std_kPa, or no such column", True),
 }
 _NAME = header_pattern(_KNOWN)
 _SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
@@ -153,7 +151,9 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
     if cells is None:
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    columns = _columns(cells, file)
+    columns, faults = columns_in(cells, _NAME, _KNOWN, _unit)
+    if faults:
+        raise _refusal(file, faults)
     cells = _of_sample(cells, sample, file)
     table, faults = numbers_in(cells, columns, lambda _, value: _implausible(value))
     if faults:
@@ -165,35 +165,10 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else (), std)
 
 
-def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
-    """Find the columns and their units."""
-    where = f"line {table.line}"
-    columns: dict[str, list[Column]] = {RATE: [], STRESS: [], STD: []}
-    faults: list[Fault] = []
-    faulty = set()
-    for place, name in enumerate(table.header):
-        match = _NAME.fullmatch(name.strip())
-        if match is None:
-            continue
-        known, unit, _ = named(match)
-        quantity, dimension, si, accepted = _KNOWN[known]
-        try:
-            if unit.lower() in _TURNS:
-                raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
-            columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
-        except NotAQuantity as found:
-            faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
-            faulty.add(quantity)
-    for quantity, _, _, accepted in dict.fromkeys(_KNOWN.values()):
-        several = columns[quantity]
-        if not several and quantity not in {*faulty, STD}:
-            faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
-        elif len(several) > 1:
-            names = ", ".join(column.name for column in several)
-            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
-    if faults:
-        raise _refusal(file, faults)
-    return {quantity: several[0] for quantity, several in columns.items() if several}
+def _unit(name: str, unit: str) -> float:
+    if unit.lower() in _TURNS:
+        raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
+    return unit_of(unit, _KNOWN[name].dimension, _KNOWN[name].si)
 
 
 def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:

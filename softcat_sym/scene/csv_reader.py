@@ -131,6 +131,18 @@ class Column:
         return float(Decimal(repr(value)) * Decimal(repr(self.unit)))
 
 
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What a column that is read holds."""
+
+    quantity: str
+    dimension: str
+    si: str  # Its unit
+    example: str  # Name as it should be
+    accepted: str  # Names in words
+    optional: bool = False  # Whether there may be no such column
+
+
 def table_in(text: str) -> CsvTable | None:
     """Split a text into cells; separated by tabs, else by semicolons, else by commas. None if it holds no data."""
     lines = data_lines(text)
@@ -187,6 +199,39 @@ def absent(what: str, wanted: str, accepted: str, table: CsvTable, pattern: re.P
     found = ", ".join(shown(name) for name in header[:_NAMES_SHOWN]) + (", ..." if len(header) > _NAMES_SHOWN else "")
     hint = "; cells separated by commas, semicolons or tabs" if len(header) == 1 else ""
     return Fault(f"line {table.line}", f"no {what} among {found}{is_it}", accepted + hint)
+
+
+def columns_in(
+    table: CsvTable,
+    pattern: re.Pattern[str],
+    wanted: Mapping[str, Wanted],
+    unit_in: Callable[[str, str], float],
+) -> tuple[dict[str, Column], list[Fault]]:
+    """Find the column of each quantity of a pattern's names.
+
+    `unit_in` returns the SI value of a unit of a name's column, or raises :class:`NotAQuantity`.
+    """
+    where, faults = f"line {table.line}", list[Fault]()
+    found: dict[str, list[Column]] = {one.quantity: [] for one in wanted.values()}
+    for place, name in enumerate(table.header):
+        match = pattern.fullmatch(name.strip())
+        if match is None:
+            continue
+        known, unit, _ = named(match)
+        try:
+            si = unit_in(known, unit)
+        except NotAQuantity as error:
+            si = math.nan
+            faults.append(Fault(where, f"column {shown(name)}: {error}", wanted[known].accepted))
+        found[wanted[known].quantity].append(Column(name, place, si))
+    for one in dict.fromkeys(wanted.values()):
+        several = found[one.quantity]
+        if not several and not one.optional:
+            faults.append(absent(f"column {one.quantity}", one.example, one.accepted, table, pattern))
+        elif len(several) > 1:
+            names = ", ".join(column.name for column in several)
+            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
+    return {quantity: several[0] for quantity, several in found.items() if several}, faults
 
 
 def numbers_in(
