@@ -324,10 +324,10 @@ def _fit(
     request.progress.stage("done")
     asked = problem.free[: problem.asked]
     shifts = np.zeros(problem.asked) if resolution is None else resolution.total
-    coarse = resolution is not None and resolution.shares.total > SHARE
+    shift = 0.0 if resolution is None else resolution.shares.total
     parameters = {
-        free.name: fitted_parameter(free, verdict, float(shift), widened=coarse)
-        for free, verdict, shift in zip(asked, inferred.verdicts, shifts, strict=True)
+        free.name: fitted_parameter(free, verdict, float(change), widened=shift > SHARE)
+        for free, verdict, change in zip(asked, inferred.verdicts, shifts, strict=True)
     }
     return Fit(
         scene=given,
@@ -338,7 +338,7 @@ def _fit(
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=reading * problem.unit,
         noise_known=problem.noise_known,
-        outcome=_outcome(problem, inferred, checks, parts, coarse=coarse, loss=loss),
+        outcome=_outcome(problem, inferred, checks, parts, shift=shift, loss=loss),
         films=tuple(fitted),
         checks=checks,
         starts=inferred.starts,
@@ -468,7 +468,7 @@ def _outcome(
     checks: ResidualChecks,
     parts: Sequence[Floats],
     *,
-    coarse: bool,
+    shift: float,  # Discretization error of the parameters, in standard errors
     loss: Loss,
 ) -> FitOutcome:
     best, words = inferred.starts.best, {one.word for one in inferred.verdicts}
@@ -487,10 +487,11 @@ def _outcome(
     # correlation indicates a model error.
     alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
     if (checks.verdict == "not white" and alike) or _beyond_theory(problem, best) or _correlated_for_long(problem):
-        return FitOutcome.model_error
+        # A grid that moves the constants by more than the noise also leaves a pattern above it.
+        return FitOutcome.discretization_error if shift > 1 else FitOutcome.model_error
     if "at a bound" in words:
         return FitOutcome.at_a_bound
-    if coarse:
+    if shift > SHARE:
         return FitOutcome.discretization_error
     return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified
 
