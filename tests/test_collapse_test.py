@@ -109,16 +109,17 @@ def test_films_of_all_gaps_are_shapes_of_their_own_spans(tmp_path: Path) -> None
     assert dict(seen.overrides) == {"filament.thickness": "0.5 mm"}
 
 
-def test_the_error_of_a_shape_is_alike_nearby_and_on_both_sides() -> None:
-    """Correlations of the relative error: one of a point with itself and its mirror image, Gaussian in the distance."""
+def test_the_error_of_a_shape_is_that_of_the_midpoint_and_more_towards_the_ends() -> None:
+    """Covariances over the midpoint's: one with it everywhere, two far from it, the same on both sides."""
     place = np.array([-2e-3, -1e-3, 0.0, 0.5e-3, 1e-3, 2e-3, np.nan])
     modes = shape_modes(place, 4e-3)
     alike = modes @ modes.T
-    assert np.diag(alike) == pytest.approx(1)
-    assert alike[0, 5] == pytest.approx(1) and alike[1, 4] == pytest.approx(1) and alike[2, 6] == pytest.approx(1)
-    for other in (0, 1, 3):
-        apart = (abs(place[other]) / 4e-3) / 0.125
-        assert alike[2, other] == pytest.approx(np.exp(-0.5 * apart**2), abs=0.02)
+    assert alike[2] == pytest.approx(1, abs=0.02) and alike[6] == pytest.approx(alike[2])
+    assert alike[0, 5] == pytest.approx(alike[0, 0]) and alike[1, 4] == pytest.approx(alike[1, 1])
+    assert alike[0, 0] == pytest.approx(2, abs=0.02)
+    near = np.exp(-0.5)
+    assert alike[3, 3] == pytest.approx(2 - near**2, abs=0.02)
+    assert alike[3, 4] == pytest.approx(1 + near - near * np.exp(-2), abs=0.02)
 
 
 QUICK = {"run.effects": "paper", "numerics.cells": 8, "numerics.grading": 5.0, "run.accuracy": 0.05}

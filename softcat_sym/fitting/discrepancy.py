@@ -16,9 +16,9 @@ from softcat_sym.scene.scene import Scene, groups_of
 # the error of the finite elements themselves, 0.04 %. Second row: without them, in either closure. _STOPPING holds near
 # arrest, where the limit load of the hinges at the clamps decides.
 _OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
-# Over h0/L and 1 - G_c/G, G_c being the load of the plastic beam, and the most of it: 0.3 where G/G_c is 3.3. Set after
-# one film of elements, of a strand at 1.5 times that load.
-_HINGES, _MAX_STOPPING = 0.21, 1.0
+# Over h0/L and (1 - G_c/G)^2, G_c being the load of the plastic beam, and the most of it; as
+# ``tests/slow/test_collapse_contours.py`` prints it.
+_HINGES, _MAX_STOPPING = 0.09, 4.0
 _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 
 
@@ -59,7 +59,7 @@ _CORRELATION_LENGTH, _GRID, _NEGLIGIBLE = 1 / 8, 33, 1e-3
 
 
 def shape_modes(place: Floats, span: float) -> Floats:
-    """Modes of the theory's error along a filament: at its hinges it errs by another share than between them.
+    """Modes of the theory's error along a filament: the midpoint's share everywhere, and more of it towards the ends.
 
     Parameters
     ----------
@@ -71,18 +71,21 @@ def shape_modes(place: Floats, span: float) -> Floats:
     Returns
     -------
     ndarray, shape (n, modes)
-        M of the correlation M M^T of the relative errors of two points: Gaussian in their distance, with an eighth of
-        the span for a standard deviation, and the same on both sides of the midpoint.
+        M of the covariance M M^T = 1 + k(x, x') - k(x, 0) k(0, x') of the relative errors of two points over that of
+        the midpoint, where k is Gaussian with a standard deviation of an eighth of the span; the same on both sides of
+        the midpoint. Elements sag less by some share everywhere, and near their clamps by up to twice of it.
     """
     grid = np.linspace(0.0, 0.5, _GRID)
-    size, vectors = np.linalg.eigh(_correlation(grid, grid))
+    size, vectors = np.linalg.eigh(_covariance(grid, grid))
     kept = size > _NEGLIGIBLE * size[-1]
-    found = _correlation(np.abs(np.nan_to_num(place)) / span, grid) @ vectors[:, kept] / np.sqrt(size[kept])
-    return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))
+    return np.asarray(_covariance(np.abs(np.nan_to_num(place)) / span, grid) @ vectors[:, kept] / np.sqrt(size[kept]))
 
 
-def _correlation(one: Floats, other: Floats) -> Floats:
-    return np.asarray(np.exp(-0.5 * (np.subtract.outer(one, other) / _CORRELATION_LENGTH) ** 2))
+def _covariance(one: Floats, other: Floats) -> Floats:
+    def nearby(distance: Floats) -> Floats:
+        return np.asarray(np.exp(-0.5 * (distance / _CORRELATION_LENGTH) ** 2))
+
+    return 1 + nearby(np.subtract.outer(one, other)) - np.outer(nearby(one), nearby(other))
 
 
 def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:
@@ -100,7 +103,7 @@ def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrep
     Discrepancy
         The constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against
         plane-stress elements, as ``tests/slow/test_discrepancy.py`` prints them; other laws and ends are assumed to err
-        by as much. Near the load of the plastic beam the error is that of one film only.
+        by as much.
     """
     delta, regime = groups_of(scene).delta, expected_regime(scene, effects)
     number, limit = regime.gravity_number or 0.0, regime.arrest_exact
@@ -111,6 +114,6 @@ def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrep
 
 
 def _stopping(number: float, collapse: float | None) -> float:
-    """Error over h0/L of a filament that stops: that of the hinges' load, by which the sag grows as sqrt(G/G_c - 1)."""
+    """Error over h0/L of a filament that stops: largest near the load of the plastic beam, where its hinges decide."""
     beyond = 1 - (collapse or 0.0) / number
-    return _STOPPING if beyond <= 0 else min(max(_STOPPING, _HINGES / beyond), _MAX_STOPPING)
+    return _STOPPING if beyond <= 0 else min(max(_STOPPING, _HINGES / beyond**2), _MAX_STOPPING)
