@@ -119,13 +119,12 @@ def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
 
 def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: float) -> ExpectedRegime:
     held = is_held(scene)
-    collapse = beams.plastic_collapse(scales.section_of(scene), scales.beam_of(scene), groups_of(scene).delta)
     paper, exact = (beams.ARREST_THRESHOLD, beams.ARREST_THRESHOLD_EXACT) if held else (HANGING, HANGING)
     found = functools.partial(
         ExpectedRegime,
         gravity_number=gravity_number,
         first_yield=first_yield_under_load(scene, effects),
-        collapse=collapse * scales.share_of_yield(scene),
+        collapse=scales.collapse_gravity_number(scene),
         arrest_paper=paper,
         arrest_exact=exact,
         stopping_depth_paper=beams.stopping_depth(gravity_number) if held and 0 < gravity_number < paper else None,

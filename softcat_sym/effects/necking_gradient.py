@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import partial
 
+from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
@@ -28,6 +29,7 @@ def _applies(scene: Scene) -> bool:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS))
     hinged = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
+    hinged = hinged and (scales.gravity_number_of(scene) or 0.0) > scales.collapse_gravity_number(scene)
     spread = _HINGE * motion.folds**2 / (1 + motion.folds) if hinged else 0.0
     formula = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds n, or {_HINGE:g} n^2/(1 + n)"
     return Estimate(min(1.0, max(grown, spread)), "growth of necks, or spread of the hinges at the clamps", formula)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from softcat_sym.effects.law import has_chains, is_solid
-from softcat_sym.physics.beams import Beam, beam_between, first_yield
+from softcat_sym.physics.beams import Beam, beam_between, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held
 
@@ -204,6 +204,11 @@ def elastic_sag(scene: Scene) -> float:
         return 0.0
     stiff = modulus / weight
     return smaller_of(1 / (bending_stiffness(scene) * stiff), (3 / (64 * stiff)) ** (1 / 3))
+
+
+def collapse_gravity_number(scene: Scene) -> float:
+    """G from which the hinges of the plastic beam turn."""
+    return plastic_collapse(section_of(scene), beam_of(scene), groups_of(scene).delta) * share_of_yield(scene)
 
 
 def neck_length(scene: Scene) -> float:
