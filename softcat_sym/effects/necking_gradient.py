@@ -16,8 +16,8 @@ _UNEVENNESS = 4e-4
 """Initial unevenness of a neck, fitted so that one e-fold changes the sag of the paper's arrested filament by 1 %."""
 
 _HINGE = 0.03
-"""Change of the sag per e-fold with yielding hinges at clamps, which the gradient widens; measured within a factor of
-two on strands of h0/L = 0.03 to 0.1 at 1.15 to 3.3 times the load of the plastic beam, after 0.3 to 5 e-folds."""
+"""Change of the sag per e-fold with yielding hinges at clamps, which the gradient widens: within a factor of two in
+``tests/slow/test_collapse_contours.py``, for up to two e-folds; too large later, when the hinges have stopped."""
 
 _MANY_FOLDS = 30.0  # Limit of the e-folds, beyond which a neck has grown in any case
 
@@ -28,9 +28,9 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS))
-    hinged = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
-    hinged = hinged and (scales.gravity_number_of(scene) or 0.0) > scales.collapse_gravity_number(scene)
-    spread = _HINGE * motion.folds**2 / (1 + motion.folds) if hinged else 0.0
+    clamped = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
+    turns = clamped and (scales.gravity_number_of(scene) or 0.0) > scales.collapse_gravity_number(scene)
+    spread = _HINGE * motion.folds**2 / (1 + motion.folds) if turns else 0.0
     formula = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds n, or {_HINGE:g} n^2/(1 + n)"
     return Estimate(min(1.0, max(grown, spread)), "growth of necks, or spread of the hinges at the clamps", formula)
 

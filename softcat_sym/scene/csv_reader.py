@@ -207,9 +207,9 @@ def columns_in(
     wanted: Mapping[str, Wanted],
     unit_in: Callable[[str, str], float],
 ) -> tuple[dict[str, Column], list[Fault]]:
-    """Find the column of each quantity of a pattern's names.
+    """Find the columns of a table whose names match a pattern; `wanted` says what each name holds.
 
-    `unit_in` returns the SI value of a unit of a name's column, or raises :class:`NotAQuantity`.
+    `unit_in` returns the SI value of the unit in the heading of such a name, or raises :class:`NotAQuantity`.
     """
     where, faults = f"line {table.line}", list[Fault]()
     found: dict[str, list[Column]] = {one.quantity: [] for one in wanted.values()}
