@@ -49,7 +49,7 @@ from softcat_sym.plotting.style import png
 from softcat_sym.results import run as run_module
 from softcat_sym.results import verdict
 from softcat_sym.scene.material import POLYMERS
-from tests.common.filmed import film, scene
+from tests.common.filmed import TRUTH, film, scene
 from tests.common.flow_curves import curve_of
 
 NECK = "the cell at X/L = 0.49 carries 60%"
@@ -84,6 +84,20 @@ def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
     other = fitted(wave=2e-3)
     assert other.outcome is FitOutcome.model_error
     assert "energy residual 0.5" in other.message
+
+
+@pytest.mark.parametrize("cells", [4, 16])
+def test_a_grid_that_is_fixed_too_coarsely_is_neither_the_law_nor_outliers(cells: int) -> None:
+    """A film of 48 cells with little noise; the intervals are widened by what the grid moves, and hold the truth."""
+    true = scene().replace({"numerics.cells": 48})
+    run = sc.simulate(true.replace({"run.frames": 61})).data
+    time, height = run.time.values[1:], run.midpoint.values[1:]
+    height = height + 1e-3 * np.abs(height).max() * np.random.default_rng(0).standard_normal(60)
+    exact = {"calibrated": True, "discrepancy": False, "starts": 0, "profiles": False}
+    found = fit(Measurements.of(time, height), scene().replace({"numerics.cells": cells}), ["viscosity"], **exact)  # type: ignore[arg-type]
+    assert found.outcome is FitOutcome.discretization_error
+    low, high = found.parameters["viscosity"].ci95
+    assert low is not None and high is not None and low < TRUTH["viscosity"] < high
 
 
 def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:

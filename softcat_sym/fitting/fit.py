@@ -338,6 +338,7 @@ def _fit(
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=reading * problem.unit,
         noise_known=problem.noise_known,
+        loss=loss,
         outcome=_outcome(problem, inferred, checks, parts, shift=shift, loss=loss),
         films=tuple(fitted),
         checks=checks,
@@ -475,6 +476,9 @@ def _outcome(
     if not best.converged:
         late = best.status == OUT_OF_TIME or time.monotonic() > problem.deadline
         return FitOutcome.out_of_time if late else FitOutcome.not_converged
+    # A grid that moves the constants by more than the noise also leaves a pattern, and residuals far out.
+    if shift > 1:
+        return FitOutcome.discretization_error
     # A residual below the resolution of cameras is no outlier, however small the noise of the other readings.
     smallest = max(1.0, _MIN_OUTLIER * problem.least_noise / problem.unit)
     outliers = sum(int((far_out(part) & (np.abs(part) > smallest)).sum()) for part in parts)
@@ -487,8 +491,7 @@ def _outcome(
     # correlation indicates a model error.
     alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
     if (checks.verdict == "not white" and alike) or _beyond_theory(problem, best) or _correlated_for_long(problem):
-        # A grid that moves the constants by more than the noise also leaves a pattern above it.
-        return FitOutcome.discretization_error if shift > 1 else FitOutcome.model_error
+        return FitOutcome.model_error
     if "at a bound" in words:
         return FitOutcome.at_a_bound
     if shift > SHARE:

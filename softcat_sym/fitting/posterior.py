@@ -19,6 +19,7 @@ from scipy.optimize import minimize
 from scipy.special import expit, log_expit, logit
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.identifiability import Noise
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
 from softcat_sym.fitting.problem import Marginal
@@ -46,6 +47,7 @@ _EDGE = 1e-4
 # Value of the function that is minimised for the mode, where the model has no answer.
 _NO_ANSWER = 1e15
 _LEVEL = 0.95
+_TINY = 1e-300
 _POLL = 0.1
 
 
@@ -176,8 +178,10 @@ def posterior_of(
     Raises
     ------
     SoftcatError
-        As for :func:`sample`; or if no optimum was found.
+        As for :func:`sample`; or if no optimum was found, or with a robust loss.
     """
+    if fit.loss.kind != "linear":
+        raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
     if not fit.outcome.converged:
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem = Marginal(fit.problem, fit.starts.best)
@@ -185,7 +189,8 @@ def posterior_of(
     best, read = fit.starts.best.q[: fit.problem.asked], read_priors(priors or {}, problem.free)
     seen = {film.name: film.measured for film in fit.films}
     how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
-    return sample(problem, best, read, **how, observed=seen, progress=progress)
+    noise = fit.information.spread
+    return sample(problem, best, read, **how, noise=noise, observed=seen, progress=progress)
 
 
 def sample(
@@ -198,15 +203,20 @@ def sample(
     chains: int = CHAINS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
+    noise: Noise | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
     """Draw from the posterior of a problem of least squares.
 
     The likelihood is Gaussian. Where the noise is not known, its deviation has Jeffreys' prior 1/s and is integrated
-    out: the logarithm is then -m/2 log(r.r) of m residuals r. Unknowns are mapped from their bounds to the real line,
-    and whitened by the curvature at the mode, so that a short tuning suffices. Chains run one after another: a
-    model with a memory of its last evaluation gives the same draws again.
+    out: the logarithm is then -m/2 log(r.r) of m residuals r. If r has rows of priors, which do not tell the noise, it
+    is -(f + k)/2 log(f s^2 + r.r - r0.r0), where s and f are the deviation and degrees of freedom of the readings at
+    the best fit, and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+
+    Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the mode, so that a short
+    tuning suffices. Chains run one after another: a model with a memory of its last evaluation gives the same draws
+    again.
 
     Parameters
     ----------
@@ -220,6 +230,8 @@ def sample(
         Draws of each chain after `tune` tuning steps; convergence cannot be assessed with a single chain.
     time_limit : float
         Seconds. A longer estimate is refused beforehand; chains that reach the limit end with the draws so far.
+    noise : Noise, optional
+        Of the readings at the best fit; without it all residuals are readings.
     observed : mapping of str to ndarray, optional
         Measurements, stored with the draws.
     progress : Progress, optional
@@ -241,7 +253,7 @@ def sample(
     refuse_excluded(priors, best)
     listener, begin = progress or Silence(), time.perf_counter()
     listener.stage("posterior")
-    density = _Density(problem, priors)
+    density = _Density(problem, priors, noise)
     density.whiten(best)
     needed = chains * (tune + draws) * _STEPS * density.quickest
     if needed > time_limit:
@@ -301,8 +313,10 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior]) -> None:
-        self._problem, self._priors = problem, priors
+    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Noise | None = None) -> None:
+        self._problem, self._priors, self._noise = problem, priors, noise
+        # Added to r.r, and the number of readings that count, where the noise is integrated out.
+        self._added, self._count = 0.0, 0
         self._lower = np.array([one.lower for one in priors])
         self._width = np.array([one.upper for one in priors]) - self._lower
         self._centre, self._spread = np.zeros(len(priors)), np.eye(len(priors))
@@ -322,8 +336,9 @@ class _Density:
         before, slopes = np.array(pairs).T
         squares, weight = float(residuals @ residuals), 1.0
         fit = -0.5 * squares
-        if not self._problem.noise_known and squares > 0:
-            fit, weight = -0.5 * residuals.size * math.log(squares), residuals.size / squares
+        if not self._problem.noise_known:
+            squares = max(squares + self._added, _TINY)
+            fit, weight = -0.5 * self._count * math.log(squares), self._count / squares
         # Logarithm of the Jacobian of the map from y to q.
         stretch = log_expit(y) + log_expit(-y)
         value = fit + float(before.sum() + stretch.sum())
@@ -342,6 +357,11 @@ class _Density:
 
     def whiten(self, best: Floats) -> None:
         """Find the mode near the best fit, and scale the unknowns to unit curvature there."""
+        residuals, _ = self._linearised(best)
+        self._count = residuals.size
+        if self._noise is not None and self._noise.freedom is not None:
+            self._added = self._noise.freedom * self._noise.deviation**2 - float(residuals @ residuals)
+            self._count = self._noise.freedom + best.size
         self._curve(best)
 
         def downhill(z: Floats) -> tuple[float, Floats]:
@@ -359,8 +379,9 @@ class _Density:
         residuals, jacobian = self._linearised(q)
         if not (np.isfinite(residuals).all() and np.isfinite(jacobian).all()):
             raise SoftcatError("the model has no answer at the best fit: its posterior cannot be drawn")
-        variance = 1.0 if self._problem.noise_known else float(residuals @ residuals) / residuals.size
-        scaled = jacobian * stretch / math.sqrt(max(variance, np.finfo(float).tiny))
+        squares = float(residuals @ residuals) + self._added
+        variance = 1.0 if self._problem.noise_known else max(squares, _TINY) / self._count
+        scaled = jacobian * stretch / math.sqrt(variance)
         curvature = [max(-_second(one, float(x)), 0.0) for one, x in zip(self._priors, q, strict=True)]
         precision = scaled.T @ scaled + np.diag(stretch**2 * curvature + 2 * share * (1 - share))
         lower = np.linalg.cholesky(precision)

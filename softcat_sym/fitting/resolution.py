@@ -36,6 +36,7 @@ SHARE = 1 / 3
 _FRAMES = 201
 _TIGHTER = 0.1
 _FEWEST_CELLS = 16
+_FEWEST_HALVED = 8
 _FIRST_ACCURACY = 0.01
 
 
@@ -131,7 +132,8 @@ def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, f
 
 def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:
     """Error of the readings from grid, time steps and fibres each; NaN where a run has no answer."""
-    coarse = replace(at, cells=max(4, at.cells // 2))
+    # A grid too coarse to be halved is compared with a finer one, by the same formula.
+    coarse = replace(at, cells=at.cells // 2 if at.cells >= _FEWEST_HALVED else 2 * at.cells)
     loose = replace(coarse, rtol=min(LOOSER * at.rtol, 0.5))
     fuller = with_more_fibres(coarse, MORE)
     curves = {one: _tracks(one, scene) for one in {at, coarse, loose, fuller}}

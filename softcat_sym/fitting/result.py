@@ -20,10 +20,7 @@ from softcat_sym.fitting.identifiability import (
     ResidualChecks,
 )
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word
-from softcat_sym.fitting.least_squares import (
-    Floats,
-    MultiStartResult,
-)
+from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.fitting.resolution import Moved
@@ -56,9 +53,9 @@ class FitOutcome(Enum):
         "repeat with --loss soft-l1, or take them out"
     )
     discretization_error = (
-        "grid, fibres and time steps move the constants by more than a third of their standard errors, and the finest "
-        "that the program chooses by itself are no remedy: the intervals are widened by as much; give numerics.cells, "
-        "numerics.fibres and numerics.rtol for less"
+        "grid, fibres and time steps move the constants by more than a third of their standard errors, on the finest "
+        "grid that the scene leaves to the program: the intervals are widened by as much; leave numerics.cells, fibres "
+        "and rtol out of the scene, or give finer ones"
     )
     out_of_time = (
         "the time limit came before an optimum was found: the numbers are the best so far; give a longer --time-limit"
@@ -184,6 +181,8 @@ class Fit:
         Standard deviation of a reading [m]: as stated, or estimated from the residuals.
     noise_known : bool
         Whether the noise is stated.
+    loss : Loss
+        The loss that was minimised.
     outcome : FitOutcome
         Whether the numbers can be used, and what to do if not.
     films : tuple of FittedFilm
@@ -226,6 +225,7 @@ class Fit:
     combinations: tuple[str, ...]
     noise: float
     noise_known: bool
+    loss: Loss
     outcome: FitOutcome
     films: tuple[FittedFilm, ...]
     checks: ResidualChecks
