@@ -210,6 +210,13 @@ def test_a_run_without_inertia_misses_its_free_fall_and_shows_its_share_within_t
     names = [name for name in ALL if name != "inertia"]
     found = motion_of(scene_of(*names), shapes(speed * np.linspace(0, duration, 301)))
     assert 1 < found.missed / (speed / GRAVITY / duration) < 3
+    # A coil that draws out along a level axis, at twice a quarter of gravity: its midpoint stays at its height.
+    time = np.linspace(0, 0.2, 101)
+    still, away = shapes(np.zeros(101)), (GRAVITY / 4 * time**2)[:, None] * (NODES / SPAN + 0.5)
+    level = still | {"x": still["x"] + away, "z": np.zeros_like(away)}
+    coil = scene_of(*names, load={"ramp": "0.2 s"}, run={"duration": "0.2 s"})
+    assert motion_of(coil, level).missed == pytest.approx(0.5, rel=0.05)
+    assert motion_of(coil, still).missed == 0
     for reached in (0.25, 0.75):
         depth = np.interp(np.linspace(0, 3, 301), [0, 1.5, 3], [0, reached * 0.1, 0.1])
         assert motion_of(scene_of(*names, load={"ramp": "1.5 s"}), shapes(depth)).risen == pytest.approx(reached)

@@ -134,7 +134,7 @@ def observed_motion(
         speed=float(np.max(np.abs(np.diff(midpoint) / np.diff(time)))) if len(time) > 1 else 0.0,
         capillary=_capillary(scene, depth, fields, length, expected.capillary),
     )
-    return _what_was_left_out(scene, effects, time, midpoint, motion)
+    return _what_was_left_out(scene, effects, time, _paths(midpoint, fields), motion)
 
 
 def _steepest(along: Floats, up: Floats) -> float:
@@ -145,9 +145,17 @@ def _steepest(along: Floats, up: Floats) -> float:
     return 2 * math.atan(float(np.max(np.where(whole > 0, half, 0.0))))
 
 
-def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:
+def _paths(midpoint: Floats, fields: Mapping[str, Floats]) -> list[Floats]:
+    """Height of the midpoint, and in three dimensions the distance moved by the node that moves farthest [m]."""
+    if "z" not in fields:
+        return [midpoint]
+    moved = np.sqrt(sum((fields[axis] - fields[axis][0]) ** 2 for axis in "xyz"))
+    return [midpoint, moved[:, int(np.argmax(np.max(moved, axis=0)))]]
+
+
+def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, paths: list[Floats], motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
-    terms, shown = effects.terms(), dict[str, Any]()
+    terms, shown, midpoint = effects.terms(), dict[str, Any](), paths[0]
 
     def damped(decay: float) -> float:
         """What a decay [1/s] would have taken from the swings that a run without it shows."""
@@ -155,7 +163,7 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: F
         return float(-swing * np.expm1(-decay * scene.run.duration))
 
     if not terms.inertia:
-        shown["missed"] = missed_by(scene, time, midpoint)
+        shown["missed"] = max(missed_by(scene, time, path) for path in paths)
     if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
