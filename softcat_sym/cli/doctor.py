@@ -136,9 +136,9 @@ def _compiler() -> Finding:
 
 
 def _cache() -> Finding:
-    """The folder of the cache, its size, and whether it can be written."""
+    """The folder of the cache, whether it can be written, and how much compiled libraries take."""
     from softcat_sym.codegen.compiler import ADVICE, cache_folder, libraries, make
-    from softcat_sym.codegen.library import cache_limit, size_text
+    from softcat_sym.codegen.library import cache_entries, cache_limit, size_text
     from softcat_sym.files import replace_atomically
 
     try:
@@ -150,8 +150,8 @@ def _cache() -> Finding:
         return Finding("cache", str(error), "correct the variable", True)
     except OSError as error:
         return Finding("cache", f"{libraries()} cannot be written: {error.strerror or error}", ADVICE, True)
-    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
-    return Finding("cache", f"{folder}, {size_text(size)}, can be written; compiled libraries take at most {limit}")
+    size = size_text(sum(entry.size for entry in cache_entries()))
+    return Finding("cache", f"{folder}, can be written; compiled libraries take {size} of at most {limit}")
 
 
 def _results() -> Finding:

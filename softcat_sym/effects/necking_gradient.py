@@ -10,7 +10,7 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.scene import Scene, is_held, rest_length
 
 _UNEVENNESS = 4e-4
 """Initial unevenness of a neck, fitted so that one e-fold changes the sag of the paper's arrested filament by 1 %."""
@@ -18,6 +18,11 @@ _UNEVENNESS = 4e-4
 _HINGE = 0.03
 """Change of the sag per e-fold with yielding hinges at clamps, which the gradient widens: within a factor of two in
 ``tests/slow/test_collapse_contours.py``, for up to two e-folds; too large later, when the hinges have stopped."""
+
+_SHORT = 2.0
+"""Sag over the length of a neck beyond which the hinges are a small share of what is drawn out."""
+
+_BELOW = 0.5  # Largest fibre stress over the yield stress at which no section is foreseen to yield
 
 _MANY_FOLDS = 30.0  # Limit of the e-folds, beyond which a neck has grown in any case
 
@@ -27,11 +32,16 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS))
-    clamped = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
+    yields, held = motion.overstress > _BELOW, is_held(scene)
+    # Below a free end the weight alone draws the filament out.
+    drawn = yields and (held or motion.flowing_overstress > 1)
+    grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS)) if drawn else 0.0
+    clamped = held and YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
     turns = clamped and (scales.gravity_number_of(scene) or 0.0) > scales.collapse_gravity_number(scene)
-    spread = _HINGE * motion.folds**2 / (1 + motion.folds) if turns else 0.0
+    share = min(1.0, _SHORT * scales.neck_length(scene) / (motion.sag * rest_length(scene)))
+    spread = share * _HINGE * motion.folds**2 / (1 + motion.folds) if turns and yields else 0.0
     formula = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds n, or {_HINGE:g} n^2/(1 + n)"
+    formula += " times the share of the hinges"
     return Estimate(min(1.0, max(grown, spread)), "growth of necks, or spread of the hinges at the clamps", formula)
 
 
