@@ -36,8 +36,8 @@ _NO_PHYSICS = ("cli", "plotting", "web")
 _VERSIONS = ("casadi", "numpy", "sympy")
 _DIGEST = 32
 _QUICKLY = 1
-_TRIMMING = "00", "40", "80", "c0"
-"""Beginnings of the keys after which the limit is looked at: one in 64."""
+_TRIMMING = "000", "400", "800", "c00"
+"""Beginnings of the keys after which the limit is looked at: one in 1024, as a full store has 100 000 files."""
 
 _fresh: ContextVar[bool] = ContextVar("fresh", default=False)
 
@@ -111,11 +111,11 @@ def entries() -> list[tuple[Path, int]]:
     """Files of all results with their sizes, the last used first."""
     found = []
     with contextlib.suppress(FileNotFoundError):
-        for path in folder().iterdir():
+        for entry in os.scandir(folder()):
             with contextlib.suppress(OSError):  # another process dropped it
-                stat = path.stat()
-                found.append((stat.st_mtime, path, stat.st_size))
-    return [(path, size) for _, path, size in sorted(found, reverse=True)]
+                stat = entry.stat()
+                found.append((stat.st_mtime, entry.path, stat.st_size))
+    return [(Path(path), size) for _, path, size in sorted(found, reverse=True)]
 
 
 def clear() -> int:

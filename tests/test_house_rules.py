@@ -44,6 +44,7 @@ FLAGS = {("cli/new.py", "surface-tension")}
 """An option of the command line for the key of this name."""
 
 
+@pytest.mark.tooling
 def test_no_file_outside_effects_names_one() -> None:
     """Nothing imports an effect, compares with its name or looks it up; a physical word may be a column or a key."""
     package, names = Path(errors.__file__).parent, {effect.name for effect in REGISTRY}
