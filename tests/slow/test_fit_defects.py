@@ -38,6 +38,7 @@ class Seen:
     asked: tuple[str, ...] = ASKED
     loss: Loss = LINEAR
     before: str = ""
+    profiles: bool = False  # Where the curvature at the optimum does not tell how flat the likelihood is
 
 
 def _ink() -> Seen:
@@ -46,7 +47,7 @@ def _ink() -> Seen:
     heights = run.midpoint.values[1:]
     noise = 1.5e-6 * np.random.default_rng(0).standard_normal(heights.size)
     data = Measurements.of(run.time.values[1:], heights + noise)
-    return Seen(scene, data, before="eta 43.0 ± 1.2 for 30, identified")
+    return Seen(scene, data, before="eta 43.0 ± 1.2 for 30, identified", profiles=True)
 
 
 def _of_oracle(name: str) -> Seen:
@@ -99,7 +100,7 @@ def _fitted(name: str) -> tuple[Seen, Fit, float]:
     seen = CASES[name]()
     start = beside(seen.scene, {key: WRONG[key] for key in seen.asked})
     begin = time.perf_counter()
-    return seen, fit(seen.data, start, seen.asked, loss=seen.loss, profiles=False), time.perf_counter() - begin
+    return seen, fit(seen.data, start, seen.asked, loss=seen.loss, profiles=seen.profiles), time.perf_counter() - begin
 
 
 def _rows(name: str) -> Iterator[list[object]]:
