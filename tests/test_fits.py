@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from html import escape
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,11 +21,13 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.fitting import fit as fit_module
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import json_bytes
@@ -395,3 +398,17 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
         assert "the time limit passed before the first start" in str(error)
     else:
         assert found.late
+
+
+def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ringing, heights, asked = SimpleNamespace(frequency=SimpleNamespace(value=30.0)), Filmed.heights, list[object]()
+
+    def once_without_answer(film: Filmed, q: np.ndarray) -> np.ndarray:
+        asked.append(q)
+        return np.full(film.data.size, np.nan) if len(asked) == 1 else heights(film, q)
+
+    monkeypatch.setattr(fit_module, "read_features", lambda *_: ringing)
+    monkeypatch.setattr(Filmed, "heights", once_without_answer)
+    assert fitted("youngs_modulus", "yield_stress").outcome.converged and asked

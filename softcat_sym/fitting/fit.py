@@ -566,9 +566,12 @@ def _tuned_to_frequency(
         return None
     film, seen, q = problem.films[number], features[number], start.copy()
     for _ in range(_TUNINGS):
-        count = film.series.time.size
-        curve = replace(film.series, midpoint=film.heights(q)[:count], std=film.std[:count])
-        own = _features(curve, own_scene(film.series, scene)) if np.isfinite(curve.midpoint).all() else None
+        count, heights = film.series.time.size, film.heights(q)
+        if not np.isfinite(heights).all():
+            return None
+        own = _features(
+            replace(film.series, midpoint=heights[:count], std=film.std[:count]), own_scene(film.series, scene)
+        )
         if own is None or own.frequency.value is None or seen is None or seen.frequency.value is None:
             return None
         step = 2 * math.log(seen.frequency.value / own.frequency.value)
