@@ -1,8 +1,9 @@
 """Films of known materials with drawn noise, fitted again and again: how often intervals contain the truth.
 
 Published theory on a few cells, and data by the same model on the same grid and tolerance, both given to `fit`: what is
-tested are the statistics, not the grid. Everything that is drawn comes from seeds that are the numbers of scene, film
-and study.
+tested are the statistics, not the grid. Default physics where the arrested filament's theory errs: the published one
+errs by 5 % there, as much as its ringing, so that several optima fit, and intervals are those of one. Everything that
+is drawn comes from seeds that are the numbers of scene, film and study.
 """
 
 from __future__ import annotations
@@ -48,6 +49,7 @@ class Case:
     share: float = 1.0
     rtol: float = 1e-3
     profiles: bool = False  # Intervals are those of profiles, where Student's fall short
+    effects: str = "paper"  # What `run.effects` is, of the film and of the fit
 
 
 CASES = (
@@ -55,6 +57,7 @@ CASES = (
     Case("maxwell-fast", ("youngs_modulus", "viscosity"), 0.1, 5e-4),
     Case("arrested-overdamped", ("youngs_modulus", "viscosity", "yield_stress"), profiles=True),
     Case("continual-descent", ("viscosity", "yield_stress")),
+    Case("arrested-overdamped", ("youngs_modulus", "viscosity", "yield_stress"), profiles=True, effects="auto"),
 )
 
 
@@ -68,6 +71,7 @@ class Study:
     camera: bool = False  # Drawn from what is known of them, as
     theory: bool = False  # the theory's error
     correlation: float = 0.0  # Of the noise of neighbours
+    cases: Sequence[int] = (0, 1, 2, 3)
 
 
 EXACT: Mapping[str, Any] = {"calibrated": True, "discrepancy": False}
@@ -78,7 +82,7 @@ STUDIES = {
         Study("noise alone, default", {}, 40),
         Study("camera, default", {}, 40, camera=True),
         Study("camera, no theory's error", {"discrepancy": False}, 40, camera=True),
-        Study("camera and theory, default", {}, 40, camera=True, theory=True),
+        Study("camera and theory, default", {}, 40, camera=True, theory=True, cases=(0, 1, 3, 4)),
         Study("correlated by 0.5, camera and theory exact", EXACT, 40, correlation=0.5),
     )
 }
@@ -101,13 +105,13 @@ class Fitted:
 
 def study(name: str, workers: int = 2) -> dict[str, list[Fitted]]:
     """All films of all cases."""
-    films = STUDIES[name].films
+    films, cases = STUDIES[name].films, STUDIES[name].cases
     jobs = [
         (name, number, list(range(begin, min(begin + _TOGETHER, films))))
         for begin in range(0, films, _TOGETHER)
-        for number in range(len(CASES))
+        for number in cases
     ]
-    found: dict[str, list[Fitted]] = {case.scene: [] for case in CASES}
+    found: dict[str, list[Fitted]] = {CASES[number].scene: [] for number in cases}
     with ProcessPoolExecutor(max_workers=workers, mp_context=get_context("spawn")) as pool:
         for job, rows in zip(jobs, pool.map(_several, jobs), strict=True):
             found[CASES[job[1]].scene] += rows
@@ -124,7 +128,7 @@ def _several(job: tuple[str, int, Sequence[int]]) -> list[Fitted]:
 def fitted(name: str, number: int, film: int) -> Fitted:
     """Draw one film, and fit it."""
     case, asked, random = CASES[number], STUDIES[name], np.random.default_rng([number, film, len(name)])
-    true = sc.load_scene(case.scene, {"run.effects": "paper", "numerics.cells": CELLS})
+    true = sc.load_scene(case.scene, {"run.effects": case.effects, "numerics.cells": CELLS})
     true = true.replace({"run.duration": f"{true.run.duration * case.share!r} s"})
     known = free_parameters(true, case.free)
     truth = [one.typical for one in known]
@@ -138,7 +142,7 @@ def fitted(name: str, number: int, film: int) -> Fitted:
     if asked.theory:
         model = FilamentProblem(rough, _film(time, exact), case.free).films[0].model
         error = discrepancy(true, model.effects, model.terms)
-        size, vectors = np.linalg.eigh(error.covariance(time, exact))
+        size, vectors = np.linalg.eigh(error.covariance(time, midpoint))
         midpoint = midpoint + vectors @ (np.sqrt(np.maximum(size, 0)) * random.standard_normal(frames))
     midpoint = midpoint + noise * _noise(frames, asked.correlation, random)
     found = fit(_film(time, midpoint), rough, case.free, starts=0, profiles=case.profiles, rtol=case.rtol, **asked.told)
