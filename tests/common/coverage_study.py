@@ -1,9 +1,9 @@
 """Films of known materials with drawn noise, fitted again and again: how often intervals contain the truth.
 
 Published theory on a few cells, and data by the same model on the same grid and tolerance, both given to `fit`: what is
-tested are the statistics, not the grid. Default physics where the arrested filament's theory errs: the published one
-errs by 5 % there, as much as its ringing, so that several optima fit, and intervals are those of one. Everything that
-is drawn comes from seeds that are the numbers of scene, film and study.
+tested are the statistics, not the grid. Where the theory's error is drawn, the arrested filament has default physics:
+published theory errs by 5 % there, as much as the filament rings, so that several optima fit, and intervals are of
+one. Everything that is drawn comes from seeds that are the numbers of scene, film and study.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class Study:
     camera: bool = False  # Drawn from what is known of them, as
     theory: bool = False  # the theory's error
     correlation: float = 0.0  # Of the noise of neighbours
-    cases: Sequence[int] = (0, 1, 2, 3)
+    cases: Sequence[int] = (0, 1, 2, 3)  # Numbers in `CASES`
 
 
 EXACT: Mapping[str, Any] = {"calibrated": True, "discrepancy": False}
