@@ -58,7 +58,8 @@ class Page(HTMLParser):
 
 def test_files_table_and_page(softcat: Softcat, tmp_path: Path) -> None:
     film, output = write_film(tmp_path / "film & co.csv"), tmp_path / "deep" / "out"
-    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output), "--starts", "0")
+    astray = sets("material.viscosity=20 kPa*s")
+    done = softcat("fit", str(film), *SCENE, *astray, *FREE, "-o", str(output), "--starts", "0")
     assert done.status == 0, done.err
     assert {path.name for path in output.iterdir()} == FILES
     assert not re.search(r"nan|inf\b|None", done.out)

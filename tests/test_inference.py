@@ -215,13 +215,20 @@ def test_the_edge_of_the_model_is_said() -> None:
     assert one.lower.flag == "crosses"
 
 
-def test_a_better_optimum_on_the_way_is_said() -> None:
+def waves(seed: int) -> Problem:
+    """A sin(w x) in so much noise that other w fit nearly as well."""
+
     def wave(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values = q[0] * np.sin(q[1] * X)
         return values, np.stack([np.sin(q[1] * X), q[0] * X * np.cos(q[1] * X)], axis=1)
 
-    p = problem("A w", wave, [1.0, 5.0], 1.5, seed=1)
+    p = problem("A w", wave, [1.0, 5.0], 1.5, seed=seed)
     p.lower, p.upper = np.array([0.1, 3.0]), np.array([3.0, 9.0])
+    return p
+
+
+def test_a_better_optimum_on_the_way_is_said() -> None:
+    p = waves(seed=1)
     local = minimise(p, np.array([0.5, 8.0]))
     best = minimise(p, np.array([1.0, 5.0]))
     assert local.value > best.value + 0.1
@@ -341,6 +348,23 @@ def test_a_better_optimum_that_a_profile_meets_is_the_one_that_is_posed() -> Non
     assert found.starts.results[1].optimum is starts.best
     assert found.profiles[0].optimum == found.starts.best.q[0] and found.profiles[0].better is None
     assert found.verdicts[0].best == found.starts.best.q[0]
+
+
+def test_an_interval_reaches_over_all_optima_that_are_nearly_as_good() -> None:
+    p = posed(waves(seed=0))
+    starts = multi_start(p, [np.array([0.5, 8.0])])
+    found = infer(p, starts, LINEAR)
+    assert (found.restarts, found.alternatives) == (1, 1)
+    pace = np.linspace(3.0, 9.0, 60001)
+    waved = np.sin(np.outer(pace, X))
+    amplitude = np.clip(waved @ p.data / np.sum(waved**2, axis=1), 0.1, 3.0)
+    chi_square = np.sum((amplitude[:, None] * waved - p.data) ** 2, axis=1) / p.std**2
+    within = pace[chi_square < chi_square.min() + found.profiles[1].threshold]
+    assert np.any(np.diff(within) > 0.1)
+    lower, upper = found.verdicts[1].lower, found.verdicts[1].upper
+    assert (lower, upper) == (pytest.approx(within[0], abs=0.01), pytest.approx(within[-1], abs=0.01))
+    shown = np.interp(found.profiles[1].q, pace, chi_square - chi_square.min())
+    np.testing.assert_allclose(found.profiles[1].increase, shown, atol=0.02)
 
 
 def test_no_more_restarts_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:

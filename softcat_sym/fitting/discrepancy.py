@@ -20,13 +20,15 @@ _OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
 # ``tests/slow/test_collapse_contours.py`` prints it.
 _HINGES, _MAX_STOPPING = 0.09, 4.0
 _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
+_FALLEN = 2.1462  # (1 + s) exp(-s) is 1/e here
 
 
 @dataclass(frozen=True)
 class Discrepancy:
     """Error of a theory, h(t) = (1 + a(t)) y((1 + b(t)) t) of the continuum's y: a slow change of height and of pace.
 
-    Both a and b are independent Gaussian processes, correlated over a factor e of time (Ornstein & Uhlenbeck in log t).
+    Both a and b are independent Gaussian processes of log t, with paths that have one derivative and an autocorrelation
+    of (1 + s) exp(-s), s = 2.146 |log t - log t'|/correlation (Matern's, order 3/2; Rasmussen & Williams 2006, 4.2.1).
     """
 
     amplitude: float  # Standard deviation of a and of b
@@ -45,11 +47,11 @@ class Discrepancy:
         Returns
         -------
         ndarray, shape (n, n)
-            amplitude^2 (t_</t_>)^(1/correlation) (h h' + t h_t t' h_t'), in the square of the unit of the heights.
+            amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'), in the square of the unit of the heights.
         """
-        begun = np.maximum(time, np.finfo(float).tiny)
-        # The division comes first, as a power of the smallest time could underflow.
-        correlation = (np.minimum.outer(begun, begun) / np.maximum.outer(begun, begun)) ** (1 / self.correlation)
+        logarithm = np.log(np.maximum(time, np.finfo(float).tiny))
+        apart = _FALLEN * np.abs(np.subtract.outer(logarithm, logarithm)) / self.correlation
+        correlation = (1 + apart) * np.exp(-apart)
         pace = np.where(time > 0, time * np.gradient(heights, time), 0.0) if time.size > 1 else np.zeros(time.size)
         return np.asarray(self.amplitude**2 * correlation * (np.outer(heights, heights) + np.outer(pace, pace)))
 

@@ -99,6 +99,7 @@ _MAX_OUTLIERS, _MIN_OUTLIER = 0.005, 10.0
 # Longest correlation time of noise, as a share of a film.
 _MAX_CORRELATION_TIME = 0.05
 _RESTARTED = "a profile found a better optimum, and the fit was repeated from there"
+_ALTERNATIVE = "another optimum fits nearly as well: the intervals of the profiles reach over both"
 
 
 @dataclass(frozen=True)
@@ -348,7 +349,7 @@ def _fit(
         problem=problem,
         effects=problem.films[0].model.effects,
         backend=problem.films[0].model.backend,
-        repeats=(_RESTARTED,) * inferred.restarts,
+        repeats=(_RESTARTED,) * inferred.restarts + (_ALTERNATIVE,) * inferred.alternatives,
         seconds=spent,
         camera=_camera_values(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),

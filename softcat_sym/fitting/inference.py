@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from softcat_sym.fitting.identifiability import MAX_ERROR, Information, information, noise_of, two_sided_quantile
@@ -108,12 +109,17 @@ def profile(
     loss: Loss = LINEAR,
     max_evaluations: int | None = None,
     readings: int | None = None,
+    best: Floats | None = None,
 ) -> Profile:
-    """Follow the profile of one unknown from the optimum outwards, to the threshold or the bounds."""
-    path = _Path(problem, np.array(q, dtype=np.float64), index, noise_known, loss, max_evaluations, readings)
+    """Follow the profile of one unknown from an optimum outwards, to the threshold or the bounds.
+
+    Its increase is that over the optimum, or over a best one elsewhere.
+    """
+    start = np.array(q, dtype=np.float64)
+    path = _Path(problem, start, index, noise_known, loss, max_evaluations, readings, best)
     (below, lower), (above, upper) = (path.branch(bound) for bound in (problem.lower[index], problem.upper[index]))
     points = sorted([*below, path.start, *above], key=lambda held: held.q)
-    best = min(points, key=lambda held: held.increase)
+    lowest = min(points, key=lambda held: held.increase)
     return Profile(
         name=problem.names[index],
         optimum=path.start.q,
@@ -124,7 +130,29 @@ def profile(
         lower=lower,
         upper=upper,
         unconverged=sum(not held.converged for held in points),
-        better=np.insert(best.others, index, best.q) if best.increase < -_BETTER * path.threshold else None,
+        better=np.insert(lowest.others, index, lowest.q) if lowest.increase < -_BETTER * path.threshold else None,
+    )
+
+
+def _joined(one: Profile, other: Profile) -> Profile:
+    """The lower of two profiles through different optima; the interval reaches from the first end to the last."""
+
+    def lower_part(mine: Profile, theirs: Profile) -> NDArray[np.bool_]:
+        return mine.increase <= np.interp(mine.q, theirs.q, theirs.increase, left=math.inf, right=math.inf)
+
+    pairs = (one, lower_part(one, other)), (other, lower_part(other, one))
+    q, increase, others = (
+        np.concatenate([getattr(each, name)[kept] for each, kept in pairs]) for name in ("q", "increase", "others")
+    )
+    order = np.argsort(q)
+    return replace(
+        one,
+        q=q[order],
+        increase=increase[order],
+        others=others[order],
+        lower=min((one.lower, other.lower), key=lambda side: -math.inf if side.crossing is None else side.crossing),
+        upper=max((one.upper, other.upper), key=lambda side: math.inf if side.crossing is None else side.crossing),
+        unconverged=one.unconverged + other.unconverged,
     )
 
 
@@ -140,17 +168,21 @@ class _Path:
         loss: Loss,
         max_evaluations: int | None,
         readings: int | None,
+        best: Floats | None,
     ) -> None:
         self.problem, self.index, self.loss = problem, index, loss
         self.left = self.budget = math.inf if max_evaluations is None else max_evaluations // 2
         residuals, jacobian = problem.linearised(q)
-        noise = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss, readings=readings)
+        lowest = (residuals, jacobian) if best is None or np.array_equal(best, q) else problem.linearised(best)
+        noise = noise_of(*lowest, noise_known=noise_known, loss=loss, readings=readings)
         self.threshold = two_sided_quantile(noise.freedom) ** 2
         self.variance = noise.per_chi_square
-        self.minimum = 2 * loss.value(residuals)
+        self.minimum = 2 * loss.value(lowest[0])
+        value = 2 * loss.value(residuals)
         others = np.delete(jacobian, index, axis=1)
         slope = -np.asarray(np.linalg.lstsq(others, jacobian[:, index], rcond=1e-8)[0], dtype=np.float64)
-        self.start = _Held(float(q[index]), np.delete(q, index), slope, 0.0, 0.0, True)
+        increase, root = self._increase(value), self._root(value)
+        self.start = _Held(float(q[index]), np.delete(q, index), slope, increase, root, True)
         alone = float(np.linalg.norm(jacobian[:, index] + others @ slope))
         # Distance at which the quadratic approximation crosses the threshold.
         self.distance = math.sqrt(noise.deviation**2 * self.threshold) / alone if alone > 0 else math.inf
@@ -386,6 +418,7 @@ class Inference:
     profiles: tuple[Profile, ...]  # From there; empty if they were not requested
     verdicts: tuple[ParameterVerdict, ...]
     restarts: int  # Number of better optima that profiles found
+    alternatives: int = 0  # Number of former optima nearly as good, from which profiles were followed too
     late: bool = False  # Whether the time limit passed before all profiles
 
 
@@ -399,8 +432,11 @@ def infer(
     gain: float | None = None,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:
-    """Judge the best of several optima, or a better one that its profiles find."""
-    restarts = 0
+    """Judge the best of several optima, or a better one that its profiles find.
+
+    Former optima that are nearly as good have profiles too: intervals reach over all of them.
+    """
+    former, restarts = list[Optimum](), 0
     how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     while True:
         best = starts.best
@@ -416,23 +452,70 @@ def infer(
             loss=loss,
             readings=problem.readings,
         )
-        allowed, traced, better = None, list[Profile](), None
+        allowed, traced, better, also = None, list[Profile](), None, list[Optimum]()
         if not (known.determined.all() and known.identified.all()):
             allowed = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
         try:
-            of_noise: dict[str, Any] = {"noise_known": problem.noise_known, "loss": loss, "readings": problem.readings}
-            for k in range(asked if profiles and best.converged else 0):
-                on_progress(k, asked)
-                traced.append(profile(problem, best.q, k, **of_noise, max_evaluations=allowed))
-                better = _improved(problem, starts, traced[-1], how) if restarts < MAX_RESTARTS else None
-                if better is not None:
-                    break
+            if profiles and best.converged:
+                of_profiles = (how, allowed, on_progress, restarts < MAX_RESTARTS)
+                traced, better = _traced(problem, starts, best, *of_profiles)
+                also = [] if better else _nearly_as_good(former, best, known, traced)
+                for other in also:
+                    more, better = _traced(problem, starts, other, *of_profiles)
+                    if better is not None:
+                        break
+                    traced = [_joined(one, another) for one, another in zip(traced, more, strict=True)]
         except TimeLimitError:
             return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)
         if better is None:
             judged = verdicts(problem, best, known, traced or None, loss)
-            return Inference(starts, known, tuple(traced), judged, restarts)
-        starts, restarts = better, restarts + 1
+            return Inference(starts, known, tuple(traced), judged, restarts, len(also))
+        former, starts, restarts = [best, *former], better, restarts + 1
+
+
+def _traced(
+    problem: Judged,
+    starts: MultiStartResult,
+    optimum: Optimum,
+    how: Mapping[str, Any],
+    max_evaluations: int | None,
+    on_progress: Callable[[int, int], None],
+    restarts: bool,
+) -> tuple[list[Profile], MultiStartResult | None]:
+    """Profiles through an optimum; up to one that finds a better optimum than the best, if the fit may restart."""
+    found = list[Profile]()
+    for k in range(problem.asked):
+        on_progress(k, problem.asked)
+        found.append(
+            profile(
+                problem,
+                optimum.q,
+                k,
+                noise_known=problem.noise_known,
+                loss=how["loss"],
+                max_evaluations=max_evaluations,
+                readings=problem.readings,
+                best=starts.best.q,
+            )
+        )
+        better = _improved(problem, starts, found[-1], how) if restarts else None
+        if better is not None:
+            return found, better
+    return found, None
+
+
+def _nearly_as_good(
+    former: Sequence[Optimum], best: Optimum, known: Information, traced: Sequence[Profile]
+) -> list[Optimum]:
+    """Former optima that are within the 95 % threshold of the best, and beyond an interval of its profiles."""
+
+    def is_beyond(q: float, one: Profile) -> bool:
+        low, high = one.lower.crossing, one.upper.crossing
+        return (low is not None and q < low) or (high is not None and q > high)
+
+    allowed = best.value + 0.5 * known.quantile**2 * known.spread.per_chi_square
+    near = [one for one in former if one.value < allowed]
+    return [one for one in near if any(is_beyond(float(q), each) for q, each in zip(one.q, traced, strict=False))]
 
 
 def _improved(

@@ -202,7 +202,7 @@ class Fit:
     backend : str
         The backend that integrated, with the reason.
     repeats : tuple of str
-        Why the fit was repeated with more effects.
+        Why the fit or its profiles were repeated: more effects, a better optimum, another one nearly as good.
     seconds : float
         Duration after compiling, without the final run of the best fit.
     camera : dict of str to (float, float, float)
