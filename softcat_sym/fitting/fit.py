@@ -274,7 +274,7 @@ def _with_run_outcome(found: Fit) -> Fit:
 _TUNINGS = 2
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
 # Share of its distance from the optimum that a stuck search may keep with smaller time steps.
-_HELPFUL = 0.5
+_HELPFUL = 0.8
 ROUNDS = 8
 """Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
