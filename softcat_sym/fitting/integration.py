@@ -312,6 +312,8 @@ _SIZE = 1e-5  # In unknowns of order one: truncation errs by 1e-10, and rounding
 _TIGHTENINGS = (1.0, 0.1, 0.01)
 _APART, _MIN_APART = 0.5, 1e-4
 """Difference steps between separate runs: this times the root of the relative tolerance, and at least that."""
+_JUMP, _FURTHEST = 1.0, 0.3
+"""Least change by such a step, rms over the largest value and the relative tolerance, and the largest step for it."""
 _RINGING, _APART_RINGING = 1e-6, 2e-3
 """Absolute tolerance, over the rest length, below which a run follows a ringing; and the difference steps then."""
 
@@ -342,8 +344,9 @@ class CompiledForward:
         The neighbouring runs share the steps of the base run, and may fail where it does not: then the tolerance is
         tightened. Where the discrete solution jumps, a short difference would measure the jumps instead of the slope.
         There each neighbour is a separate run, further away and on one side; the error of the differences is about the
-        root of the tolerance, which hardly moves an optimum. A ringing run depends more nonlinearly on its unknowns and
-        has a tighter tolerance: its neighbours lie nearer, on both sides.
+        root of the tolerance, which hardly moves an optimum. An unknown that hardly moves the filament has neighbours
+        still further away, on both sides. A ringing run depends more nonlinearly on its unknowns and has a tighter
+        tolerance: its neighbours lie nearer, on both sides.
         """
         if self.jumps:
             return self._separate_runs(begin, seen, max_steps)
@@ -361,18 +364,30 @@ class CompiledForward:
         steps = (-size, size) if rings else (size,)
         count = len(begin.d_parameters)
         runs = [begin, *(begin.moved(row, step) for row in range(count) for step in steps)]
+        base, *others = self._side_by_side(runs, seen, max_steps)
+        ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
+        low, across = (ends[:, 0], 2 * size) if rings else (base.values, size)
+        slopes = (ends[:, -1] - low) / across
+        least = _JUMP * self.settings.rtol * float(np.max(np.abs(base.values), initial=0.0))
+        moved = np.sqrt(np.mean(slopes**2, axis=(1, 2)))
+        near = np.flatnonzero((moved * size < least) & (not rings)).tolist()
+        further = least / np.maximum(moved[near], least / _FURTHEST)
+        runs = [begin.moved(row, step) for row, far in zip(near, further, strict=True) for step in (-far, far)]
+        paths = self._side_by_side(runs, seen, max_steps)
+        for row, far, below, above in zip(near, further, paths[::2], paths[1::2], strict=True):
+            slope = (above.values - below.values) / (2 * far)
+            slopes[row] = np.where(np.isfinite(slope), slope, slopes[row])
+        return replace(base, slopes=slopes)
+
+    def _side_by_side(self, runs: Sequence[Begin], seen: tuple[int, ...], max_steps: int) -> list[Path]:
+        """Integrate several runs, as many at a time as there are cores."""
         inputs, statuses = [self._run(run, max_steps) for run in runs], [Status() for _ in runs]
         work = [
             lambda stop, run=run, status=status: self.filament.model.integrate(run, status, stop)
             for run, status in zip(inputs, statuses, strict=True)
         ]
         answers = _watched(*work)
-        base, *others = (
-            self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)
-        )
-        ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
-        low, across = (ends[:, 0], 2 * size) if rings else (base.values, size)
-        return replace(base, slopes=(ends[:, -1] - low) / across)
+        return [self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)]
 
     def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
         """Integrate once on each core, each with a share of the neighbouring runs; all take the same steps."""
