@@ -27,7 +27,7 @@ FILMS = {
 }
 # Seconds of two, of three constants without profiles, and with them.
 GOALS = {"auto": (2.0, 5.0, 20.0), "paper": (0.5, 1.0, 5.0)}
-# Seconds on two quiet cores, where the goal is missed; a fit may take twice as long.
+# Seconds on the slowest of the machines tried, where the goal is missed there; a fit may take twice as long.
 REACHED = {
     ("arrested-overdamped", "auto"): (4.2, 8.0, 41.0),
     ("maxwell-slow", "auto"): (2.5,),
