@@ -99,7 +99,7 @@ _MAX_OUTLIERS, _MIN_OUTLIER = 0.005, 10.0
 # Longest correlation time of noise, as a share of a film.
 _MAX_CORRELATION_TIME = 0.05
 _RESTARTED = "a profile found a better optimum, and the fit was repeated from there"
-_ALTERNATIVE = "another optimum fits nearly as well: the intervals of the profiles reach over both"
+_ALTERNATIVE = "another optimum fits nearly as well, and the intervals include what fits around it"
 
 
 @dataclass(frozen=True)

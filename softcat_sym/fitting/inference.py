@@ -113,7 +113,7 @@ def profile(
 ) -> Profile:
     """Follow the profile of one unknown from an optimum outwards, to the threshold or the bounds.
 
-    Its increase is that over the optimum, or over a best one elsewhere.
+    The increase is counted from that optimum, or from a better one, `best`.
     """
     start = np.array(q, dtype=np.float64)
     path = _Path(problem, start, index, noise_known, loss, max_evaluations, readings, best)
@@ -480,7 +480,7 @@ def _traced(
     how: Mapping[str, Any],
     max_evaluations: int | None,
     on_progress: Callable[[int, int], None],
-    restarts: bool,
+    may_restart: bool,
 ) -> tuple[list[Profile], MultiStartResult | None]:
     """Profiles through an optimum; up to one that finds a better optimum than the best, if the fit may restart."""
     found = list[Profile]()
@@ -498,7 +498,7 @@ def _traced(
                 best=starts.best.q,
             )
         )
-        better = _improved(problem, starts, found[-1], how) if restarts else None
+        better = _improved(problem, starts, found[-1], how) if may_restart else None
         if better is not None:
             return found, better
     return found, None

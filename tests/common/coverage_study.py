@@ -2,8 +2,8 @@
 
 Published theory on a few cells, and data by the same model on the same grid and tolerance, both given to `fit`: what is
 tested are the statistics, not the grid. Where the theory's error is drawn, the arrested filament has default physics:
-published theory errs by 5 % there, as much as the filament rings, so that several optima fit, and intervals are of
-one. Everything that is drawn comes from seeds that are the numbers of scene, film and study.
+published theory errs by 5 % there, as much as the filament rings, so that several optima fit, and intervals miss those
+that no profile meets. Everything that is drawn comes from seeds that are the numbers of scene, film and study.
 """
 
 from __future__ import annotations
