@@ -9,6 +9,7 @@ import hashlib
 import math
 import os
 import re
+import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -36,8 +37,10 @@ collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platfo
 
 
 def pytest_configure() -> None:
-    """No plain lines of progress on a slow machine, where tests ask that nothing else is printed."""
+    """No plain lines of progress on a slow machine; and Ctrl-C arrives even where a script's `&` has it ignored."""
     progress._PLAIN_DELAY = math.inf
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
