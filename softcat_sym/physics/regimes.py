@@ -29,6 +29,7 @@ a_c = enter("a_c", "a", LENGTH, "catenary parameter: horizontal tension over wei
 u_L = enter("u_L", "u", ONE, "half span over catenary parameter, L/(2a)", "3.12", positive=True)
 sigma_max = enter("sigma_max", r"\sigma_{max}", STRESS, "largest tensile stress of a catenary", "3.12", positive=True)
 psi_T = enter("psi_T", r"\psi", ONE, "(L/2) sqrt(T/(E I)): how far tension carries a beam", "3.11", positive=True)
+K_I = enter("K_I", "K", ONE, "form factor of the section, I = K A h^2", "2.18", positive=True)
 k_on = enter("k_on", r"\omega g_{on}", ONE, "frequency of a mode times the ramp of gravity", "section 3", positive=True)
 
 
