@@ -21,15 +21,15 @@
 # %%
 import mpmath as mp
 import sympy as sp
-from proving import Erratum, prove_equal, record_errata, vanishes
+from proving import Erratum, check, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import equation, regimes
+from softcat_sym.physics import regimes
 from softcat_sym.physics.regimes import BEAMS, E_star, G, H, V, a_c, delta, eps_Y, k_on, psi_T, tau_star, u_L
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, sigma_Y
 
 for one in regimes.EQUATIONS:
-    equation.check(one)
+    check(one)
 
 # %% [markdown]
 # ## The groups

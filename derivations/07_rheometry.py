@@ -23,9 +23,9 @@
 import math
 
 import sympy as sp
-from proving import Erratum, prove_equal, record_errata, vanishes
+from proving import Erratum, check, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import equation, regimes, rheometry
+from softcat_sym.physics import regimes, rheometry
 from softcat_sym.physics.regimes import E_star, H, V, tau_star
 from softcat_sym.physics.rheometry import (
     I_0,
@@ -46,7 +46,7 @@ from softcat_sym.physics.rheometry import (
 from softcat_sym.physics.symbols import A0, E, L, eta, g, rho
 
 for one in rheometry.RHEOMETRY_EQUATIONS:
-    equation.check(one)
+    check(one)
 
 tau = tau_star
 half = sp.Rational(1, 2)

@@ -27,7 +27,6 @@ import sympy as sp
 from proving import prove_equal
 
 from softcat_sym.physics import bulk, closed_forms
-from softcat_sym.physics.equation import all_equations, check
 from softcat_sym.physics.filament import law_in_force
 from softcat_sym.physics.laws import (
     E_2,
@@ -48,11 +47,6 @@ from softcat_sym.physics.rheometry import mu
 from softcat_sym.physics.sections import RECTANGLE, scaled
 from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.physics.terms import Rheology, Terms
-
-for module, equations in all_equations().items():
-    if module == "strings" or module.startswith("laws."):
-        for equation in equations:
-            check(equation)
 
 # %% [markdown]
 # ## The rules themselves
