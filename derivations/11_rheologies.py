@@ -43,7 +43,6 @@ from softcat_sym.physics.laws import (
     power_law_rate,
 )
 from softcat_sym.physics.regimes import H
-from softcat_sym.physics.rheometry import mu
 from softcat_sym.physics.sections import RECTANGLE, scaled
 from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.physics.terms import Rheology, Terms
@@ -105,7 +104,7 @@ phi = sp.Function("phi")
 shear_rate = 2 * bulk.plastic_flow(shear, phi(sigma))[0, 1].subs(bulk.sigma_eq, equivalent)
 prove_equal(shear_rate, sp.sqrt(3) * phi(sp.sqrt(3) * tau))
 
-rate, tau_Y, k_shear = sp.symbols("rate tau_Y k", positive=True)
+rate, tau_Y, k_shear, mu = sp.symbols("rate tau_Y k mu", positive=True)
 measured = {
     # yield stress: where phi begins
     sigma_Y: sp.solve(sp.Eq(sp.sqrt(3) * tau_Y, sigma_Y), sigma_Y)[0],
