@@ -17,7 +17,7 @@ from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.physics.regimes import BEAMS, H, tau_star, u_L
-from softcat_sym.physics.rheometry import B, R, alpha, chi, d_R, t_high, t_star, var_B, var_R, var_t
+from softcat_sym.physics.rheometry import B, R, alpha, d_R, t_high, t_star
 from softcat_sym.physics.symbols import L
 from softcat_sym.scene.reading import load_scene
 
@@ -284,15 +284,6 @@ def frequency(relaxation: float, clock: float = ONSET, load: float = PAPER_B) ->
     return float(abs(roots[0].imag))
 
 
-def invert(measured: np.ndarray, *, ringing: bool) -> np.ndarray:
-    """(log E*, log V) of (log R, log t_high, log B)."""
-    values = dict(zip((R, t_high, B), np.exp(measured), strict=True))
-    both = rheometry.relaxation_times()
-    relaxation = (both.ringing if ringing else both.fading).subs(values)
-    viscous = rheometry.VISCOUS_NUMBER.right.subs(values)
-    return np.array([math.log(float(viscous / relaxation)), math.log(float(viscous))])
-
-
 def test_round_trip() -> None:
     for relaxation in [*RINGING, *FADING]:
         read = frequency(relaxation)
@@ -320,48 +311,6 @@ def test_no_filament_rings_faster_than_the_double_root() -> None:
     assert largest == pytest.approx(15 / ONSET)
     beyond = rheometry.relaxation_times().ringing.subs({R: 1.01 * largest, t_high: ONSET, B: PAPER_B})
     assert abs(sp.im(beyond.n())) > 0
-
-
-def test_condition_number_against_finite_differences() -> None:
-    for relaxation in [*RINGING, *FADING]:
-        measured, step = np.log([frequency(relaxation), ONSET, PAPER_B]), 1e-6
-        ringing = relaxation in RINGING
-        slopes = [
-            (invert(measured + shift, ringing=ringing) - invert(measured - shift, ringing=ringing)) / (2 * step)
-            for shift in step * np.eye(3)
-        ]
-        held = float(rheometry.condition_number().subs(chi, 2 * frequency(relaxation) * relaxation))
-        assert held == pytest.approx(np.linalg.cond(np.array(slopes).T), rel=1e-4)
-
-
-def test_condition_number_blows_up_at_the_double_root_only() -> None:
-    number = sp.lambdify(chi, rheometry.condition_number(), "math")
-    assert number(1e3) == pytest.approx(math.sqrt(45 / 8), rel=1e-4)
-    assert number(1 + 1e-6) > 1e5 < number(1 - 1e-6)
-    assert number(1e-3) < 5
-
-
-def test_errors_of_many_noisy_measurements() -> None:
-    """The covariance against the scatter of inverted random measurements."""
-    relaxation = 0.035
-    deviations = np.array([0.002, 0.004, 0.003])
-    true = np.log([frequency(relaxation), ONSET, PAPER_B])
-    draws = true + np.random.default_rng(5).normal(size=(4000, 3)) * deviations
-    variances = dict(zip((var_R, var_t, var_B), deviations**2, strict=True))
-    at = {chi: 2 * frequency(relaxation) * relaxation, **variances}
-    plain = sp.lambdify((R, t_high, B), rheometry.relaxation_times().ringing, "numpy")
-
-    def estimates(rates: np.ndarray, clocks: np.ndarray, loads: np.ndarray) -> np.ndarray:
-        viscous = 1 / (2 * loads)
-        return np.log(np.array([viscous / plain(rates, clocks, loads), viscous]))
-
-    rates, clocks, loads = np.exp(draws).T
-    wanted = np.array(rheometry.covariance().subs(at).tolist(), dtype=float)
-    assert np.cov(estimates(rates, clocks, loads)) == pytest.approx(wanted, rel=0.08)
-
-    known = {**variances, alpha: sp.Rational(1, 15)}
-    disagreement = sp.lambdify((t_high, B), rheometry.misfit().subs(known), "numpy")
-    assert np.mean(disagreement(clocks, loads)) == pytest.approx(1, abs=0.08)
 
 
 @pytest.mark.parametrize("modulus", [500.0, 2e4])
