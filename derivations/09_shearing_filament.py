@@ -22,7 +22,7 @@
 # principle, the energy and the flow of a fibre from the three-dimensional law of notebook 6, whose plastic shear is
 # carried along by the plastic stretch, and we recover the paper's theory as shear becomes rigid.
 #
-# Effects derived here: `shear` (`reissner.director_strains`, `reissner.fibre_spring`, `reissner.BALANCE`), `fibres`
+# Effects derived here: `shear` (`reissner.director_strains`, `reissner.fibre_spring`), `fibres`
 # (`reissner.fibre_flow`), `rotary-inertia` (`reissner.rotary_inertia`).
 
 # %%
@@ -30,7 +30,6 @@ import sympy as sp
 from proving import prove_equal, vanishes
 
 from softcat_sym.physics import bulk, closures, kinematics, laws, reissner, sections
-from softcat_sym.physics.equation import check
 from softcat_sym.physics.reissner import Gam, Lam, S, eps_e, gamma_e, gamma_p, k, kappa_s, psi, tau_d, tau_f
 from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.symbols import (
@@ -149,7 +148,7 @@ prove_equal(derived["sheet"][0], T + 2 * M * k / Lam - S * Gam / Lam)
 # $\Gamma = r_X\cdot d_2$, is stationary. The forces that are not elastic do the same virtual work.
 
 # %%
-x_of, y_of, psi_of = (kinematics.x, kinematics.y, reissner.section_angle)
+x_of, y_of, psi_of, n1, n2, m = (sp.Function(name, real=True)(X, t) for name in ("x", "y", "psi", "n_1", "n_2", "m"))
 rates = sp.symbols("x_t y_t psi_t", real=True)
 gradient = sp.symbols("x_X y_X psi_X", real=True)
 height, turned = sp.symbols("height turned", real=True)
@@ -158,7 +157,6 @@ inertia, mass = sp.symbols("inertia mass", positive=True)
 Lam_of = gradient[0] * sp.cos(turned) + gradient[1] * sp.sin(turned)
 Gam_of = -gradient[0] * sp.sin(turned) + gradient[1] * sp.cos(turned)
 kinetic = mass * (rates[0] ** 2 + rates[1] ** 2) / 2 + inertia * rates[2] ** 2 / 2
-n1, n2, m = reissner.normal_force, reissner.section_force, reissner.couple
 
 
 def potential_slope(variable):
@@ -181,10 +179,14 @@ def euler_lagrange(n, own):
 motions = (euler_lagrange(0, sp.Symbol("nothing")), euler_lagrange(1, height), euler_lagrange(2, turned))
 section_inertia = rho * sp.integrate(y**2, (y, -h0 / 2, h0 / 2)) * A0 / h0
 here = {mass: rho * A0, inertia: section_inertia}
-strain_fields = {reissner.along_normal: Lam_of.subs(fields), reissner.along_section: Gam_of.subs(fields)}
-for (left, right), held in zip(motions, reissner.BALANCE, strict=True):
-    prove_equal(left.subs(here), held.left.doit())
-    prove_equal(right.subs(here), held.right.subs(strain_fields).doit())
+turn = sp.Matrix([sp.cos(psi_of), sp.sin(psi_of)])
+pull = (n1 * turn + n2 * sp.Matrix([-turn[1], turn[0]])).diff(X)
+moment = m.diff(X) + Lam_of.subs(fields) * n2 - Gam_of.subs(fields) * n1
+inertias = (rho * A0, rho * A0, reissner.rotary_inertia(sections.RECTANGLE))
+forces = (pull[0], pull[1] - rho * A0 * g, moment)
+for (left, right), of, field, force in zip(motions, inertias, (x_of, y_of, psi_of), forces, strict=True):
+    prove_equal(left.subs(here), of * field.diff(t, 2))
+    prove_equal(right.subs(here), force)
 motions[2]
 
 # %% [markdown]
@@ -539,28 +541,23 @@ sliding_rate = sp.Symbol("sliding_rate", positive=True)
 maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate.subs(gamma_p, 0)
 steady = sp.solve(maxwell.subs(tau_d, tau_f) - sp.sqrt(kappa_s) * sliding_rate, tau_f)[0]
 prove_equal(sp.sqrt(kappa_s) * A0 * steady, kappa_s * eta / 3 * A0 * sliding_rate)
-prove_equal(reissner.cowper_circle().subs(bulk.nu, sp.Rational(1, 2)), sp.Rational(9, 10))
-prove_equal(reissner.cowper_circle(), 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu))
-prove_equal(reissner.cowper_circle().subs(bulk.nu, 0), sp.Rational(6, 7))
+cowper_circle = 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu)
+prove_equal(cowper_circle.subs(bulk.nu, sp.Rational(1, 2)), reissner.CIRCLE_SHEAR)
 
 # %% [markdown]
 # ## What the package holds
 
 # %%
-held = {equation.name: equation for equation in reissner.EQUATIONS}
-elongation = eps_e + gamma_e**2 / 4
-prove_equal(held["axial stress of a shearing fibre"].right, E * elongation)
-prove_equal(held["shear stress of a fibre"].right, shear_modulus * gamma_e + sigma * gamma_e / 2)
-prove_equal(held["driving shear stress of a fibre"].right, tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
-for name, found in zip(("Lam", "Gam"), derived["both ways"], strict=False):
-    prove_equal(held[f"force conjugate to {name}"].right, found)
-prove_equal(held["moment conjugate to k"].right, derived["both ways"][2])
-prove_equal(held["equivalent stress of a fibre"].right ** 2, sigma**2 + 3 * tau_d**2)
+spring = reissner.fibre_spring(E, bulk.shear_modulus())
+prove_equal(spring.stress[0], E * (eps_e + gamma_e**2 / 4))
+prove_equal(spring.stress[1], shear_modulus * gamma_e + sigma * gamma_e / 2)
+prove_equal(spring.driving, tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
+for held, found in zip((both.normal_force, both.section_force, both.couple), derived["both ways"], strict=True):
+    prove_equal(held, found)
 for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     of_rule = reissner.fibre_flow(rule)
+    prove_equal(of_rule.equivalent**2, sigma**2 + 3 * tau_d**2)
     speed = rule.subs(sigma, bulk.sigma_eq)
     prove_equal(of_rule.axial_rate, speed * sigma / bulk.sigma_eq)
     turning = sp.Rational(3, 2) * gamma_p * of_rule.axial_rate
     prove_equal(of_rule.shear_rate, 3 * speed * tau_d / bulk.sigma_eq - turning)
-for equation in reissner.EQUATIONS:
-    check(equation)

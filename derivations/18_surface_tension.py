@@ -22,9 +22,8 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import kinematics, loads, necking
-from softcat_sym.physics.equation import check
-from softcat_sym.physics.symbols import A0, X, h0, s, x_X, y_X
+from softcat_sym.physics import loads, necking
+from softcat_sym.physics.symbols import X, h0, s, x_X, y_X
 
 gamma, R, R0, kappa, phi, rho, eta, k = sp.symbols("gamma R R0 kappa phi rho eta k", positive=True)
 
@@ -98,11 +97,11 @@ def in_slopes(expression, power):
     return sp.diff(scaled, small, power).subs(small, 0) / sp.factorial(power)
 
 
+densities = {}
 for name, (area, section) in held.items():
     kept = loads.SURFACES[name]
-    density = (gamma * area / section).subs(D0, width)
+    density = densities[name] = (gamma * area / section).subs(D0, width)
     package = {loads.surface_tension: gamma}
-    prove_equal(density, kept.whole_energy().subs(package))
     prove_equal(in_slopes(density, 0), kept.energy().subs(package))
     prove_equal(in_slopes(density, 1), 0)
     prove_equal(in_slopes(density, 2), kept.gradient_energy().subs(package))
@@ -148,7 +147,7 @@ for name, kept in loads.SURFACES.items():
 # what is left of it where slopes are small.
 
 # %%
-stretch = kinematics.stretch
+stretch = sp.Function("s_X", real=True)(X)
 slope = sp.Symbol("slope")
 
 
@@ -159,7 +158,7 @@ def conjugate(energy):
 
 
 round_thread = {h0: 2 * R0, h0_X: 0, loads.surface_tension: gamma}
-whole = conjugate(circle_area * loads.CIRCLE.whole_energy().subs(round_thread))
+whole = conjugate(circle_area * densities["circle"].subs(round_thread))
 radius = R0 / sp.sqrt(stretch)
 R_z = sp.diff(radius, X) / stretch
 R_zz = sp.diff(R_z, X) / stretch
@@ -197,11 +196,11 @@ def in_symbols(expression):
 # Powers of R_0 over the length of the neck.
 expanded = sp.series(in_symbols(whole).subs(R0, order), order, 0, 4).removeO()
 prove_equal(expanded.subs(order, R0), in_symbols(second_order))
-for equation in loads.SURFACE_EQUATIONS:
-    check(equation)
-right = {one.name: one.right for one in loads.SURFACE_EQUATIONS}["axial force with surface tension, circle"]
-found = (right - necking.tension).subs({loads.surface_tension: gamma, h0: 2 * R0, A0: circle_area}).doit()
-prove_equal(found, second_order)
+direct, across = (
+    one.subs(round_thread).subs({s: stretch, s_X: sp.diff(stretch, X)}) for one in loads.CIRCLE.slope_forces()
+)
+pulled = loads.CIRCLE.force().subs(round_thread).subs(s, stretch) + direct - sp.diff(across, X)
+prove_equal(circle_area * pulled, second_order)
 
 # %% [markdown]
 # ## On cells and joints

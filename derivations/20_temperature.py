@@ -20,14 +20,13 @@
 #
 # A kelvin and a mole count as pure numbers in the dimensions of the table of symbols.
 #
-# Effects derived here: `temperature` (`heat.HEAT_EQUATIONS`, `heat.lateral_area`).
+# Effects derived here: `temperature` (`heat.lateral_area`).
 
 # %%
 import sympy as sp
 from proving import prove_equal, vanishes
 
 from softcat_sym.physics import heat
-from softcat_sym.physics.equation import check
 from softcat_sym.physics.loads import SURFACES
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.sections import SECTIONS
@@ -49,10 +48,9 @@ area, perimeter = A0 / stretch, 4 * A0 / h0 / sp.sqrt(stretch)
 flux = -heat.conductivity * area * sp.diff(T, X) / stretch  # d/dl = d/(s dX)
 held = rho * heat.heat_capacity * area * stretch * sp.diff(T, t)
 balance = held - (source - coefficient * perimeter * stretch * (T - heat.ambient) - sp.diff(flux, X))
-(package,) = heat.HEAT_EQUATIONS
-fields = {heat._T: T, heat._s: stretch, heat._D: source}
-prove_equal(balance, package.residual().subs(fields).doit())
-assert check(package)
+stored, conducted = rho * heat.heat_capacity * A0 * sp.diff(T, t), heat.conductivity * A0 / stretch**2 * sp.diff(T, X)
+passed = coefficient * 4 * A0 / h0 * sp.sqrt(stretch) * (T - heat.ambient)
+prove_equal(balance, stored - (source - passed + sp.diff(conducted, X)))
 
 # %% [markdown]
 # The package takes the lateral area from the energy of the surface, $\gamma$ times that area: of a circle and of a

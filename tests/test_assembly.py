@@ -7,7 +7,6 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 import pytest
-import sympy as sp
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_theory
@@ -17,10 +16,8 @@ from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, para
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.physics import small_deflection as small
-from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.continuation import sagging_guesses
 from softcat_sym.solvers.equilibrium import Equilibrium
@@ -447,30 +444,3 @@ def test_section_angles_are_determined() -> None:
                 np.testing.assert_allclose(stiffness, stiffness.T, atol=1e-12 * np.abs(stiffness).max())
                 eigenvalues = np.linalg.eigvalsh(stiffness)
                 assert eigenvalues[0] > 1e-5 * eigenvalues[-1]
-
-
-def test_the_small_deflection_section_is_the_one_that_was_proved() -> None:
-    for shape in [RECTANGLE, CIRCLE]:
-        for flows in [True, False]:
-            scene = sc.load_scene("maxwell-slow", {"model": "small-deflection"})
-            if not flows:
-                scene = scene.replace({"material.law": "elastic", "material.viscosity": None})
-            equations = derive(choose_effects(scene).terms(), shape, "material")
-            response, proved = equations.response, small.small_deflection(shape, flows=flows)
-            part, renamed = response.branch, {sy.s: 1 + small.e_mean, sy.theta_X: small.y_XX}
-            stress = {sy.sigma_0: part.stress_mean, sy.sigma_1: part.stress_bending}
-            for ours, theirs in [
-                (response.tension, proved.tension),
-                (response.moment, proved.moment),
-                (part.stress_mean, proved.stress_mean),
-                (part.stress_bending, proved.stress_bending),
-                (part.rate_mean, proved.rate_mean),
-                (part.rate_bending, proved.rate_bending),
-                (part.stretching, proved.elastic_mean.subs(stress)),
-                (part.bending, proved.elastic_bending.subs(stress)),
-                (part.dissipation[0], proved.dissipation_mean),
-                (part.dissipation[1], proved.dissipation_bending),
-                (equations.force.vertical.subs(sy.Q, sy.T), proved.vertical_force),
-                (equations.centreline.stretch.subs(sy.x_X, 1) - 1, proved.elongation),
-            ]:
-                assert sp.simplify((ours - theirs).subs(renamed)) == 0, (shape.name, flows, theirs)

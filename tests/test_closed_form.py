@@ -61,19 +61,6 @@ def test_without_the_third_law_the_decay_gives_the_viscosity() -> None:
     assert "not late enough" in found.refused["(2.22)"]
 
 
-@pytest.mark.slow
-def test_errors_are_those_of_many_readings() -> None:
-    tau, sag, errors = 0.35, 0.02, (0.01, 0.02, 0.01, 0.02)
-    at = np.array([ringing_at(tau), 1 / (2 * tau), sag, B])
-    told = closed_form(features_of(*at, errors=errors), DENSITY)
-    draws = np.random.default_rng(5).standard_normal((200, 4))
-    many = [closed_form(features_of(*(at * np.exp(draw * errors))), DENSITY) for draw in draws]
-    for name in ("ringing", "from_sag"):
-        logs = np.log([[getattr(one, name).youngs_modulus, getattr(one, name).viscosity] for one in many])
-        np.testing.assert_allclose(np.cov(logs.T), getattr(told, name).covariance, rtol=0.35, atol=1.5e-4)
-    assert 2 < told.ringing.condition < 3
-
-
 def frequencies_of_a_cable(modulus: float, tau: float, sag: float, cells: int = 300) -> np.ndarray:
     """Eigenvalues of a Maxwell cable by finite differences on half its span, in L and sqrt(L/g).
 
@@ -109,14 +96,6 @@ def test_the_cable_says_nothing_at_either_end_of_its_range() -> None:
     for mode in (4.0, 6.0, 8.0, 8.9):
         ratio = abs(stiffness_number(mode * 1.0001) / stiffness_number(mode / 1.0001))
         assert sensitivity(mode) == pytest.approx(math.log(ratio) / 2e-4, rel=1e-3)
-
-
-def test_the_film_is_told_by_how_much_its_onset_contradicts_its_law() -> None:
-    onset = (B / 3) ** 0.2 * (6 / 15) ** -0.6
-    agreed = closed_form(features_of(ringing_at(0.35), 1.4, 0.02, B, t_high=onset), DENSITY)
-    assert agreed.onset_misfit == pytest.approx(0.0, abs=1e-9)
-    contrary = closed_form(features_of(ringing_at(0.35), 1.4, 0.02, B, t_high=1.5 * onset), DENSITY)
-    assert contrary.onset_misfit == pytest.approx((5 * math.log(1.5)) ** 2 / (0.03**2 + 25 * 0.02**2))
 
 
 @pytest.mark.parametrize("density", [0.0, -1.0, math.nan, math.inf])
@@ -165,7 +144,7 @@ def test_features_that_disagree_are_weighed_as_scipy_weighs_them(theory_error: f
     assert math.log(found.constants.youngs_modulus / LOAD) == pytest.approx(oracle.x[0], abs=1e-6)
     assert math.log(found.constants.viscosity / VISCOUS) == pytest.approx(oracle.x[1], abs=1e-6)
     covariance = np.linalg.inv(oracle.jac.T @ oracle.jac)[:2, :2]
-    np.testing.assert_allclose(found.constants.covariance, covariance, rtol=1e-4)
+    np.testing.assert_allclose(found.covariance, covariance, rtol=1e-4)
     np.testing.assert_allclose(list(found.residuals.values()), predicted(*oracle.x) - measured, atol=1e-6)
 
 

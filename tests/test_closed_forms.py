@@ -12,28 +12,17 @@ from scipy.integrate import quad, solve_bvp, solve_ivp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
 from softcat_sym.effects import scaling_estimates as prediction
+from softcat_sym.physics import beams, regimes, rheometry
 from softcat_sym.physics import closed_forms as asy
-from softcat_sym.physics import regimes, rheometry
-from softcat_sym.physics.closed_forms import phi, phi_t, phi_tt
-from softcat_sym.physics.regimes import (
-    BEAMS,
-    CLAMPED,
-    PINNED,
-    G,
-    H,
-    H_stop,
-    delta,
-    k_on,
-    psi_T,
-    tau_star,
-    u_L,
-)
-from softcat_sym.physics.rheometry import I_0, B, R, alpha, chi, d_R, m_load, t_high, t_star, v_mid, var_B, var_R, var_t
-from softcat_sym.physics.sections import CIRCLE, RECTANGLE
-from softcat_sym.physics.symbols import A0, L, g, rho
+from softcat_sym.physics.closed_forms import phi
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
+from softcat_sym.physics.regimes import BEAMS, H, tau_star, u_L
+from softcat_sym.physics.rheometry import B, R, alpha, d_R, t_high, t_star
+from softcat_sym.physics.symbols import L
 from softcat_sym.scene.reading import load_scene
 
 # Regimes against numbers that share no formula with them: boundary-value solvers, quadrature, time integration.
+RECTANGLE, CIRCLE = (CROSS_SECTIONS[name] for name in ("rectangle", "circle"))
 SECTIONS = [RECTANGLE, CIRCLE]
 MODULUS_OVER_WEIGHT = 4e6 / (1900 * 9.81 * 0.2)
 
@@ -73,8 +62,7 @@ def test_first_yield_and_what_scenes_predict() -> None:
         (RECTANGLE, ("clamped", "pinned"), 4 / 3),
         (CIRCLE, ("clamped", "pinned"), 1),
     ]:
-        held = regimes.first_yield(section, BEAMS[ends])
-        assert float(held / delta) == pytest.approx(wanted)
+        assert beams.first_yield(section, beams.beam_between(*ends), 1.0) == pytest.approx(wanted)
         change = {"filament.section": section.name, "ends.left": ends[0], "ends.right": ends[1]}
         scene = load_scene("arrested-overdamped", change)
         assert prediction.first_yield_gravity_number(scene) == pytest.approx(wanted * 0.03)
@@ -83,12 +71,10 @@ def test_first_yield_and_what_scenes_predict() -> None:
 @pytest.mark.parametrize("section", SECTIONS, ids=name)
 @pytest.mark.parametrize("slender", [0.01, 0.03])
 @pytest.mark.parametrize("psi", [0.3, 2.0, 8.0])
-def test_first_yield_of_a_stretching_beam(section: object, slender: float, psi: float) -> None:
+def test_first_yield_of_a_stretching_beam(section: CrossSection, slender: float, psi: float) -> None:
     """At that load and tension a collocated beam has just that tension, and just that strain at the clamp."""
-    point = regimes.first_yield_stretched(section)
-    at = {psi_T: psi, delta: slender}
-    strain, weight = float(point.yield_strain.subs(at)), float(point.gravity_number.subs(at))
-    K = float(section.zeta_squared) / 4
+    K = section.gyration
+    strain, weight = beams.stretched_first_yield(psi, K, slender)
     load = strain * weight  # rho g L/E
     tension = 4 * psi**2 * K * slender**2  # T/(E A)
     unit = load / (384 * K * slender**2)  # the deflection without tension
@@ -107,15 +93,15 @@ def test_first_yield_of_a_stretching_beam(section: object, slender: float, psi: 
 
 
 def test_tension_first_adds_its_stress_and_then_relieves_the_bending() -> None:
-    point = regimes.first_yield_stretched(RECTANGLE)
-    weight = sp.lambdify((psi_T, delta), point.gravity_number, "math")
-    strain = sp.lambdify((psi_T, delta), point.yield_strain, "math")
-    values = [weight(psi, 0.03) for psi in (0.01, 0.5, 1, 2, 5, 20)]
+    def point(psi: float) -> tuple[float, float]:
+        return beams.stretched_first_yield(psi, RECTANGLE.gyration, 0.03)
+
+    values = [point(psi)[1] for psi in (0.01, 0.5, 1, 2, 5, 20)]
     assert values[0] == pytest.approx(0.06, rel=1e-3)
     assert values[1] < values[0]
     assert values[1:] == sorted(values[1:])
-    psi = brentq(lambda p: weight(p, 0.03) * strain(p, 0.03) * MODULUS_OVER_WEIGHT - 1, 0.1, 20)
-    assert weight(psi, 0.03) == pytest.approx(0.0682, abs=1e-4)
+    psi = brentq(lambda p: math.prod(point(p)) * MODULUS_OVER_WEIGHT - 1, 0.1, 20)
+    assert point(psi)[1] == pytest.approx(0.0682, abs=1e-4)
 
 
 def ringing_moment(times: np.ndarray, *, clamped: bool, modes: int) -> np.ndarray:
@@ -132,15 +118,11 @@ def ringing_moment(times: np.ndarray, *, clamped: bool, modes: int) -> np.ndarra
     return moment
 
 
-@pytest.mark.parametrize(("clamped", "beam_held"), [(True, CLAMPED), (False, PINNED)])
-def test_overshoot_of_a_weight_applied_at_once(clamped: bool, beam_held: regimes.Beam) -> None:
+@pytest.mark.parametrize(("clamped", "beam_held"), [(True, beams.CLAMPED), (False, beams.PINNED)])
+def test_overshoot_of_a_weight_applied_at_once(clamped: bool, beam_held: beams.Beam) -> None:
     moment = ringing_moment(np.linspace(0, 40, 400_001), clamped=clamped, modes=6)
-    bound = float(beam_held.overshoot_bound)
     assert abs(moment[0]) < 1e-2
-    assert 1.97 < np.max(np.abs(moment)) <= bound
-    for section in SECTIONS:
-        early, late = regimes.first_yield_at_once(section, beam_held), regimes.first_yield(section, beam_held)
-        assert float(late / early) == pytest.approx(bound)
+    assert 1.97 < np.max(np.abs(moment)) <= beam_held.overshoot_bound
 
 
 @pytest.mark.parametrize("k", [0.5, 1.94, 6.0, 20.0])
@@ -149,7 +131,7 @@ def test_ramp_gain_against_the_oscillator_itself(k: float) -> None:
     rate = lambda v: 30 * v**2 * (1 - v) ** 2  # noqa: E731
     cosine = quad(lambda v: rate(v) * math.cos(k * v), 0, 1)[0]
     sine = quad(lambda v: rate(v) * math.sin(k * v), 0, 1)[0]
-    assert abs(float(regimes.ramp_gain().subs(k_on, k))) == pytest.approx(math.hypot(cosine, sine), rel=1e-9)
+    assert abs(beams.ramp_gain(k)) == pytest.approx(math.hypot(cosine, sine), rel=1e-9)
 
 
 @pytest.mark.parametrize("ends", BEAMS, ids=name)
@@ -173,7 +155,7 @@ def test_collapse_by_linear_programming(ends: tuple[str, str]) -> None:
 
 def test_collapse_number() -> None:
     for section, wanted in ((RECTANGLE, 4.0), (CIRCLE, 32 / (3 * math.pi))):
-        assert float(regimes.plastic_collapse(section) / delta) == pytest.approx(wanted)
+        assert beams.plastic_collapse(section, beams.CLAMPED, 1.0) == pytest.approx(wanted)
 
 
 def test_lightest_stressed_catenary() -> None:
@@ -181,61 +163,34 @@ def test_lightest_stressed_catenary() -> None:
         lambda a: a * math.cosh(1 / (2 * a)), bounds=(0.2, 2), options={"xatol": 1e-12}, method="bounded"
     )
     assert least.fun == pytest.approx(0.754440, abs=1e-6)
-    assert float(regimes.arrest_threshold_exact()) == pytest.approx(1 / least.fun, rel=1e-10)
-    assert float(1 / (2 * regimes.arrest_parameter())) == pytest.approx(least.x, rel=1e-5)
-    assert float(regimes.ARREST_THRESHOLD) == pytest.approx(math.sqrt(2))
+    assert pytest.approx(1 / least.fun, rel=1e-10) == beams.ARREST_THRESHOLD_EXACT
     # twice the Laplace limit
-    assert str(regimes.arrest_threshold_exact(20)).startswith("1.325486838698363161")
+    assert pytest.approx(1.325486838698363161, rel=1e-15) == beams.ARREST_THRESHOLD_EXACT
 
 
 @pytest.mark.parametrize("number", [0.05, 0.4, 1.0, 1.3, 1.32])
 def test_exact_stopping_depth(number: float) -> None:
     """A catenary of that sag, by its parameter, has the yield stress at its supports, and no shallower one has."""
-    depth = float(regimes.stopping_depth_exact(number))
+    depth = beams.stopping_depth_exact(number)
     parameter = brentq(lambda a: a * (math.cosh(1 / (2 * a)) - 1) - depth, 0.4, 1e3)
     assert number * parameter * math.cosh(1 / (2 * parameter)) == pytest.approx(1, rel=1e-9)
     shallower = parameter * 1.01
     assert number * shallower * math.cosh(1 / (2 * shallower)) > 1
 
 
-def test_orders_of_the_shallow_expansions() -> None:
-    """(3.13) is off by G^3, the consistent formula by G^5."""
-    errors: dict[str, list[float]] = {"printed": [], "consistent": []}
-    for number in (sp.Rational(1, 5), sp.Rational(1, 10)):
-        exact = regimes.stopping_depth_exact(number, 30)
-        for label, equation in (("printed", regimes.STOPPING_DEPTH), ("consistent", regimes.STOPPING_DEPTH_SECOND)):
-            errors[label].append(float(abs(equation.right.subs(G, number).n(30) - exact)))
-    orders = {label: math.log2(coarse / fine) for label, (coarse, fine) in errors.items()}
-    assert orders["printed"] == pytest.approx(3, abs=0.05)
-    assert orders["consistent"] == pytest.approx(5, abs=0.1)
-
-
-@pytest.mark.parametrize(
-    ("equation", "threshold"),
-    [
-        (regimes.STOPPING_DEPTH, regimes.ARREST_THRESHOLD),
-        (regimes.STOPPING_DEPTH_SECOND, regimes.ARREST_THRESHOLD_SECOND),
-    ],
-)
-def test_stopping_depth_ends_at_its_own_threshold(equation: regimes.Equation, threshold: sp.Expr) -> None:
-    assert equation.left == H_stop / L
-    slope = sp.diff(equation.right, G)
-    assert sp.im(equation.right.subs(G, threshold * sp.Rational(1001, 1000)).n()) != 0
-    assert abs(slope.subs(G, threshold * (1 - sp.Rational(1, 10**8))).n()) > 100
+def test_the_shallow_expansion_is_off_by_the_third_power() -> None:
+    coarse, fine = (beams.stopping_depth(number) - beams.stopping_depth_exact(number) for number in (0.2, 0.1))
+    assert math.log2(coarse / fine) == pytest.approx(3, abs=0.05)
+    with pytest.raises(ValueError, match=r"domain|negative"):
+        beams.stopping_depth(1.001 * beams.ARREST_THRESHOLD)
 
 
 def test_catenary_in_its_parameter() -> None:
-    """Sag by integrating the slope, stress by adding up the weight."""
+    """Sag by integrating the slope."""
     a = 0.37
-    at = {
-        u_L: 1 / (2 * a),
-        L: 1,
-        **{s: 1 for s in regimes.CATENARY_STRESS.right.free_symbols if s.name in ("rho", "g")},
-    }
+    at = {u_L: 1 / (2 * a), L: 1}
     fall = quad(lambda x: math.sinh(x / a), 0, 0.5)[0]
-    weight = quad(lambda x: math.sqrt(1 + math.sinh(x / a) ** 2), 0, 0.5)[0]
     assert float(regimes.CATENARY_SAG.right.subs(at)) == pytest.approx(fall)
-    assert float(regimes.CATENARY_STRESS.right.subs(at)) == pytest.approx(math.hypot(a, weight))
     assert regimes.CATENARY_SAG.left == H
 
 
@@ -264,7 +219,6 @@ def test_free_fall_ends_where_each_limit_says(tau: float, law: sp.Expr) -> None:
 def test_onset_of_the_third_law_in_figure_2() -> None:
     onset = float(asy.T_HIGH.subs(PAPER))
     assert onset == pytest.approx(0.1766, abs=1e-4)
-    assert float(asy.LATE_RATIO.subs({B: LOAD, t_star: onset})) == pytest.approx(1 / 15)
     step = 1e-4
     law = sp.lambdify(t_star, asy.THIRD_LAW.subs(B, LOAD))
     acceleration = (law(onset + step) - 2 * law(onset) + law(onset - step)) / step**2
@@ -302,58 +256,6 @@ def test_third_law_is_the_viscous_string() -> None:
     assert -span * float(asy.THIRD_LAW.subs({B: load, t_star: in_clock})) == pytest.approx(sag, rel=1e-12)
 
 
-def _parabola(tau: float) -> sp.Expr:
-    """phi_ttt from the held equation of motion, in plain symbols."""
-    field, third = asy.phi_of(t_star), sp.Symbol("third")
-    plain = {
-        sp.Derivative(field, (t_star, 3)): third,
-        sp.Derivative(field, (t_star, 2)): phi_tt,
-        sp.Derivative(field, t_star): phi_t,
-        field: phi,
-    }
-    residual = asy.PARABOLA_MOTION.residual().subs(plain).subs({B: LOAD, tau_star: tau})
-    return sp.solve(residual, third)[0]
-
-
-@pytest.mark.parametrize("tau", [0.35, 0.035])
-def test_motion_of_the_parabola_is_the_averaged_balance(tau: float) -> None:
-    # phi, phi_t and the memory q, straight from q y_xx = B tau (y_tt + 1) averaged over x
-    def by_memory(t: float, u: Floats) -> list[float]:
-        return [u[1], 6 - 12 * u[2] * u[0] / (LOAD * tau), u[0] * u[1] / 6 - u[2] / tau]
-
-    third = sp.lambdify((phi, phi_t, phi_tt), _parabola(tau))
-    kwargs = {"rtol": 1e-10, "atol": 1e-13, "method": "LSODA"}
-    start = solve_ivp(by_memory, (0, 0.1), [0, 0, 0], **kwargs).y[:, -1]
-    memory = solve_ivp(by_memory, (0, 1), start, **kwargs).y[0, -1]
-    jerk = [start[0], start[1], by_memory(0, start)[1]]
-    held = solve_ivp(lambda t, u: [u[1], u[2], third(*u)], (0, 1), jerk, **kwargs).y[0, -1]
-    assert held == pytest.approx(memory, rel=1e-6)
-
-
-def test_departures_follow_the_complete_oscillation() -> None:
-    tau, end = 0.05, 0.4
-    third = sp.lambdify((phi, phi_t, phi_tt), _parabola(tau))
-    coefficients = sp.lambdify(
-        (phi, phi_t, phi_tt), [c.subs({B: LOAD, tau_star: tau}) for c in asy.OSCILLATION_COMPLETE]
-    )
-
-    def rate(t: float, u: Floats) -> list[float]:
-        c3, c2, c1, c0 = coefficients(*u[:3])
-        f = u[3:]
-        return [u[1], u[2], third(*u[:3]), f[1], f[2], -(c2 * f[2] + c1 * f[1] + c0 * f[0]) / c3]
-
-    base = [float(asy.THIRD_LAW_FACTOR.subs({B: LOAD, t_star: 0.2}))]
-    base += [base[0] / 0.6, -2 * base[0] / 9 / 0.04]
-    nudge, small = [1e-3, 0.02, 0.5], 1e-4
-    kwargs = {"rtol": 1e-11, "atol": 1e-14, "method": "LSODA"}
-    linear = solve_ivp(rate, (0, end), [*base, *nudge], **kwargs).y[3, -1]
-    up, down = (
-        solve_ivp(rate, (0, end), [*(b + s * n for b, n in zip(base, nudge, strict=True)), 0, 0, 0], **kwargs).y[0, -1]
-        for s in (small, -small)
-    )
-    assert (up - down) / (2 * small) == pytest.approx(linear, rel=1e-4)
-
-
 @pytest.mark.parametrize("tau", [0.35, 0.035])
 def test_frequency_and_decay_are_the_roots_of_2_21(tau: float) -> None:
     onset = float(asy.T_HIGH.subs(PAPER))
@@ -363,32 +265,10 @@ def test_frequency_and_decay_are_the_roots_of_2_21(tau: float) -> None:
     assert roots.imag.max() == pytest.approx(float(asy.FREQUENCY.subs(values)))
 
 
-def test_ringing_solves_2_21_with_its_coefficient_frozen() -> None:
-    values = {B: LOAD, tau_star: 0.035, t_high: 0.1766}
-    frequency = float(asy.FREQUENCY.subs(values))
-    amplitudes = {asy.f_rest: 0.3, asy.f_cos: -0.7, asy.f_sin: 1.1}
-    ringing = sp.lambdify(t_star, asy.RINGING.subs(amplitudes).subs({R: frequency, **values}))
-    c3, c2, c1 = (float(c.subs({**values, t_star: 0.1766})) for c in asy.OSCILLATION)
-    run = solve_ivp(
-        lambda t, u: [u[1], u[2], -(c2 * u[2] + c1 * u[1]) / c3],
-        (0, 0.2),
-        [
-            float(sp.diff(asy.RINGING.subs(amplitudes), t_star, n).subs({t_star: 0, R: frequency, **values}))
-            for n in range(3)
-        ],
-        rtol=1e-10,
-        atol=1e-12,
-        dense_output=True,
-    )
-    at = np.linspace(0, 0.2, 21)
-    assert run.sol(at)[0] == pytest.approx(ringing(at), rel=1e-6)
-    assert float(asy.PERIOD.subs(R, frequency)) * frequency == pytest.approx(2 * np.pi)
-
-
 def test_tension_against_bending_in_figure_2() -> None:
-    ratio = asy.TENSION_TO_BENDING.subs({asy.K_I: sp.Rational(1, 12), phi: 4 * 0.0094})
-    assert float(ratio.subs(asy.delta, 0.025)) == pytest.approx(0.094, abs=1e-3)
-    assert float(ratio.subs(asy.delta, 0.0025)) == pytest.approx(9.4, abs=0.1)
+    ratio = asy.TENSION_TO_BENDING.subs({regimes.K_I: sp.Rational(1, 12), phi: 4 * 0.0094})
+    assert float(ratio.subs(regimes.delta, 0.025)) == pytest.approx(0.094, abs=1e-3)
+    assert float(ratio.subs(regimes.delta, 0.0025)) == pytest.approx(9.4, abs=0.1)
 
 
 # The inverse map of rheometry against numbers: round trips, finite differences, random errors, other beams.
@@ -404,20 +284,10 @@ def frequency(relaxation: float, clock: float = ONSET, load: float = PAPER_B) ->
     return float(abs(roots[0].imag))
 
 
-def invert(measured: np.ndarray, *, ringing: bool) -> np.ndarray:
-    """(log E*, log V) of (log R, log t_high, log B)."""
-    values = dict(zip((R, t_high, B), np.exp(measured), strict=True))
-    both = rheometry.relaxation_times()
-    relaxation = (both.ringing if ringing else both.fading).subs(values)
-    viscous = rheometry.VISCOUS_NUMBER.right.subs(values)
-    return np.array([math.log(float(viscous / relaxation)), math.log(float(viscous))])
-
-
 def test_round_trip() -> None:
     for relaxation in [*RINGING, *FADING]:
         read = frequency(relaxation)
         seen = {R: read, t_high: ONSET, B: PAPER_B}
-        assert float(rheometry.RINGING_FREQUENCY.right.subs({**seen, tau_star: relaxation})) == pytest.approx(read)
         both = rheometry.relaxation_times()
         held, other = (both.ringing, both.fading) if relaxation in RINGING else (both.fading, both.ringing)
         assert float(held.subs(seen)) == pytest.approx(relaxation, rel=1e-9)
@@ -429,8 +299,6 @@ def test_the_decay_rate_selects_the_root() -> None:
     for relaxation in [*RINGING, *FADING]:
         read, decay = frequency(relaxation), 1 / (2 * relaxation)
         assert (decay < read) is (relaxation in RINGING)
-        at = {R: read, d_R: decay, t_high: ONSET, B: PAPER_B}
-        assert float(rheometry.CIRCLE_OF_DECAY.residual().subs(at)) == pytest.approx(0, abs=1e-8 * read**2)
         assert float(rheometry.DECAY.right.subs(tau_star, relaxation)) == decay
         if relaxation in FADING:
             assert math.exp(-decay * 2 * math.pi / read) < 1 / 535
@@ -441,63 +309,8 @@ def test_no_filament_rings_faster_than_the_double_root() -> None:
     largest = float(rheometry.LARGEST_FREQUENCY.right.subs({t_high: ONSET, B: PAPER_B}))
     assert max(rates) == pytest.approx(largest, rel=1e-5)
     assert largest == pytest.approx(15 / ONSET)
-    assert float(rheometry.LARGEST_FREQUENCY_AT_ONSET.right.subs({alpha: 1 / 15, t_high: ONSET})) == pytest.approx(
-        largest
-    )
     beyond = rheometry.relaxation_times().ringing.subs({R: 1.01 * largest, t_high: ONSET, B: PAPER_B})
     assert abs(sp.im(beyond.n())) > 0
-
-
-def test_sensitivity_against_finite_differences() -> None:
-    for relaxation in [*RINGING, *FADING]:
-        measured = np.log([frequency(relaxation), ONSET, PAPER_B])
-        at = {chi: 2 * frequency(relaxation) * relaxation}
-        held = np.array(rheometry.sensitivity().subs(at).tolist(), dtype=float)
-        step = 1e-6
-        for column in range(3):
-            shift = np.eye(3)[column] * step
-            ringing = relaxation in RINGING
-            slope = (invert(measured + shift, ringing=ringing) - invert(measured - shift, ringing=ringing)) / (2 * step)
-            assert held[:, column] == pytest.approx(slope, rel=1e-5, abs=1e-6)
-        assert float(rheometry.condition_number().subs(at)) == pytest.approx(np.linalg.cond(held))
-        tied = np.array(rheometry.sensitivity_at_onset().subs(at).tolist(), dtype=float)
-        assert tied == pytest.approx(held @ np.array([[1, 0], [0, 1], [0, 5]]))
-
-
-def test_condition_number_blows_up_at_the_double_root_only() -> None:
-    number = sp.lambdify(chi, rheometry.condition_number(), "math")
-    assert number(1e3) == pytest.approx(math.sqrt(45 / 8), rel=1e-4)
-    assert number(1 + 1e-6) > 1e5 < number(1 - 1e-6)
-    assert number(1e-3) < 5
-
-
-def test_errors_of_many_noisy_measurements() -> None:
-    """Both covariances against the scatter of inverted random measurements."""
-    relaxation = 0.035
-    deviations = np.array([0.002, 0.004, 0.003])
-    true = np.log([frequency(relaxation), ONSET, PAPER_B])
-    draws = true + np.random.default_rng(5).normal(size=(4000, 3)) * deviations
-    variances = dict(zip((var_R, var_t, var_B), deviations**2, strict=True))
-    at = {chi: 2 * frequency(relaxation) * relaxation, **variances}
-    plain = sp.lambdify((R, t_high, B), rheometry.relaxation_times().ringing, "numpy")
-
-    def estimates(rates: np.ndarray, clocks: np.ndarray, loads: np.ndarray) -> np.ndarray:
-        viscous = 1 / (2 * loads)
-        return np.log(np.array([viscous / plain(rates, clocks, loads), viscous]))
-
-    rates, clocks, loads = np.exp(draws).T
-    wanted = np.array(rheometry.covariance().subs(at).tolist(), dtype=float)
-    assert np.cov(estimates(rates, clocks, loads)) == pytest.approx(wanted, rel=0.08)
-
-    known = {**variances, alpha: sp.Rational(1, 15)}
-    average = sp.lambdify((t_high, B), rheometry.combined_log_B().subs(known), "numpy")
-    better = np.exp(average(clocks, loads))
-    onset = (better / 3) ** 0.2 * (6 / 15) ** -0.6
-    wanted = np.array(rheometry.combined_covariance().subs(at).tolist(), dtype=float)
-    assert np.cov(estimates(rates, onset, better)) == pytest.approx(wanted, rel=0.08)
-
-    disagreement = sp.lambdify((t_high, B), rheometry.misfit().subs(known), "numpy")
-    assert np.mean(disagreement(clocks, loads)) == pytest.approx(1, abs=0.08)
 
 
 @pytest.mark.parametrize("modulus", [500.0, 2e4])
@@ -519,25 +332,3 @@ def test_modulus_from_a_ringing_elastic_string(modulus: float) -> None:
     read = 2 * math.pi / np.mean(np.diff(crossings))
     found = rheometry.MODULUS_FROM_SAG.right.subs({R: read, d_R: 0, H: rest / 4, L: 1})
     assert float(found) == pytest.approx(modulus, rel=1e-4)
-
-
-@pytest.mark.parametrize("load", [0.0, 0.05])
-def test_beam_viscometry_against_a_collocated_beam(load: float) -> None:
-    """A viscous rod of 1e12 Pa s on knife edges, half of it, in SI."""
-    span, diameter, density, shear, gravity = 0.05, 0.003, 2500.0, 1e12, 9.81
-    area, inertia = math.pi * diameter**2 / 4, math.pi * diameter**4 / 64
-    resistance = 3 * shear * inertia
-
-    def rates(x: np.ndarray, w: np.ndarray) -> np.ndarray:
-        return np.vstack([w[1], w[2], w[3], np.full_like(x, density * area * gravity * span**3 / (8 * resistance))])
-
-    def ends_hold(left: np.ndarray, right: np.ndarray) -> np.ndarray:
-        # x = 2 X/L from an edge to midspan, speeds in L/2; no turning there and half of the load
-        return np.array([left[0], left[2], right[1], right[3] + load * gravity * span**2 / (8 * resistance)])
-
-    mesh = np.linspace(0, 1, 101)
-    solution = solve_bvp(rates, ends_hold, mesh, np.zeros((4, mesh.size)), tol=1e-10)
-    speed = abs(solution.y[0, -1]) * span / 2
-    at = {g: gravity, L: span, rho: density, A0: area, I_0: inertia, m_load: load}
-    assert float(rheometry.BEAM_VISCOMETRY.right.subs({**at, v_mid: speed})) == pytest.approx(shear, rel=1e-6)
-    assert float(rheometry.ASTM_C598.right.subs({**at, v_mid: speed * 60})) == pytest.approx(shear, rel=1e-6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import io
 import json
 import os
@@ -39,6 +40,7 @@ from softcat_sym.scene.scene import known_keys
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.studies.explanation import Explanation, explain
 from tests.common.in_process import Softcat, sets
+from tests.golden import help as help_record
 
 ROOT = Path(__file__).parents[1]
 PROGRAM = Path(sys.executable).with_name("softcat")
@@ -78,6 +80,13 @@ def test_every_command_is_listed_under_its_group_and_helps(softcat: Softcat) -> 
         helped = " ".join(softcat(name, "-h").out.split())
         assert f"softcat {name} [OPTIONS]" in helped and told[name] in helped
     assert softcat("--version").out.startswith("softcat ") and softcat("fly").status == 2
+
+
+def test_help_texts_and_public_names_are_the_recorded_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", str(help_record.WIDTH))
+    found, kept = help_record.texts().splitlines(), help_record.FILE.read_text(encoding="utf-8").splitlines()
+    changed = "\n".join(difflib.unified_diff(kept, found, "recorded", "now", n=1, lineterm=""))
+    assert not changed, f"{changed}\nif this is meant: python -m tests.golden.help records it anew"
 
 
 def test_each_command_has_a_folder_of_its_own() -> None:

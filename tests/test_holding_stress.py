@@ -13,9 +13,9 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.forecast import forecast
-from softcat_sym.physics import regimes, rheometry
-from softcat_sym.physics.sections import CIRCLE
-from softcat_sym.physics.symbols import L, g, rho, sigma_Y
+from softcat_sym.physics import beams, regimes
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
+from softcat_sym.physics.symbols import L, g, rho
 
 LIMIT, SPAN, THICK, RHO = 400.0, 0.02, 2e-4, 1500.0
 STRING = (
@@ -51,12 +51,11 @@ def test_a_thread_stops_where_yield_stress_and_surface_carry_its_weight(bath: fl
     found = expected_regime(scene, effects)
     sag = -sc.simulate(scene).summary["midpoint_final_m"]
     assert found.stopping_depth_exact is not None and sag == pytest.approx(found.stopping_depth_exact * SPAN, rel=0.02)
-    known = {rho: RHO - bath, g: 9.81, L: SPAN, regimes.H: sag, regimes.Gam_s: pull}
-    assert rheometry.YIELD_STRESS_FROM_SAG.left == sigma_Y
-    assert float(rheometry.YIELD_STRESS_FROM_SAG.right.subs(known)) == pytest.approx(LIMIT, rel=0.02)
+    stress = regimes.SHALLOW_STRESS.right.subs({rho: RHO - bath, g: 9.81, L: SPAN, regimes.H: sag})
+    assert float(stress) - pull == pytest.approx(LIMIT, rel=0.02)
     # Of the fully plastic moment nothing comes from the surface.
-    plain = regimes.plastic_collapse(CIRCLE, regimes.PINNED).subs(regimes.delta, THICK / SPAN)
-    assert (found.collapse or 0) * (LIMIT + pull) / LIMIT == pytest.approx(float(plain))
+    plain = beams.plastic_collapse(CROSS_SECTIONS["circle"], beams.PINNED, THICK / SPAN)
+    assert (found.collapse or 0) * (LIMIT + pull) / LIMIT == pytest.approx(plain)
 
 
 @pytest.mark.parametrize("ends", regimes.BEAMS)

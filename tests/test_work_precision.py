@@ -13,7 +13,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.accuracy import front, work_precision_figure
 from softcat_sym.single_run import build
 from softcat_sym.solvers.run import Prepared
@@ -38,7 +38,6 @@ from softcat_sym.studies.work_precision_programs import (
     Program,
     Task,
     scene_of,
-    stable_step,
 )
 from tests.common.in_process import Softcat
 
@@ -71,50 +70,19 @@ def test_jacobian_is_that_of_differences_and_what_is_held_does_not_move(prepared
     scale = {"rtol": 1e-5, "atol": 1e-6 * np.abs(expected).max()}
     np.testing.assert_allclose(sparse[np.ix_(live, live)], expected[np.ix_(live, live)], **scale)
     np.testing.assert_allclose(sparse, np.where(sparse != 0, expected, 0), **scale)
-    rows, across = np.nonzero(sparse)
-    packed = rates.banded(t, state)
-    np.testing.assert_array_equal(packed[rows - across + rates.band, across], sparse[rows, across])
-    assert np.count_nonzero(packed) == len(rows)
     held = rates.size - prepared.graph.x.numel()
     assert held <= np.count_nonzero(rates.rates(0.0, state) == 0)
-
-
-def test_stable_step_of_a_spring_and_of_a_decay() -> None:
-    """The ends of RK4's region of stability: 2 sqrt 2 on the imaginary axis, 2.7853 on the real one."""
-    assert stable_step(np.array([[0.0, 1.0], [-25.0, 0.0]])) == pytest.approx(8**0.5 / 5, rel=1e-4)
-    assert stable_step(np.array([[-4.0]])) == pytest.approx(2.785293563405282 / 4, rel=1e-4)
-    assert stable_step(np.zeros((2, 2))) == np.inf
-
-
-@compiled
-def test_rk4_agrees_below_its_limit_and_is_lost_above_it(short: sc.Scene) -> None:
-    bench = Bench(short)
-    exact = bench.ready(Task("compiled-rodas5p", 12, 1.0, rtol=1e-9))().midpoint
-    for program in ("compiled-rk4", "numpy-rk4"):
-        found = bench.ready(Task(program, 12, 1.0, rtol=0.95))().midpoint
-        assert np.abs(found - exact).max() < 1e-6 * np.abs(exact).max(), program
-        # Beyond it the shortest wave grows, until large rotations bound it or nothing is finite any more.
-        try:
-            lost = bench.ready(Task(program, 12, 1.0, rtol=1.3))().midpoint
-        except SoftcatError as error:
-            assert "not finite" in str(error)
-        else:
-            assert np.abs(lost - exact).max() > 1e-4 * np.abs(exact).max(), program
-    with pytest.raises(SoftcatError, match="steps would take"):
-        bench.ready(Task("compiled-rk4", 40, 4.0, rtol=0.95), 1e-4)
 
 
 @compiled
 def test_programs_solve_the_same_equations(short: sc.Scene) -> None:
     bench = Bench(short)
     exact = bench.ready(Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint
-    for program in ("compiled-rodas4", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvodes-5"):
+    for program in ("compiled-rodas4", "scipy-radau", "cvodes"):
         found = bench.ready(Task(program, 12, 4.0, rtol=1e-6))().midpoint
         assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max(), program
-    # Section angles without inertia have no rate: an explicit method has no answer, a stiffly accurate one has.
+    # Section angles without inertia have no rate; a stiffly accurate method has an answer nevertheless.
     sheared = Bench(short.replace({"run.effects": [*short.run.effects, "shear"]}))
-    with pytest.raises(SceneError, match="algebraic unknowns"):
-        sheared.ready(Task("compiled-rk4", 12, 1.0, section=4))
     exact = sheared.ready(Task("compiled-rodas5p", 12, 4.0, 4, 1e-9))().midpoint
     found = sheared.ready(Task("scipy-radau", 12, 4.0, 4, 1e-6))().midpoint
     assert np.abs(found - exact).max() < 1e-5 * np.abs(exact).max()

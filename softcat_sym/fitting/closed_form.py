@@ -31,21 +31,11 @@ class Constants:
     formula: str  # Name of the formula
     youngs_modulus: float  # E [Pa] and the extensional eta [Pa s]
     viscosity: float
-    # shape (2, 2); Of log E and log eta, from the errors of reading only, to first order; infinite or NaN at the
-    # double root.
-    covariance: Floats
-    condition: float | None = None  # Condition number of the map from (R, t, B), where it is one
 
     @property
     def relaxation_time(self) -> float:
         """eta/E [s]."""
         return self.viscosity / self.youngs_modulus
-
-    @property
-    def errors(self) -> tuple[float, float]:
-        """Standard errors of E [Pa] and eta [Pa s]."""
-        of_modulus, of_viscosity = np.sqrt(np.diag(self.covariance)).tolist()
-        return self.youngs_modulus * of_modulus, self.viscosity * of_viscosity
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +49,6 @@ class ClosedForm:
     from_sag: Constants | None  # E by R^2 + d^2 and the sag about which it rings, the shape held
     # E by the lowest mode of a cable, whose shape changes with its stiffness (Irvine and Caughey 1974).
     from_cable: Constants | None
-    onset_misfit: float | None  # Chi-squared, one degree of freedom, of B against t_high where the film shows both
     refused: dict[str, str] = field(default_factory=dict)  # Why a formula has no result
 
     @property
@@ -78,7 +67,7 @@ def closed_form(features: Features, density: float) -> ClosedForm:
     if not (math.isfinite(density) and density > 0):
         raise SoftcatError(f"closed form:\n  {Fault('density', f'{density:g}', 'a positive number')}")
     refused: dict[str, str] = {}
-    load = None if features.prefactor.value is None else (features.prefactor.value, features.prefactor.log_variance)
+    load = features.prefactor.value
     roots = _roots(features, density, load, refused)
     return ClosedForm(
         ringing=roots.get("ringing"),
@@ -86,30 +75,11 @@ def closed_form(features: Features, density: float) -> ClosedForm:
         picked=_picked(features, roots),
         from_sag=_from_ringing(features, density, load, SAG_BASED, _modulus_from_sag, refused),
         from_cable=_from_ringing(features, density, load, CABLE, _modulus_of_cable, refused),
-        onset_misfit=_onset_misfit(features),
         refused=refused,
     )
 
 
-def _onset_misfit(features: Features) -> float | None:
-    """Misfit of B and the onset of the late law. The two are not averaged, as earlier motion affects the onset."""
-    prefactor, onset = features.prefactor, features.t_high
-    if prefactor.value is None or onset.value is None:
-        return None
-    unit = math.sqrt(features.span / features.gravity)
-    known = {
-        rheometry.B: prefactor.value,
-        rheometry.t_high: onset.value / unit,
-        rheometry.alpha: float(closed_forms.TOLERANCE),
-        rheometry.var_B: prefactor.log_variance,
-        rheometry.var_t: onset.log_variance,
-    }
-    return float(evaluate(rheometry.misfit(), known)[0])
-
-
-def _roots(
-    features: Features, density: float, load: tuple[float, float] | None, refused: dict[str, str]
-) -> dict[Root, Constants]:
+def _roots(features: Features, density: float, load: float | None, refused: dict[str, str]) -> dict[Root, Constants]:
     """Both roots; t_high is the time on the clock at which R is read."""
     if features.ringing is None or load is None:
         refused[PAPER] = features.frequency.reason or features.prefactor.reason
@@ -118,36 +88,19 @@ def _roots(
     known = {
         rheometry.R: features.ringing.frequency * unit,
         rheometry.t_high: features.ringing.middle / unit,
-        rheometry.B: load[0],
+        rheometry.B: load,
     }
     most = float(evaluate(rheometry.LARGEST_FREQUENCY.right, known)[0])
     if known[rheometry.R] > most:
-        excess = known[rheometry.R] / most - 1
-        error = math.sqrt(features.ringing_covariance[0, 0] + load[1] / 9)
         refused[PAPER] = (
             "no relaxation time gives so high a frequency at that time: R exceeds 6 (3 t^2/B)^(1/3) by "
-            f"{100 * excess:.2g} % ({excess / error:.1f} standard errors)"
+            f"{100 * (known[rheometry.R] / most - 1):.2g} %"
         )
         return {}
-    times = rheometry.relaxation_times()
-    found: dict[Root, Constants] = {}
-    for name, root in (("ringing", times.ringing), ("fading", times.fading)):
-        relaxation = float(evaluate(root, known)[0])
-        ratio = float(evaluate(rheometry.FREQUENCY_OVER_DECAY.right, {**known, tau_star: relaxation})[0])
-        spread = {
-            rheometry.chi: ratio,
-            rheometry.var_R: float(features.ringing_covariance[0, 0]),
-            rheometry.var_t: 0.0,
-            rheometry.var_B: load[1],
-        }
-        matrix = rheometry.covariance()
-        covariance = np.array([[evaluate(matrix[i, j], spread)[0] for j in (0, 1)] for i in (0, 1)])
-        condition = float(evaluate(rheometry.condition_number(), spread)[0])
-        viscosity = _viscosity(features, density, load[0])
-        modulus = _modulus(features, viscosity, relaxation)
-        key: Root = "ringing" if name == "ringing" else "fading"
-        found[key] = Constants(PAPER, modulus, viscosity, covariance, condition)
-    return found
+    viscosity, both = _viscosity(features, density, load), rheometry.relaxation_times()
+    relaxations = (float(evaluate(root, known)[0]) for root in (both.ringing, both.fading))
+    ringing, fading = (Constants(PAPER, _modulus(features, viscosity, one), viscosity) for one in relaxations)
+    return {"ringing": ringing, "fading": fading}
 
 
 def _viscosity(features: Features, density: float, load: float) -> float:
@@ -192,7 +145,7 @@ def _modulus_of_cable(frequency: float, decay: float, sag: float, features: Feat
 def _from_ringing(
     features: Features,
     density: float,
-    load: tuple[float, float] | None,
+    load: float | None,
     name: str,
     formula: Callable[[float, float, float, Features], float | str],
     refused: dict[str, str],
@@ -202,47 +155,18 @@ def _from_ringing(
     if ringing is None:
         refused[name] = features.frequency.reason
         return None
-    decay_seen = features.decay.value is not None
-    at = np.array([ringing.frequency, max(ringing.decay, 0.0), ringing.sag])
-    value = formula(float(at[0]), float(at[1]), float(at[2]), features)
+    value = formula(ringing.frequency, max(ringing.decay, 0.0), ringing.sag, features)
     if isinstance(value, str):
         refused[name] = value
         return None
-    gradient = _gradient(formula, at, features)
-    if gradient is None:
-        refused[name] = "the frequency lies so near the end of its range that the error is unbounded"
-        return None
-    variance = float(gradient @ ringing.covariance @ gradient)
     weight = {E_star: value, rho: density, g: features.gravity, SPAN: features.span}
     modulus = float(evaluate(E_star * rho * g * SPAN, weight)[0])
     if load is not None:
-        covariance = np.array([[variance, 0.0], [0.0, load[1]]])
-        return Constants(name, modulus, _viscosity(features, density, load[0]), covariance)
-    if not decay_seen:
+        return Constants(name, modulus, _viscosity(features, density, load))
+    if features.decay.value is None:
         refused[name] = f"neither B nor a decay rate gives the viscosity: {features.prefactor.reason}"
         return None
-    # eta = E/(2 d).
-    of_viscosity = gradient - np.array([0.0, 1 / ringing.decay, 0.0])
-    rows = np.array([gradient, of_viscosity])
-    covariance = rows @ ringing.covariance @ rows.T
-    return Constants(f"{name}, decay for B", modulus, modulus / (2 * ringing.decay), covariance)
-
-
-def _gradient(
-    formula: Callable[[float, float, float, Features], float | str], at: Floats, features: Features
-) -> Floats | None:
-    """Slopes d log E/d(R, d, H), by central differences."""
-    rows = []
-    for k, size in enumerate((at[0], at[0], at[2])):
-        step = np.zeros(3)
-        step[k] = 1e-5 * size
-        above, below = at + step, at - step
-        high = formula(float(above[0]), float(above[1]), float(above[2]), features)
-        low = formula(float(below[0]), float(below[1]), float(below[2]), features)
-        if isinstance(high, str) or isinstance(low, str):
-            return None
-        rows.append(math.log(high / low) / (2e-5 * size))
-    return np.array(rows)
+    return Constants(f"{name}, decay for B", modulus, modulus / (2 * ringing.decay))
 
 
 _NAMES = ("frequency", "decay", "sag", "B", "t_high")
@@ -254,7 +178,10 @@ _WIDEST = math.log(1e8)
 class CombinedEstimate:
     """Constants from all features together."""
 
-    constants: Constants  # E, eta and their covariance, from the errors of reading and the tolerance for the theory
+    constants: Constants  # E and eta
+    covariance: (
+        Floats  # shape (2, 2); Of log E and log eta, from the errors of reading and the tolerance for the theory
+    )
     misfit: float  # Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance
     freedom: int  # Features used less two
     residuals: dict[str, float]  # (theory - measured)/measured of every feature used, as logarithms
@@ -284,7 +211,8 @@ def combined_estimate(features: Features, density: float, theory_error: float = 
     spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
     modulus, viscosity = _constants(found, features, density)
     return CombinedEstimate(
-        constants=Constants("all features", modulus, viscosity, spread[:2, :2]),
+        constants=Constants("all features", modulus, viscosity),
+        covariance=spread[:2, :2],
         misfit=2 * cost,
         freedom=len(used) - 2,
         residuals={_NAMES[k]: float(found[2 + k] - measured[k]) for k in used},

@@ -340,12 +340,6 @@ class FilamentProblem(Unknowns):
         return float(np.mean(std[~self._is_force] if not self._is_force.all() else std))
 
     @property
-    def force_unit(self) -> float | None:
-        """Mean standard error of the forces [N]; None if there are none."""
-        std = np.concatenate([film.std for film in self.films])[self._is_force]
-        return float(np.mean(std)) if std.size else None
-
-    @property
     def _is_force(self) -> NDArray[np.bool_]:
         return np.concatenate([film.is_force for film in self.films])
 

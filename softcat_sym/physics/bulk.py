@@ -6,9 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from softcat_sym.physics.equation import Equation, Equations
-from softcat_sym.physics.laws import bingham_rate
-from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, E, enter, eta, sigma, sigma_Y
+from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, E, enter, sigma
 
 nu = enter("nu", r"\nu", ONE, "elastic Poisson's ratio", "3.6")
 sigma_eq = enter("sigma_eq", r"\sigma_{eq}", STRESS, "equivalent tensile stress, sqrt 3 tau", "3.5", positive=True)
@@ -79,11 +77,6 @@ def plastic_flow(stress: sp.Matrix, rate: sp.Expr) -> sp.Matrix:
     return flow_direction(stress) * rate.subs(sigma, sigma_eq)
 
 
-def plastic_evolution(flow: sp.Matrix, plastic: sp.Matrix) -> sp.Matrix:
-    """Fp_t = Lp Fp (3.8, corrected: the paper prints the inverse of Fp)."""
-    return flow * plastic
-
-
 def dissipation(rate: sp.Expr) -> sp.Expr:
     """M : Lp = sig_eq phi(sig_eq), plastic power per reference volume."""
     return sigma_eq * rate.subs(sigma, sigma_eq)
@@ -96,12 +89,6 @@ def return_residual(rate: sp.Expr) -> sp.Expr:
     sig_eq/sig_trial, so that one scalar equation is left for each point.
     """
     return sigma_eq + 3 * shear_modulus() * step * rate.subs(sigma, sigma_eq) - sigma_trial
-
-
-def bingham_return() -> sp.Expr:
-    """The root of :func:`return_residual` for the Bingham rule."""
-    overstress = sp.Max(sigma_trial - sigma_Y, 0)
-    return sigma_trial - overstress * (1 - 1 / (1 + 3 * shear_modulus() * step / eta))
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,24 +144,6 @@ def _law(strain: sp.Matrix, stress: sp.Matrix, symbols: sp.Matrix, rate: sp.Expr
         residual=return_residual(rate),
     )
 
-
-def _equations() -> tuple[Equation, ...]:
-    law, flat = general(bingham_rate()), plane_stress(bingham_rate())
-    zero = sp.Integer(0)
-    return (
-        Equation("elasticity, normal", mandel[0, 0], law.stress[0, 0], "3.6"),
-        Equation("elasticity, shear", mandel[0, 1], law.stress[0, 1], "3.6"),
-        Equation("elasticity in plane stress", mandel[0, 0], flat.stress[0, 0], "3.6"),
-        Equation("equivalent stress", sigma_eq, law.equivalent, "3.5"),
-        Equation("plastic rate, normal", plastic_rate[0, 0], law.flow[0, 0], "3.7, corrected"),
-        Equation("plastic rate, shear", plastic_rate[0, 1], law.flow[0, 1], "3.7, corrected"),
-        Equation("plastic power", double_dot(mandel, plastic_rate), law.dissipation, "3.7"),
-        Equation("implicit step", law.residual, zero, "3.8, corrected"),
-        Equation("implicit step, Bingham", sigma_eq, bingham_return(), "3.8, corrected"),
-    )
-
-
-BULK_EQUATIONS = Equations(_equations)
 
 _PLANE = ("11", "12", "21", "22")
 
@@ -331,23 +300,3 @@ def plastic_work(rate: sp.Expr) -> sp.Expr:
 def _inverse() -> sp.Matrix:
     """F^-1 by the determinant that is at hand."""
     return deformation.adjugate() * inverse_jacobian
-
-
-def _step_equations() -> tuple[Equation, ...]:
-    rate = bingham_rate()
-    relaxed = relaxed_strains(rate)
-    return (
-        *(Equation(f"principal axes of be, {symbol}", symbol, value, "3.3") for symbol, value in axes().items()),
-        *(Equation(f"stiffness, {symbol}", symbol, value, "3.6") for symbol, value in stiffness().items()),
-        *(Equation(f"trial, {symbol}", symbol, value, "3.3") for symbol, value in trial_determinants().items()),
-        *(Equation(f"trial strain, {symbol}", symbol, value, "3.3") for symbol, value in trial_strains().items()),
-        *(Equation(f"relaxed strain, {symbol}", symbol, value, "3.8, corrected") for symbol, value in relaxed.items()),
-        Equation("equivalent stress in plane stress", sigma_eq, plane_stress_equivalent_stress(), "3.5"),
-        Equation("implicit step in plane stress", residual(rate), sp.Integer(0), "3.8, corrected"),
-        Equation("plastic state after a step", state[0], new_state()[0, 0], "3.1"),
-        Equation("first Piola stress", mandel[0, 0], first_piola_stress()[0, 0], "3.6"),
-        Equation("stored energy in plane stress", sigma_eq, plane_stress_elastic_energy(), "3.6"),
-    )
-
-
-BULK_STEP_EQUATIONS = Equations(_step_equations)

@@ -10,12 +10,11 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.laws import Constant, Law
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import A0, ONE, E, X, enter, enter_field, eta, g, h0, rho, s, t
+from softcat_sym.physics.symbols import ONE, E, enter, eta, g, h0, s, t
 from softcat_sym.physics.terms import Warming
 from softcat_sym.scene.temperature import PREFIX
 
@@ -222,18 +221,3 @@ def lateral_area(shape: Section, *, thins: bool) -> sp.Expr:
     """Lateral area over volume of the undeformed section, of the stretch: 4 sqrt(s)/d of a circle."""
     whole = sp.simplify(SURFACES[shape.name].energy() / surface_tension)
     return whole if thins else whole.subs(s, 1)
-
-
-_T = enter_field("temperature", r"\vartheta", ONE, "temperature of a section, in kelvin", _SOURCE)(X, t)
-_s = enter_field("stretch_of_heat", "s", ONE, "stretch of the centreline", "2.5")(X, t)
-_D = enter_field("heat_made", r"\mathcal{D}", _POWER, "plastic and viscous power per unit X", "THEORY 4")(X, t)
-HEAT_EQUATIONS: tuple[Equation, ...] = (
-    Equation(
-        "heat of a round filament",
-        rho * heat_capacity * A0 * sp.Derivative(_T, t),
-        _D
-        - transfer * 4 * A0 / h0 * sp.sqrt(_s) * (_T - ambient)
-        + sp.Derivative(conductivity * A0 / _s**2 * sp.Derivative(_T, X), X),
-        _SOURCE,
-    ),
-)

@@ -11,7 +11,6 @@ import sympy as sp
 
 from softcat_sym.physics import conformation
 from softcat_sym.physics.conformation import Chains
-from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.sections import TINY, Section, SectionMeans, quadrature_means
 from softcat_sym.physics.symbols import (
     ONE,
@@ -27,18 +26,6 @@ from softcat_sym.physics.symbols import (
     sigma_0,
     sigma_1,
     sigma_Y,
-)
-
-elastic_part = enter("eps_e", r"\epsilon^e", ONE, "elastic strain of a fibre", "2.8")
-
-
-def elastic_stress(strain: sp.Expr, plastic_strain: sp.Expr) -> sp.Expr:
-    """Axial stress E (eps - eps_p) (2.8)."""
-    return E * (strain - plastic_strain)
-
-
-RHEOLOGY_EQUATIONS: tuple[Equation, ...] = (
-    Equation("stress of an elastic strain", sigma, elastic_stress(elastic_part, sp.Integer(0)), "2.8"),
 )
 
 MeansOf = Callable[[Section], SectionMeans]
@@ -160,11 +147,6 @@ def growth_of(modulus: sp.Symbol) -> sp.Symbol:
 plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
 
 
-def flow_rule(name: str, rate: sp.Expr, source: str) -> Equation:
-    """The equation eps_p_t = phi(sigma)."""
-    return Equation(name, plastic_rate, rate, source)
-
-
 ELASTIC_LAW = ELASTIC
 
 
@@ -190,8 +172,6 @@ def linear_flow(viscosity: sp.Expr) -> Flow:
 
 
 MAXWELL_LAW = Law("maxwell", branches=(Branch(flow=linear_flow(eta)),))
-
-MAXWELL_EQUATIONS: tuple[Equation, ...] = (flow_rule("Maxwell fluid", maxwell_rate(), "2.7"),)
 
 NEWTONIAN_LAW = Law("newtonian", branches=(), viscosity=eta)
 
@@ -290,8 +270,6 @@ BINGHAM_LAW = Law(
     "bingham", branches=(Branch(flow=linear_flow(eta), flow_beyond_yield=Flow(bingham_rate(), sigma_Y, bingham_means)),)
 )
 
-BINGHAM_EQUATIONS: tuple[Equation, ...] = (flow_rule("Bingham-Norton fluid", bingham_rate(), "2.25"),)
-
 n = enter("n", "n", ONE, "flow index", "Ostwald 1925", positive=True)
 K = enter("K", "K", cast("Dimension", (1, -1, n - 2)), "tensile consistency, in Pa s^n", "Ostwald 1925", positive=True)
 
@@ -320,8 +298,6 @@ FLOW = Flow(power_law_rate())
 
 POWER_LAW_LAW = Law("power-law", branches=(Branch(flow=FLOW),), constants=CONSTANTS)
 
-POWER_LAW_EQUATIONS: tuple[Equation, ...] = (flow_rule("power-law fluid", power_law_rate(), "Ostwald 1925"),)
-
 
 def herschel_bulkley_rate() -> sp.Expr:
     """phi(sigma) = (<|sigma| - sigma_Y>/K)^(1/n) sign(sigma)."""
@@ -332,10 +308,6 @@ HERSCHEL_BULKLEY_LAW = Law(
     "herschel-bulkley",
     branches=(Branch(flow=FLOW, flow_beyond_yield=Flow(herschel_bulkley_rate(), sigma_Y)),),
     constants=CONSTANTS,
-)
-
-HERSCHEL_BULKLEY_EQUATIONS: tuple[Equation, ...] = (
-    flow_rule("Herschel-Bulkley fluid", herschel_bulkley_rate(), "Herschel & Bulkley 1926"),
 )
 
 Folded = TypeVar("Folded")

@@ -8,14 +8,8 @@ from functools import cache
 import sympy as sp
 
 from softcat_sym.physics import sections
-from softcat_sym.physics.equation import Equation, Equations
-from softcat_sym.physics.kinematics import axial_force
-from softcat_sym.physics.kinematics import stretch as stretch_field
-from softcat_sym.physics.necking import aspect, s_slope, tension
-from softcat_sym.physics.symbols import A0, ACCELERATION, ONE, X, a_g, enter, enter_field, f_g, g, g_on, h0, s, t
-
-gravity = enter_field("gravity", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")(t)
-shake = enter_field("shake", "S(t)", ONE, "oscillating gravity over what it would be at rest", "Rayleigh 1877")(t)
+from softcat_sym.physics.necking import aspect, s_slope
+from softcat_sym.physics.symbols import ONE, a_g, enter, f_g, g, g_on, h0, s, t
 
 
 def quintic_step(u: sp.Expr) -> sp.Expr:
@@ -49,13 +43,6 @@ def shaking_rate() -> sp.Expr:
     """Derivative in time of :func:`shaking`."""
     return 2 * sp.pi * f_g * a_g * sp.cos(2 * sp.pi * f_g * t)
 
-
-LOADING_EQUATIONS: tuple[Equation, ...] = (
-    Equation("gravity ramp", gravity, ramped_gravity(), "section 3"),
-    Equation("rate of the gravity ramp", sp.Derivative(gravity, t), ramp_rate(), "section 3"),
-    Equation("shaking of gravity", shake, shaking(), "Rayleigh 1877"),
-    Equation("rate of the shaking", sp.Derivative(shake, t), shaking_rate(), "Rayleigh 1877"),
-)
 
 surface_tension = enter("gamma_s", r"\gamma", (1, 0, -2), "surface tension", "Eggers & Dupont 1994", positive=True)
 h0_slope = enter(
@@ -95,10 +82,6 @@ class Surface:
         """What the slope of the outline adds to it, of (s, s_X): Gam R_0^2 s_X^2/(4 s^(9/2)) of a circle."""
         return sp.Add(*(one.pull * self._shrunk() * self._tilt(one) ** 2 / (2 * s) for one in self.sides))
 
-    def whole_energy(self) -> sp.Expr:
-        """Both together, whatever the slope."""
-        return sp.Add(*(one.pull * self._shrunk() * sp.sqrt(s**2 + self._tilt(one) ** 2) for one in self.sides))
-
     @property
     def pressure(self) -> sp.Expr:
         """Gam, axial force over area at s = 1: gamma P_0/(2 A_0), of a sheet 2 gamma/h_0."""
@@ -134,14 +117,3 @@ CIRCLE = Surface("circle", (Sides(4 * surface_tension / h0, h0),))
 SHEET = Surface("sheet", (_FACES,), sections.WIDE)
 
 SURFACES: dict[str, Surface] = {surface.name: surface for surface in (RECTANGLE, CIRCLE, SHEET)}
-
-
-def _equation(surface: Surface) -> Equation:
-    here = {s: stretch_field, s_slope: sp.Derivative(stretch_field, X), h0_slope: 0}
-    direct, across = (A0 * one.subs(here) for one in surface.slope_forces())
-    pull = A0 * surface.force().subs(here) + direct - sp.Derivative(across, X)
-    name = f"axial force with surface tension, {surface.name}"
-    return Equation(name, axial_force, tension + pull, "Eggers & Dupont 1994")
-
-
-SURFACE_EQUATIONS = Equations(lambda: map(_equation, SURFACES.values()))

@@ -6,13 +6,11 @@ from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
-from softcat_sym.physics import backstress, kinematics
-from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
-from softcat_sym.physics.equation import Equation, Equations
+from softcat_sym.physics import backstress
+from softcat_sym.physics.bulk import shear_modulus, sigma_eq
 from softcat_sym.physics.kinematics import mass_per_length
-from softcat_sym.physics.laws import Branch, Law, bingham_rate
+from softcat_sym.physics.laws import Branch, Law
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
-from softcat_sym.physics.sections import RECTANGLE as RECTANGULAR
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
 from softcat_sym.physics.symbols import (
     FORCE,
@@ -24,15 +22,11 @@ from softcat_sym.physics.symbols import (
     E,
     M,
     T,
-    X,
     enter,
-    enter_field,
-    g,
     h0,
     kappa_0,
     s,
     sigma,
-    t,
     x_X,
     x_Xt,
     y_X,
@@ -68,22 +62,10 @@ n_1 = enter("n_1", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")
 n_2 = enter("n_2", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")
 m_c = enter("m_c", "m", MOMENT, "moment conjugate to k, minus M", "THEORY 12")
 
-normal_force = enter_field("normal_force", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")(X, t)
-section_force = enter_field("section_force", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")(X, t)
-couple = enter_field("couple", "m", MOMENT, "moment conjugate to k", "THEORY 12")(X, t)
-section_angle = enter_field("section_angle", r"\psi", ONE, "angle of the section's normal", "THEORY 12")(X, t)
-along_normal = enter_field("along_normal", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12")(X, t)
-along_section = enter_field("along_section", r"\Gamma", ONE, "r_X along the section", "THEORY 12")(X, t)
-
 RECTANGLE_SHEAR = sp.Rational(5, 6)
 """kappa_s of a rectangle, from the energy of a parabolic shear stress."""
 CIRCLE_SHEAR = sp.Rational(9, 10)
 """kappa_s of a circle, likewise."""
-
-
-def cowper_circle() -> sp.Expr:
-    """kappa_s = 6 (1 + nu)/(7 + 6 nu) of a circle in three-dimensional elasticity; 9/10 if incompressible."""
-    return 6 * (1 + nu) / (7 + 6 * nu)
 
 
 def director_strains() -> tuple[sp.Expr, sp.Expr]:
@@ -312,59 +294,6 @@ def rotary_inertia(section: Section) -> sp.Expr:
     """
     return mass_per_length() * h0**2 * section.zeta_squared / 4
 
-
-def _balance() -> tuple[Equation, ...]:
-    turn = (sp.cos(section_angle), sp.sin(section_angle))
-    across = (-turn[1], turn[0])
-    force = tuple(normal_force * a + section_force * b for a, b in zip(turn, across, strict=True))
-    return (
-        *(
-            Equation(
-                f"momentum of a shearing filament, {name}",
-                mass_per_length() * acceleration,
-                sp.Derivative(pull, X) - mass_per_length() * weight,
-                "THEORY 12",
-            )
-            for name, acceleration, pull, weight in zip(
-                ("horizontal", "vertical"), kinematics.acceleration, force, (sp.Integer(0), g), strict=True
-            )
-        ),
-        Equation(
-            "moment of momentum of a section",
-            rotary_inertia(RECTANGULAR) * sp.Derivative(section_angle, (t, 2)),
-            sp.Derivative(couple, X) + along_normal * section_force - along_section * normal_force,
-            "THEORY 12",
-        ),
-    )
-
-
-def _cell_equations() -> tuple[Equation, ...]:
-    both, flow, spring = shearing_cell(), fibre_flow(bingham_rate()), fibre_spring(E, shear_modulus())
-    return (
-        Equation("elastic strain of a fibre", eps_e, spring.elastic[0], "THEORY 12a"),
-        Equation("elastic shear of a fibre", gamma_e, spring.elastic[1], "THEORY 12a"),
-        Equation("axial stress of a shearing fibre", sigma, spring.stress[0], "THEORY 12a"),
-        Equation("shear stress of a fibre", tau_f, spring.stress[1], "THEORY 12a"),
-        Equation("driving shear stress of a fibre", tau_d, spring.driving, "THEORY 12a"),
-        Equation("stress conjugate to the axial strain of a fibre", sigma_c, spring.conjugate, "THEORY 12a"),
-        Equation("tension of fibres", T, both.tension, "THEORY 12"),
-        Equation("moment of fibres", M, both.moment, "THEORY 12"),
-        Equation("shear force of fibres", S, both.shear_force, "THEORY 12"),
-        Equation("force conjugate to Lam", n_1, both.normal_force, "THEORY 12"),
-        Equation("force conjugate to Gam", n_2, both.section_force, "THEORY 12"),
-        Equation("moment conjugate to k", m_c, both.couple, "THEORY 12"),
-        Equation("equivalent stress of a fibre", sigma_eq, flow.equivalent, "THEORY 12"),
-        Equation(
-            "dissipation of a fibre",
-            spring.conjugate * flow.axial_rate + tau_d * flow.shear_rate,
-            flow.dissipation,
-            "THEORY 12a",
-        ),
-    )
-
-
-BALANCE: tuple[Equation, ...] = _balance()
-EQUATIONS = Equations(lambda: (*_cell_equations(), *BALANCE))
 
 SHEAR_CORRECTION: dict[str, sp.Rational] = {
     "rectangle": RECTANGLE_SHEAR,

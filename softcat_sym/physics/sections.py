@@ -9,7 +9,6 @@ from functools import cache
 import sympy as sp
 from sympy.integrals.quadrature import gauss_legendre
 
-from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.symbols import A0, E, c, h0, s, sigma, sigma_0, sigma_1, zeta
 
 # Inside (-1, 1) by this much, acos and sqrt keep finite derivatives; its effect on a mean is of order 1e-21.
@@ -75,25 +74,6 @@ SHEET = replace(RECTANGLE, name="sheet", contraction=WIDE, plane_strain=True)
 
 SECTIONS: dict[str, Section] = {section.name: section for section in (RECTANGLE, CIRCLE, SHEET)}
 
-
-def _partial_moments(shape: Section) -> tuple[Equation, ...]:
-    """Area, K_0 and K_1 as integrals over the part of the section beyond c."""
-    beyond = (zeta, c, 1)
-    return (
-        Equation(f"share of the {shape.name} beyond c", shape.area, sp.Integral(shape.weight, beyond), "2.26"),
-        Equation(
-            f"K_0 of the {shape.name}", shape.overstress_mean, sp.Integral((zeta - c) * shape.weight, beyond), "2.26"
-        ),
-        Equation(
-            f"K_1 of the {shape.name}",
-            shape.overstress_moment,
-            sp.Integral((zeta - c) * zeta * shape.weight, beyond),
-            "2.27",
-        ),
-    )
-
-
-EQUATIONS: tuple[Equation, ...] = (*_partial_moments(RECTANGLE), *_partial_moments(SHEET), *_partial_moments(CIRCLE))
 
 # Where the section is uniformly stressed the edge of the yielded zone is anywhere; a stress slope of this many E keeps
 # the quotient finite without moving any mean.

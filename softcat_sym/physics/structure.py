@@ -12,14 +12,12 @@ from collections.abc import Collection
 import sympy as sp
 
 from softcat_sym.physics.clocks import Clock, State
-from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, enter, eta, sigma_Y
 
 _MOORE, _ROUSSEL = "Moore 1959; de Souza Mendes & Thompson 2013", "Roussel 2006"
 
 lam = enter("lambda", r"\lambda", ONE, "structure parameter of a fibre: 0 destroyed, 1 built up", _MOORE)
-lam_t = enter("lambda_t", r"\dot\lambda", RATE, "rate of the structure parameter", _MOORE)
 change = enter("Delta_lambda", r"\Delta\lambda", ONE, "change of the structure parameter since the start", _MOORE)
 speed = enter("flow_rate", r"|\dot\epsilon^p|", RATE, "equivalent plastic strain rate of a fibre", "2.7")
 
@@ -67,11 +65,6 @@ def build_up_rate(*, linear: bool) -> sp.Expr:
 def rested(start: sp.Expr, *, linear: bool) -> sp.Expr:
     """Lambda after a rest that began at `start`."""
     return start + rest / t_b if linear else 1 - (1 - start) * sp.exp(-rest / t_b)
-
-
-STRUCTURE_EQUATIONS: tuple[Equation, ...] = (
-    Equation("structure: build-up and breakdown", lam_t, build_up_rate(linear=False), _MOORE),
-)
 
 
 def structure_clock(given: Collection[str], *, linear: bool) -> Clock:

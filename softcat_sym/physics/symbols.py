@@ -133,28 +133,6 @@ M = enter("M", "M", MOMENT, "bending moment", "2.10")
 M_X = enter("M_X", "M_X", FORCE, "change of moment per unit material length", "2.3")
 
 
-_FIELDS: dict[str, Entry] = {}
-
-
-def enter_field(name: str, latex: str, dimension: Dimension, meaning: str, source: str) -> type[sp.Function]:
-    """Enter a field, an undefined function of coordinates and time, into the table and return it."""
-    function: type[sp.Function] = sp.Function(name, real=True)
-    row = Entry(sp.Symbol(name, real=True), latex, dimension, meaning, source)
-    if _FIELDS.setdefault(name, row) != row:
-        raise ValueError(f"field {name} stands in the table already, as {_FIELDS[name].meaning}")
-    return function
-
-
-def fields() -> tuple[Entry, ...]:
-    """Every field of the theory."""
-    return tuple(_FIELDS.values())
-
-
-def field_entry(name: str) -> Entry:
-    """Look a field up by its name."""
-    return _FIELDS[name]
-
-
 def table() -> tuple[Entry, ...]:
     """Every symbol of the theory, in the order of the theory."""
     return tuple(_TABLE.values())

@@ -15,10 +15,10 @@ import numpy.typing as npt
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.physics import beams, closed_forms
+from softcat_sym.physics.regimes import K_I
 from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
-from softcat_sym.physics.small_deflection import K_I
 from softcat_sym.reference.element_loop import (
     POINTS,
     Clamp,

@@ -29,7 +29,6 @@ from softcat_sym.studies.work_precision_programs import (
     EXPECTED,
     OTHER_FAMILIES,
     RIVALS,
-    STEPPED,
     THIS_PROGRAM,
     Bench,
     Measured,
@@ -64,8 +63,6 @@ _EXTRAPOLATED = 3
 _REMAINDER = 7
 """Factor of the error estimate: the error of an extrapolated answer falls by 8 or more from grid to grid."""
 
-_GRADINGS = (1.0, 4.0)  # Gradings of RK4, whose step the shortest cell limits
-_STEPS = (0.95,)  # Over the stable step of RK4, where its time error is far below that of any grid
 _GAIN, _NEARLY = 0.8, 2.0
 _TWICE = 2
 
@@ -232,7 +229,7 @@ def _serve(pipe: Connection, scene: Scene) -> None:
             task, seconds = pipe.recv()
             began = time.perf_counter()
             try:
-                solve = bench.ready(task, seconds)
+                solve = bench.ready(task)
             except EXPECTED as error:
                 pipe.send(Measured(0.0, message=message_of(error), hopeless=isinstance(error, SceneError)))
                 continue
@@ -458,23 +455,22 @@ def measured(
     grid ends if two successive tolerances are stopped. A finer grid begins at the loosest tolerance that was nearly as
     accurate as the best one on the grid before.
     """
-    begin, tolerances = 0, _STEPS if program.key in STEPPED else TOLERANCES
+    begin = 0
     for cells, grading, section in grids:
         errors, best, stopped = dict[int, float](), inf, 0
-        for g in _GRADINGS if program.key in STEPPED else (grading,):
-            for k, rtol in enumerate(tolerances[begin:], begin):
-                task = Task(program.key, cells, g, section, rtol)
-                budget.doing(f"{program.name}: {task.text}")
-                found = worker.measure(task, (until - time.monotonic()) / 2)
-                yield program, task, found
-                if found.hopeless or found.message == NO_TIME:
-                    return
-                error = inf if found.message else reference.error(found.midpoint)
-                stopped = stopped + 1 if found.stopped else 0
-                gains_nothing = error > _GAIN * best and isfinite(error) and rtol < min(1e-3, best)
-                errors[k], best = error, min(error, best)
-                if stopped == _TWICE or gains_nothing:
-                    break
+        for k, rtol in enumerate(TOLERANCES[begin:], begin):
+            task = Task(program.key, cells, grading, section, rtol)
+            budget.doing(f"{program.name}: {task.text}")
+            found = worker.measure(task, (until - time.monotonic()) / 2)
+            yield program, task, found
+            if found.hopeless or found.message == NO_TIME:
+                return
+            error = inf if found.message else reference.error(found.midpoint)
+            stopped = stopped + 1 if found.stopped else 0
+            gains_nothing = error > _GAIN * best and isfinite(error) and rtol < min(1e-3, best)
+            errors[k], best = error, min(error, best)
+            if stopped == _TWICE or gains_nothing:
+                break
         if stopped and not isfinite(best):
             return
         begin = next((k for k, error in errors.items() if error <= _NEARLY * best), begin)

@@ -275,8 +275,9 @@ def elements(softcat: Commands) -> Iterator[tuple[str, Case]]:
 
 
 def code(softcat: Commands) -> Iterator[tuple[str, Case]]:
-    """Generated C without its comments, which may be reworded."""
-    for name, more in {"arrested-overdamped": (), "toothpaste": (), "glass-rod": ("--rhs",)}.items():
+    """Generated C of every bundled scene without its comments, which may be reworded."""
+    for name in sc.bundled_names():
+        more = ("--rhs",) if name == "glass-rod" else ()
         done = softcat(name, "generate", name, *more)
         sources = sorted(path for path in done.iterdir() if path.suffix in {".c", ".h"})
         yield name, {path.name: digest(path.read_text(encoding="utf-8")) for path in sources}
