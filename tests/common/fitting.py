@@ -15,6 +15,7 @@ from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.scene import Scene
+from tests.common.draws import draws
 
 Floats = npt.NDArray[np.float64]
 Result = TypeVar("Result")
@@ -54,7 +55,7 @@ def beside(scene: Scene, factors: Mapping[str, float]) -> Scene:
 def noisy(midpoint: Floats, noise: float, seed: int = 0) -> tuple[Floats, float]:
     """Heights with white noise, and its standard deviation: a share of the largest height."""
     std = noise * float(np.max(np.abs(midpoint)))
-    return midpoint + std * np.random.default_rng(seed).standard_normal(midpoint.size), std
+    return midpoint + std * draws(seed).standard_normal(midpoint.size), std
 
 
 def film(scene: Scene, frames: int, noise: float, seed: int = 0) -> Measurements:
