@@ -30,6 +30,16 @@ def errors_away(freedom: float = math.inf, comparisons: int = 1) -> float:
     return float(stats.t.isf(RARE / comparisons / 2, freedom))
 
 
+def misses(best: float, ends: tuple[float | None, float | None], truth: float, freedom: float = math.inf) -> bool:
+    """Whether a 95 % interval is so far off the truth as healthy ones of so many degrees of freedom never are.
+
+    Its ends are moved away from the best value as an interval of 1 - RARE has them; what has no end holds everything.
+    """
+    wider = errors_away(freedom) / float(stats.t.isf(0.025, freedom))
+    below, above = (None if end is None else wider * (end - best) for end in ends)
+    return (below is not None and truth < best + below) or (above is not None and truth > best + above)
+
+
 def shares(number: int, probability: float, comparisons: int = 1) -> tuple[float, float]:
     """Between which shares, ends included, lies what happens with a probability, of so many independent draws."""
     binomial, tail = stats.binom(number, probability), RARE / comparisons / 2
