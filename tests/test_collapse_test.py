@@ -7,11 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.collapse_test import closed_form, collapse_test, level, measurements_of, read_contour
 from softcat_sym.fitting.discrepancy import shape_modes
+from tests.common.draws import deviations, shares
 from tests.common.in_process import Softcat
 from tests.common.strand import YIELD_STRESS, photograph, strand, write
 
@@ -57,12 +59,18 @@ def test_the_closed_formula_is_exact_for_a_string(tmp_path: Path) -> None:
         assert found is not None and exact < found < 1.1 * exact
 
 
+@pytest.mark.statistical
 def test_a_strand_that_does_not_sag_has_no_closed_formula(tmp_path: Path) -> None:
-    straight = np.array([-1.0, 1.0]), np.zeros(2)
-    for noise, tilt in ((0.0, 0.0), (2e-6, 0.03)):
-        points = photograph([straight], (4e-3,), noise=noise, tilt=tilt)
-        seen = read_contour(write(tmp_path / "contour.csv", *points))
-        assert closed_form(level(seen)[0][0], strand(4e-3)) is None
+    straight, count = (np.array([-1.0, 1.0]), np.zeros(2)), 100
+
+    def of(noise: float, tilt: float, seed: int) -> float | None:
+        points = photograph([straight], (4e-3,), noise=noise, tilt=tilt, seed=seed)
+        return closed_form(level(read_contour(write(tmp_path / "contour.csv", *points)))[0][0], strand(4e-3))
+
+    assert of(0.0, 0.0, 0) is None
+    # Three standard errors of the level, which are right within 6 %: one photograph in 400 seems to sag.
+    seeming = sum(of(2e-6, 0.03, seed) is not None for seed in range(count))
+    assert seeming / count <= shares(count, norm.sf(3 / 1.06))[1]
 
 
 def test_an_outline_has_the_centre_line_between_its_edges(tmp_path: Path) -> None:
@@ -83,14 +91,17 @@ def test_an_outline_has_the_centre_line_between_its_edges(tmp_path: Path) -> Non
         assert abs(np.mean(other.below_chord) - np.mean(one.below_chord)) < 3 * other.level_std + 1e-6
 
 
+@pytest.mark.statistical
 def test_errors_of_the_level_are_what_they_are_said_to_be(tmp_path: Path) -> None:
-    scores = []
-    for seed in range(20):
+    scores, count = [], 80
+    for seed in range(count):
         seen = photograph(LINES, SPANS, noise=5e-6, seed=seed)
         gaps, _ = level(read_contour(write(tmp_path / "contour.csv", *seen)))
         for gap, (x, y) in zip(gaps, LINES, strict=True):
             scores.append(np.mean(gap.y - np.interp(gap.x, x, y)) / np.hypot(gap.level_std, 5e-6 / np.sqrt(gap.x.size)))
-    assert 0.7 < np.sqrt(np.mean(np.square(scores))) < 1.3
+    # Gaps do not share what is read of a pillar, so that three deviates a photograph are independent: 0.76 to 1.25.
+    low, high = deviations(3 * count)
+    assert low < np.sqrt(np.mean(np.square(scores))) < high
 
 
 def test_films_of_all_gaps_are_shapes_of_their_own_spans(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from softcat_sym.fitting import inference
 from softcat_sym.fitting.identifiability import Information, check_residuals, information, standard_errors
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, infer, profile, verdicts
 from softcat_sym.fitting.least_squares import LINEAR, Fixed, Loss, minimise, multi_start
+from tests.common.draws import draws, errors_away, shares
 from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
 
 
@@ -57,6 +58,7 @@ def test_estimated_noise_gives_the_covariance_of_scipy() -> None:
     assert found.freedom == 58
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("noise_known", [True, False])
 @pytest.mark.parametrize("seed", [0, None])
 def test_a_quotient_is_identified_where_its_parts_are_not(seed: int | None, noise_known: bool) -> None:
@@ -69,7 +71,10 @@ def test_a_quotient_is_identified_where_its_parts_are_not(seed: int | None, nois
     assert one.exponents == (1.0, -1.0)
     single = informed(problem("A k", decay, [0.5, -0.1], 0.01, seed), noise_known=noise_known)
     assert one.standard_error == pytest.approx(single.standard_errors[1], rel=0.1)
-    assert one.interval[0] - 1e-9 < -0.1 < one.interval[1] + 1e-9
+    # A deviate of Student's distribution with the freedom of 60 readings less two, or a normal one.
+    far = 0.0 if seed is None else errors_away(np.inf if noise_known else 58)
+    assert abs(one.value + 0.1) <= far * one.standard_error + 1e-9
+    assert one.interval[0] < one.value < one.interval[1]
     value, low, high = one.product([3e4, 1e3])
     assert value == pytest.approx(30 * np.exp(one.value))
     assert low < value < high
@@ -182,8 +187,18 @@ def test_one_unknown_needs_no_derivatives_along_the_way() -> None:
         assert rise == pytest.approx(one.threshold, rel=0.02)
 
 
+def too_fast(seed: int = 0) -> Problem:
+    """A decay that is over between the first two readings, the amplitude being 16 deviations.
+
+    Were the readings right after the first drawn, one in forty sets would have seen a slower decay at 95 %.
+    """
+    p = problem("A k", decay, [0.5, 5.0], 0.1, seed)
+    p.data[1:4] = 0.0
+    return p
+
+
 def test_a_rate_too_fast_to_see_is_bounded_on_one_side() -> None:
-    p = problem("A k", decay, [0.5, 5.0], 0.3)
+    p = too_fast()
     rate = profiles(p, noise_known=True)[1]
     assert rate.lower.flag == "crosses"
     assert rate.upper.flag == "reaches the bound"
@@ -216,13 +231,14 @@ def test_the_edge_of_the_model_is_said() -> None:
 
 
 def waves(seed: int) -> Problem:
-    """A sin(w x) in so much noise that other w fit nearly as well."""
+    """A sin(w x) in so much noise that other w fit nearly as well: sets that were chosen for it, drawn once for all."""
 
     def wave(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values = q[0] * np.sin(q[1] * X)
         return values, np.stack([np.sin(q[1] * X), q[0] * X * np.cos(q[1] * X)], axis=1)
 
-    p = problem("A w", wave, [1.0, 5.0], 1.5, seed=seed)
+    p = problem("A w", wave, [1.0, 5.0], 1.5, None)
+    p.data = p.data + p.std * np.random.default_rng(seed).standard_normal(p.data.size)
     p.lower, p.upper = np.array([0.1, 3.0]), np.array([3.0, 9.0])
     return p
 
@@ -237,13 +253,15 @@ def test_a_better_optimum_on_the_way_is_said() -> None:
     assert minimise(p, one.better).value == pytest.approx(best.value, rel=1e-6)
 
 
+@pytest.mark.statistical
 def test_intervals_contain_the_truth_in_a_quick_count() -> None:
-    sets, inside = 60, 0
+    sets, inside = 100, 0
     for seed in range(sets):
         p = problem("A k", decay, [0.5, 0.2], 0.2, 1000 + seed)
         one = profile(p, minimise(p, np.zeros(2)).q, 1, noise_known=False)
         inside += one.lower.crossing < 0.2 < one.upper.crossing
-    assert 0.86 < inside / sets < 1.0
+    # A binomial of 95 %: 80 of 100 at least; all of them are no alarm.
+    assert inside / sets >= shares(sets, 0.95)[0]
 
 
 class Counted(Problem):
@@ -296,7 +314,7 @@ def test_ends_are_those_of_the_full_profile(model) -> None:
 
 
 def test_one_side_is_found() -> None:
-    p = counted(problem("A k", decay, [0.5, 5.0], 0.3))
+    p = counted(too_fast())
     full, quick = traced(p, None)[0][1], traced(p, 200)[0][1]
     assert (quick.lower.flag, quick.upper.flag) == ("crosses", "reaches the bound")
     assert quick.lower.crossing == pytest.approx(full.lower.crossing, abs=0.03)
@@ -404,25 +422,34 @@ def test_combinations_are_named_where_a_direction_is_unknown_though_no_single_er
     assert "a^1 * b^-1" in found.verdicts[1].reason
 
 
+@pytest.mark.statistical
 def test_a_robust_loss_has_intervals_of_its_own() -> None:
     p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
-    p.data[10] += 2.0
+    p.data[10] += 4.0
     loss = Loss("cauchy", 2.0)
     found = infer(p, multi_start(p, [np.zeros(2)], loss=loss), loss)
     plain = infer(p, multi_start(p, [np.zeros(2)]), LINEAR)
     jacobian = p.linearised(found.starts.best.q)[1]
     tau = found.information.noise
     np.testing.assert_allclose(found.information.matrix, jacobian.T @ jacobian / tau**2, rtol=1e-9)
-    assert tau == pytest.approx(1.0, abs=0.15)
+    # Huber's tau of Cauchy's loss, from its formula: how far chance takes it is no question then.
+    off = p.residuals(found.starts.best.q)
+    bent = 1 + (off / loss.scale) ** 2
+    scores, slopes = off / bent, (2 - bent) / bent**2
+    few = 1 + 2 / off.size * np.var(slopes) / np.mean(slopes) ** 2
+    assert tau == pytest.approx(few * np.sqrt(np.sum(scores**2) / (off.size - 2)) / np.mean(slopes), rel=1e-6)
     assert plain.information.noise == 1.0
     for one, error in zip(found.profiles, found.information.standard_errors, strict=True):
         assert one.lower.flag == one.upper.flag == "crosses"
         half = 0.5 * (one.upper.crossing - one.lower.crossing)
-        assert half == pytest.approx(found.information.quantile * error, rel=0.15)
-    truth = np.array([0.3, -0.2])
-    ends = [(one.lower, one.upper) for one in found.verdicts]
-    assert all(low < value < high for (low, high), value in zip(ends, truth, strict=True))  # type: ignore[operator]
-    assert np.abs(found.starts.best.q - truth).max() < 0.3 * np.abs(plain.starts.best.q - truth).max()
+        # The ratio was 0.99 +- 0.035 in sixty sets: 6 of these deviations.
+        assert half == pytest.approx(found.information.quantile * error, rel=0.2)
+    # A normal deviate: what is estimated are the two unknowns, with noise that is known.
+    truth, far = np.array([0.3, -0.2]), errors_away()
+    errors = np.asarray(found.information.standard_errors)
+    assert np.all(np.abs(found.starts.best.q - truth) < far * errors)
+    # The outlier of two hundred deviations takes the plain fit by 28 +- 4 such errors: beyond where noise takes any.
+    assert np.any(np.abs(plain.starts.best.q - truth) > far * errors)
 
 
 def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> tuple[ParameterVerdict, ...]:
@@ -432,14 +459,15 @@ def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> t
     return verdicts(p, best, known, found)
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("noise_known", [True, False])
 @pytest.mark.parametrize("profiled", [True, False])
 def test_identified(profiled: bool, noise_known: bool) -> None:
-    quantile = 1.96 if noise_known else 2.0017
+    quantile, far = (1.96, errors_away()) if noise_known else (2.0017, errors_away(58))
     found = judged(problem("A k", decay, [0.5, 0.2], 0.01), profiled=profiled, noise_known=noise_known)
     for one, truth in zip(found, (0.5, 0.2), strict=True):
         assert one.word == "identified"
-        assert one.lower < truth < one.upper
+        assert abs(one.value - truth) < far * one.standard_error
         assert one.lower < one.value < one.upper
         assert one.upper - one.lower == pytest.approx(2 * quantile * one.standard_error, rel=0.02)
         assert one.reason == ""
@@ -464,11 +492,14 @@ def test_unused(profiled: bool) -> None:
     assert (one.word, one.value, one.lower, one.upper) == ("not identified", None, None, None)
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("seed", range(6))
 def test_one_sided(seed: int) -> None:
-    rate = judged(problem("A k", decay, [0.5, 5.0], 0.3, seed), noise_known=True)[1]
+    rate = judged(too_fast(seed), noise_known=True)[1]
     assert rate.word == "one-sided"
     assert rate.value is None
+    # At exp(3.75) = 42 the second reading alone is two deviations off, if the amplitude is right; the limit goes as
+    # its logarithm, and nothing is determined only where the first reading is off by more than ten.
     assert rate.lower < 5.0
     assert rate.upper is None
     assert "only its lower limit" in rate.reason
@@ -497,7 +528,7 @@ def test_an_interval_of_more_than_a_factor_e_says_next_to_nothing() -> None:
 
 
 def noise(sets: int, points: int, correlation: float = 0.0) -> np.ndarray:
-    white = np.random.default_rng(11).standard_normal((sets, points + 50))
+    white = draws(11).standard_normal((sets, points + 50))
     return lfilter([1.0], [1.0, -correlation], white, axis=1)[:, 50:]
 
 
@@ -506,28 +537,38 @@ def share_not_white(residuals: np.ndarray, filaments: int = 1) -> float:
     return found.count("not white") / len(found)
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize(("points", "filaments"), [(60, 1), (200, 1), (200, 4)])
 def test_white_residuals_are_rarely_accused(points: int, filaments: int) -> None:
-    assert share_not_white(noise(2000, points), filaments) < 0.015
+    # One in a hundred by the statistics' limits for long series; of these lengths 1.0 to 1.4 in 20 000 series.
+    assert share_not_white(noise(2000, points), filaments) <= shares(2000, 0.014)[1]
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("points", [60, 200])
 def test_each_test_has_its_level(points: int) -> None:
+    """Runs are counted and Ljung-Box is for long series: true levels are 0.68 to 1.24 of what is said, of 8000 sets."""
     checks = [check_residuals([one], 0, noise_known=False) for one in noise(2000, points)]
     for k in range(3):
         p_values = np.array([check.tests[k].p_value for check in checks])
-        assert abs(np.mean(p_values < 0.05) - 0.05) < 0.02
-        assert abs(np.mean(p_values < 0.5) - 0.5) < 0.1
+        for level in (0.05, 0.5):
+            least, most = shares(2000, 0.65 * level)[0], shares(2000, 1.3 * level)[1]
+            assert least <= np.mean(p_values < level) <= most, (k, level)
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("filaments", [1, 2])
 def test_correlated_residuals_are_found(filaments: int) -> None:
+    # The lag-one statistic is normal about sqrt(200)/2 = 7.1 with 0.87, and accuses from 2.9 on: a set in 1e6 escapes.
+    # Here up to two of 300 may, of which the chance is (300e-6)^3/6.
     assert share_not_white(noise(300, 200, 0.5), filaments) > 0.99
     assert share_not_white(noise(300, 200, -0.5), filaments) > 0.99
 
 
+@pytest.mark.statistical
 def test_a_systematic_misfit_is_found() -> None:
     x = np.linspace(0, 1, 100)
+    # Ten correlations near 0.5 make a Ljung-Box of about 250, which accuses from 26 on.
     assert share_not_white(noise(300, 100) + 1.5 * np.sin(2 * np.pi * x)) > 0.99
     check = check_residuals([noise(1, 100)[0] + 5], 2, noise_known=False)
     assert check.verdict == "not white"
@@ -535,9 +576,13 @@ def test_a_systematic_misfit_is_found() -> None:
 
 def test_the_end_of_one_filament_is_no_neighbour_of_the_next() -> None:
     series = noise(40, 25)
+    series[:, -1] = series[:, 0] = 5.0
     joined = check_residuals(list(series), 2, noise_known=False)
-    assert joined.verdict == "white"
-    assert joined.autocorrelation == pytest.approx(0.0, abs=0.1)
+    within = [row[1:] @ row[:-1] / (row @ row) for row in series]
+    assert joined.autocorrelation == pytest.approx(np.mean(within), rel=1e-9)
+    # Ends beside each other would add 25 to each sum of squares of some 73.
+    whole = series.ravel()
+    assert whole[1:] @ whole[:-1] / (whole @ whole) > joined.autocorrelation + 0.2
 
 
 def test_statistics_by_hand() -> None:

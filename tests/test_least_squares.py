@@ -52,15 +52,17 @@ def test_optimum_is_that_of_scipy() -> None:
 
 def test_robust_losses_are_those_of_scipy() -> None:
     for kind, scale in (("soft-l1", 2.0), ("cauchy", 2.0), ("cauchy", 0.5)):
-        p = problem("A k", decay, [0.5, 0.2], 0.01)
-        p.data[::7] += 1
-        found = minimise(p, np.array([0.4, 0.0]), loss=Loss(kind, scale))
-        other = scipy_optimum(p, [0.4, 0.2], kind.replace("-", "_"), scale)
-        assert found.converged
-        np.testing.assert_allclose(found.q, other.x, atol=1e-6)
-        assert found.value == pytest.approx(other.cost, rel=1e-9)
+        for seed in (0, None):
+            p = problem("A k", decay, [0.5, 0.2], 0.01, seed)
+            p.data[::7] += 1
+            found = minimise(p, np.array([0.4, 0.0]), loss=Loss(kind, scale))
+            other = scipy_optimum(p, [0.4, 0.2], kind.replace("-", "_"), scale)
+            assert found.converged
+            np.testing.assert_allclose(found.q, other.x, atol=1e-6)
+            assert found.value == pytest.approx(other.cost, rel=1e-9)
+        # Of exact data, so that only the outliers move it.
         plain = minimise(p, np.array([0.4, 0.0]))
-        assert np.abs(found.q - [0.5, 0.2]).max() < 0.02 < np.abs(plain.q - [0.5, 0.2]).max()
+        assert np.abs(found.q - [0.5, 0.2]).max() < 0.005 < 0.02 < np.abs(plain.q - [0.5, 0.2]).max()
 
 
 def test_weights_and_slopes_are_derivatives_of_the_loss() -> None:
@@ -107,8 +109,10 @@ def test_noise_of_the_model_does_not_stall_the_fit() -> None:
         for start in (-3.0, 0.0, 2.0):
             found = minimise(replaced(noisy), np.full(2, start))
             assert found.converged and found.evaluations < 60
-            # The noise is drawn from the bits of q, which depend on the processor: 0.06 of an error is the worst met.
-            assert np.all(np.abs(found.q - reference.q) < 0.1 * errors)
+            # The noise is drawn from the bits of q, which depend on the processor. What is said to have converged is
+            # off by REACHED at most, whatever was drawn, and by what such noise moves the optimum itself, some 1e-3
+            # with the largest; with the smaller ones 6e-4 is the worst of 900.
+            assert np.all(np.abs(found.q - reference.q) < (0.01 if noise < 1e-5 else REACHED + 0.01) * errors)
 
 
 class Jagged:
@@ -230,6 +234,7 @@ def test_the_best_of_many_optima_is_found() -> None:
     p.lower, p.upper = np.array([0.1, 0.5]), np.array([3.0, 20.0])
     poor = multi_start(p, [np.array([1.0, 15.0])])
     found = multi_start(p, [np.array([1.0, 15.0])], count=25, seed=1)
+    # Noise moves amplitude and frequency by 0.009 and 0.006 (standard errors): 5.5 of them.
     np.testing.assert_allclose(found.best.q, [1.0, 5.0], atol=0.05)
     assert poor.best.value > 10 * found.best.value
     converged = [result.optimum.value for result in found.results if result.optimum.converged]

@@ -14,6 +14,7 @@ from softcat_sym.fitting.least_squares import Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.posterior import posterior_of, sample
 from softcat_sym.fitting.priors import read_priors, refuse_excluded
+from tests.common.draws import RARE, draws
 from tests.common.filmed import film, scene
 
 FREE = (
@@ -28,14 +29,16 @@ WRITTEN = {
 }
 
 
+@pytest.mark.statistical
 def test_without_text_the_prior_is_flat_between_the_bounds() -> None:
     for prior in read_priors({}, FREE):
         assert (prior.lower, prior.upper) == (prior.free.lower, prior.free.upper)
         assert prior.log_density(prior.lower) == prior.log_density(prior.upper) == prior.slope(0.0) == 0.0
-        share = (prior.draw(np.random.default_rng(1), 4000) - prior.lower) / (prior.upper - prior.lower)
-        assert stats.kstest(share, "uniform").pvalue > 1e-3
+        share = (prior.draw(draws(1), 4000) - prior.lower) / (prior.upper - prior.lower)
+        assert stats.kstest(share, "uniform").pvalue > RARE  # A probability, which is uniform where nothing is wrong
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("number", range(3), ids=lambda number: FREE[number].name)
 def test_density_is_of_the_unknown(number: int) -> None:
     """Its integral over q is the probability of the values, and its slope the derivative of its logarithm."""
@@ -51,9 +54,9 @@ def test_density_is_of_the_unknown(number: int) -> None:
     by_value = (law.logpdf(value + step) - law.logpdf(value - step)) / (2 * step)
     exact = by_value * prior.free.slope(at) + (1.0 if prior.free.logarithmic else 0.0)
     assert prior.slope(at) == pytest.approx(exact, rel=1e-5, abs=1e-5)
-    drawn = [prior.free.value(one) for one in prior.draw(np.random.default_rng(2), 4000).tolist()]
+    drawn = [prior.free.value(one) for one in prior.draw(draws(2), 4000).tolist()]
     share = (law.cdf(drawn) - ends[0]) / (ends[1] - ends[0])
-    assert stats.kstest(share, "uniform").pvalue > 1e-3
+    assert stats.kstest(share, "uniform").pvalue > RARE  # A probability, which is uniform where nothing is wrong
 
 
 def test_bounds_are_cut_to_where_there_is_density() -> None:

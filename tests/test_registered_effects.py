@@ -14,6 +14,7 @@ import sympy as sp
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.physics import symbols as sy
+from tests.common.draws import draws, errors_away
 
 ROOT = Path(__file__).parents[1]
 SCENE = {
@@ -86,15 +87,17 @@ def test_it_is_in_force_everywhere(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.statistical
 def test_a_fit_reads_its_stiffness_off_a_film(tmp_path):
     """A film of a damped beam on springs, with noise: the truth lies within the error bars."""
     table = {"elastic-foundation": {"stiffness": "3 kPa"}}
     filament = {**SCENE["filament"], "thickness": "6 mm"}
-    asked = {"duration": "1 s", "frames": 41, "accuracy": 1e-3}
+    # The springs ring at 46 Hz, which frames closer than 11 ms tell: with less than two a period several answers fit.
+    asked = {"duration": "0.25 s", "frames": 101, "accuracy": 1e-3}
     scene = sc.Scene.from_dict({"filament": filament, "material": DAMPED, "effects": table, "run": asked})
     run = sc.simulate(scene)
     largest = abs(run.summary["midpoint_largest_m"])
-    noise = np.random.default_rng(4).normal(0, 1e-2 * largest, 41)
+    noise = draws(4).normal(0, 1e-2 * largest, 101)
     table = np.column_stack([run.data.time, run.data.midpoint + noise])
     np.savetxt(tmp_path / "film.csv", table, delimiter=",", header="time_s,midpoint_m", comments="")
     guess = scene.replace({"effects.elastic-foundation.stiffness": "1 kPa", "material.viscosity": "50 kPa*s"})
@@ -102,7 +105,8 @@ def test_a_fit_reads_its_stiffness_off_a_film(tmp_path):
     fit = sc.fit(tmp_path / "film.csv", guess, free, profiles=False, starts=1)
     for name, truth in (("stiffness", 3e3), ("viscosity", 2e4)):
         found = fit.parameters[name]
-        assert abs(found.value - truth) < 4 * found.std < 0.2 * truth, name
+        assert abs(found.value - truth) < errors_away(98) * found.std, name
+        assert found.std < 0.05 * truth, name
 
 
 def drag(tangential, normal):

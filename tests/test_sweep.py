@@ -95,7 +95,8 @@ def test_a_latin_hypercube_has_one_sample_in_each_part_of_each_axis() -> None:
     np.testing.assert_array_equal(np.sort(np.floor(50 * np.log(G / 0.01) / np.log(100))), np.arange(50))
     np.testing.assert_array_equal(np.sort(np.floor(50 * (span - 4e-3) / 8e-3)), np.arange(50))
     assert sorted(row["numerics.cells"] for row in rows) == [10] * 25 + [20] * 25  # type: ignore[type-var]
-    assert abs(float(np.corrcoef(np.log(G), span)[0, 1])) < 0.5
+    # Of two independent permutations of fifty, Student's t = r sqrt(48/(1 - r^2)) is beyond 6.7 once in 5e7.
+    assert abs(float(np.corrcoef(np.log(G), span)[0, 1])) < 0.7
     assert other.row(0) != found.row(0) and other.digest != found.digest
 
 

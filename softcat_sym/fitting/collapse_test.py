@@ -502,9 +502,9 @@ def collapse_test(
 def closed_form(gap: Gap, scene: Scene) -> float | None:
     """Tensile yield stress [Pa] that alone carries half of the strand where it is steepest: rho g L/(2 sin(angle)).
 
-    None where the sag is not significant.
+    None where the sag is not significant: on average, as the deepest of many points is below any level by its noise.
     """
-    if not gap.sag > _SIGNIFICANT * gap.level_std or not gap.angle > 0:
+    if not gap.area > _SIGNIFICANT * gap.level_std * gap.span or not gap.angle > 0:
         return None
     return scene.filament.density * scene.load.gravity * gap.span / (2 * math.sin(gap.angle))
 

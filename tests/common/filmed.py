@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import softcat_sym as sc
+from tests.common.draws import draws
 
 NAME = "continual-descent"
 CHEAP = ("run.effects=paper", "numerics.cells=10")
@@ -27,7 +28,7 @@ def film(frames: int = 60, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
     data = sc.simulate(scene().replace({"run.frames": 601})).data
     time = np.linspace(0, float(data.time[-1]), frames + 1)[1:]
     height = np.interp(time, data.time.values, data.midpoint.values)
-    return time, height + NOISE * np.random.default_rng(seed).standard_normal(frames)
+    return time, height + NOISE * draws(seed).standard_normal(frames)
 
 
 def write_film(path: Path, *, std: bool = False) -> Path:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from tests.common.draws import draws
+
 GRAVITY, SPAN = 9.81, 0.2
 UNIT = (SPAN / GRAVITY) ** 0.5
 FREQUENCY, DECAY, STIFFENING, AMPLITUDE = 60.0, 2.0, 1 / 3, 3e-4
@@ -31,5 +33,5 @@ def film(frames: int, noise: float, seed: int, *, rings: bool) -> tuple[np.ndarr
     time = np.linspace(0.0, 3.0, frames)
     sag = third_law(time) + (oscillation(time) if rings else 0.0)
     sag[0] = 0.0
-    scatter = np.random.default_rng(seed).standard_normal(frames)
+    scatter = draws(seed).standard_normal(frames)
     return time, -(sag + noise * third_law(time[-1:])[0] * scatter)

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tests.common.draws import draws
+
 Model = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
@@ -44,7 +46,7 @@ def problem(
 ) -> Problem:
     """Synthetic data at the truth, in a box around zero; without a seed they are exact."""
     exact = model(np.array(truth))[0]
-    noise = 0.0 if seed is None else std * np.random.default_rng(seed).standard_normal(exact.size)
+    noise = 0.0 if seed is None else std * draws(seed).standard_normal(exact.size)
     count = len(names.split())
     return Problem(tuple(names.split()), np.full(count, -half), np.full(count, half), model, exact + noise, std)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from softcat_sym.fitting.flow_curve import FlowCurve
+from tests.common.draws import draws
 
 RATE = np.geomspace(1e-2, 1e3, 26)
 
@@ -24,7 +25,7 @@ MATERIALS = [
 
 def curve_of(tau_Y: float, k: float, n: float, noise: float = 0.0, seed: int = 0) -> FlowCurve:
     """A curve with independent relative errors."""
-    error = noise * np.random.default_rng(seed).standard_normal(RATE.size)
+    error = noise * draws(seed).standard_normal(RATE.size)
     return FlowCurve(RATE, (tau_Y + k * RATE**n) * (1 + error))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.scene.scene import undeformed_area
+from tests.common.draws import draws
 from tests.common.filmed import NOISE, scene
 
 STRING = {"material.law": "maxwell", "material.yield_stress": None}
@@ -22,7 +23,7 @@ def string() -> sc.Scene:
 def pulled(seed: int = 0, share: float = 0.02) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Times [s], midpoints [m] and upward forces of one support [N], both with noise; the forces without it."""
     one = string().replace({"run.frames": 2001, "numerics.rtol": 1e-6})
-    data, random = sc.simulate(one).data, np.random.default_rng(seed)
+    data, random = sc.simulate(one).data, draws(seed)
     time, x = data.time.values, data.X_node.values
     cells = np.diff(x)
     mass = one.filament.density * undeformed_area(one) / 2 * (np.append(cells, 0) + np.append(0, cells))

@@ -9,6 +9,7 @@ import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.fitting.least_squares import Floats
+from tests.common.draws import draws
 
 YIELD_STRESS, MODULUS = 200.0, 30e3
 """Of the strand [Pa]."""
@@ -61,7 +62,7 @@ def photograph(
         begin += span + pillar
     x, y = np.concatenate(places), np.concatenate(levels)
     cos, sin = np.cos(tilt), np.sin(tilt)
-    seen = cos * x - sin * y, sin * x + cos * y + noise * np.random.default_rng(seed).standard_normal(x.size)
+    seen = cos * x - sin * y, sin * x + cos * y + noise * draws(seed).standard_normal(x.size)
     gaps = [tuple(float(cos * place - sin * height) for place, height in pair) for pair in edges]
     return *seen, gaps  # type: ignore[return-value]
 
