@@ -317,7 +317,7 @@ function placeOf(nodes, cell) {
 function neckThatTheGridDecides({ limits }, stretch, nodes, neck) {
   const length = differences(nodes), where = `X/L = ${general(placeOf(nodes, placeOfLargest(stretch)), 4)}`
   if (neck === null) {
-    const share = largestShareOfOneCell(stretch, length)
+    const share = largestShareOfOneCell(stretch, length, limits.beyond_neighbours)
     return share > limits.share_of_one_cell ? `the cell at ${where} carries ${percent(share)} of the elongation of its half beyond its neighbour` : ""
   }
   const strain = neckStrain(limits, stretch, length, neck)
@@ -325,13 +325,14 @@ function neckThatTheGridDecides({ limits }, stretch, nodes, neck) {
   return strain > limits.drawn_out ? `the neck at ${where} is drawn out ${far} beyond its neighbourhood: near rupture` : ""
 }
 
-function largestShareOfOneCell(stretch, length) {
+function largestShareOfOneCell(stretch, length, beyond) {
   const n = stretch.length, middle = Math.floor(n / 2), total = sumOf(length)
   const at = k => k < 0 || k >= n ? -Infinity : stretch[k]
   const share = (from, to) => {
     let most = 0, elongation = 0
     for (let k = from; k < to; k++) {
-      most = Math.max(most, Math.max(stretch[k] - Math.max(at(k - 1), at(k + 1), 1), 0) * length[k])
+      const beside = Math.max(at(k - 1), at(k + 1))
+      if (stretch[k] > beyond * beside) most = Math.max(most, Math.max(stretch[k] - Math.max(beside, 1), 0) * length[k])
       elongation += Math.abs(stretch[k] - 1) * length[k]
     }
     return elongation > 1e-9 * total ? most / elongation : 0
