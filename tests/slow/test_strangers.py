@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym import Run
 from tests.common.table import rows_of
+from tests.test_breaking import cantilever
 
 pytestmark = pytest.mark.slow
 
@@ -82,6 +84,18 @@ def share_of_one_cell(run: Run) -> float:
 
 
 # --- B6: the time of breaking
+
+
+def test_the_instant_of_a_break_has_an_error_and_its_strain_a_name(says: Says) -> None:
+    """The cantilever of tests/test_breaking.py: log(1 + eps0 (1 + t/tau)) = 0.012; ringing, by a tolerance of 1e-6."""
+    exact, met = 1.801 * (math.expm1(0.012) / 0.004 - 1), "a breaking time without an error, of a strain without a name"
+    for name, effects, expected in (("creeps", ["bending", "viscous-flow"], exact), ("rings", "auto", 2.93490)):
+        scene, *_ = cantilever(**{"run.effects": effects, "run.frames": 41})
+        found = sc.simulate(scene).summary["broken"]
+        told = f"{found['time_s']:.5g} s ± {found['time_error_s']:.1g} s, right: {expected:.5g} s"
+        says("B6", met, f"{name}: {told}, true strain of the outer fibre {found['strain']:.4g}")
+        assert abs(found["time_s"] - expected) < found["time_error_s"] < 0.01 * expected
+        assert found["strain"] == pytest.approx(0.012, rel=1e-3)
 
 
 # --- B7: what a fit calls identified
