@@ -14,6 +14,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym import Run
+from softcat_sym.design.experiment import design_experiment
+from softcat_sym.fitting.result import FitOutcome
 from tests.common.table import rows_of
 from tests.test_breaking import cantilever
 
@@ -99,6 +101,24 @@ def test_the_instant_of_a_break_has_an_error_and_its_strain_a_name(says: Says) -
 
 
 # --- B7: what a fit calls identified
+
+
+def test_a_fit_calls_poorly_determined_what_it_knows_to_a_factor_of_seven(says: Says) -> None:
+    """README's own command, and the experiment that is to tell more."""
+    samples = Path(sc.__file__).parent / "samples"
+    scene, names = sc.load_scene(samples / "my-ink.toml"), ["viscosity", "yield_stress"]
+    found = sc.fit(samples / "film.csv", scene, names, calibrated=True, profiles=False)
+    for one in found.parameters.values():
+        low, high = one.ci95
+        assert low is not None and high is not None
+        assert one.verdict == ("identified" if high < 2 * low else "poorly determined")
+        told = f"{one.name} {one.best:.3g} {one.unit}, 95 % {low:.3g} to {high:.3g}: {one.verdict}"
+        says("B7", "a viscosity known to a factor of seven called identified", f"{told}; outcome {found.outcome.word}")
+    assert [one.verdict for one in found.parameters.values()] == ["poorly determined", "identified"]
+    assert found.outcome is FitOutcome.not_identified and found.outcome.converged
+    with pytest.raises(sc.SoftcatError, match="identified is less than 2") as refused:
+        design_experiment(scene, names, "6 um", {})
+    says("B7", "experiment, of the same two: nothing better than 100 %", str(refused.value).split(";")[0])
 
 
 # --- B8: what explain says an effect is worth
