@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from softcat_sym.effects.choosing import Effects
     from softcat_sym.progress import Clock
+    from softcat_sym.results.breaking import Break
     from softcat_sym.results.run import Run
     from softcat_sym.scene.reading import SceneLike
     from softcat_sym.scene.scene import Scene
@@ -17,6 +19,9 @@ _REPEATS = 2
 
 _BREAKS, _BORNE = 6, 1e-4
 """Runs in which the instant of a break is sought, and how close to one its load is to be."""
+
+_LONGER = 1.25
+"""Times the instant of a break: how far a coarser run is followed, which may break later."""
 
 
 def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
@@ -93,9 +98,9 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         aside = _in_space(scene, run, progress)
         if aside is not None:
             return aside
-        breaks = run.outcome is Outcome.broken
-        if breaks:
-            run = _up_to_its_break(run, effects, clock, progress)
+        end = None
+        if run.outcome is Outcome.broken:
+            run, end = _up_to_its_break(run, effects, clock, progress)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
@@ -105,7 +110,10 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
             answer = run.repeated(repeats).settled(scene, ends)
-            return answer.broken(scene, *break_at_end(scene, answer.fields)) if breaks else answer
+            if end is None:
+                return answer
+            end, load = break_at_end(scene, answer.fields, end.rate_per_s)
+            return answer.broken(scene, replace(end, time_error_s=_time_error(answer, until, end, effects)), load)
         clock.set_aside()
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
@@ -124,10 +132,10 @@ def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
     return _with_all_that_matters(moved, progress).left_its_plane(Sideways(**found))
 
 
-def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:
+def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> tuple[Run, Break]:
     """Follow a filament that breaks again, with its frames spaced evenly up to then.
 
-    The instant is interpolated between frames, and found anew among closer ones until the load there is what it bears.
+    The instant is interpolated between frames, and moved by the rate of the load until that is what it bears.
     """
     from softcat_sym.error_control.control import frames_of_first
     from softcat_sym.results.breaking import break_at_end, break_frame, first_break, refuse_broken, unbreakable
@@ -143,11 +151,34 @@ def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progres
         run = run_once(brief, brief, effects, clock, progress, frames_of_first(brief, effects))
         if not run.outcome.is_success:
             break
-        last, load = break_at_end(scene, run.fields)
+        end, load = break_at_end(scene, run.fields, end.rate_per_s)
         if abs(load - 1) <= _BORNE:
             break
-        end = first_break(scene, run.fields) or last
-    return run
+    return run, end
+
+
+def _time_error(answer: Run, until: Scene, end: Break, effects: Effects) -> float | None:
+    """How much sooner or later a filament breaks on half the cells, in longer steps; None where nothing is estimated.
+
+    The answer errs by so much if its error halves with the cells, and by a third of it if that falls with their square.
+    Where the coarser filament does not break, the instant is as uncertain as it is late.
+    """
+    from softcat_sym.error_control.control import frames_of_first
+    from softcat_sym.error_control.estimate import LOOSER, Resolution
+    from softcat_sym.progress import Clock
+    from softcat_sym.results.breaking import first_break
+    from softcat_sym.single_run import run_once
+    from softcat_sym.solvers.solution import Silence
+
+    if not answer.outcome.is_success or answer.summary["error_estimate"] is None:
+        return None
+    at = Resolution(**answer.summary["resolution"])
+    longer = until.replace({"run.duration": f"{min(until.run.duration, _LONGER * end.time_s)!r} s"})
+    beside = replace(at, cells=max(1, at.cells // 2), rtol=min(LOOSER * at.rtol, 0.5)).of(longer)
+    found = first_break(
+        beside, run_once(beside, beside, effects, Clock(), Silence(), frames_of_first(beside, effects)).fields
+    )
+    return end.time_s if found is None else abs(found.time_s - end.time_s)
 
 
 def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:

@@ -9,14 +9,15 @@ import numpy as np
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.progress import Clock
-from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.breaking import break_frame, breakable
+from softcat_sym.results.fields import midpoint_heights, node_positions, whole_span_fields
 from softcat_sym.results.motion import settling_time
 from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
-from softcat_sym.solvers.solution import Progress, Silence
+from softcat_sym.solvers.solution import Progress, Silence, Solution
 
 _MIN_CELLS = 8
 
@@ -56,7 +57,8 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         solution = prepared.solve(progress)
         clock.lap("solve")
         heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
-        if stride > 1:
+        # What rings may break between two frames.
+        if stride > 1 and not _breaks(scene, prepared, solution):
             solution = solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), scene.run.frames))
         progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
@@ -69,6 +71,15 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
     return replace(trajectory, heights=heights)
+
+
+def _breaks(scene: Scene, prepared: Prepared, solution: Solution) -> bool:
+    """Whether a filament reaches what it bears at any of the output times."""
+    nodes, cells = node_positions(prepared.graph, rest_length(scene))
+    return breakable(scene) and (
+        break_frame(scene, whole_span_fields(scene, prepared, solution) | {"X_node": nodes, "X_cell": cells})
+        is not None
+    )
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

@@ -88,6 +88,52 @@ def test_a_beam_breaks_at_its_clamp_from_the_top() -> None:
     assert abs(moment) * h / 2 / (E * inertia) == pytest.approx(limit, rel=5e-3)
 
 
+def cantilever(**changes: Any) -> tuple[sc.Scene, float, float]:
+    """A cantilever of a Maxwell fluid; strain of its outer fibre when it is loaded, and relaxation time.
+
+    Its clamp bears rho g h^2 L^2/2, so that the outer fibre is strained by eps0 = 3 rho g L^2/(E h) at once and by eps0
+    (1 + t/tau) later.
+    """
+    h, rho, eps0, tau = 2e-3, 1000.0, 0.004, 1.801
+    E = 3 * rho * 9.81 * (L / 2) ** 2 / (h * eps0)
+    tables = {
+        "filament": {"span": L / 2, "thickness": h, "width": h, "density": rho},
+        "material": {"law": "maxwell", "youngs_modulus": E, "viscosity": E * tau, "breaking_strain": 0.012},
+        "ends": {"right": "free"},
+        "load": {"gravity": 9.81},
+        "run": {"duration": "6 s"},
+    }
+    return sc.Scene.from_dict(tables).replace(changes), eps0, tau
+
+
+def test_a_creeping_cantilever_breaks_at_the_true_strain_of_its_outer_fibre_and_says_how_exactly_when() -> None:
+    """At log(1 + eps0 (1 + t/tau)) = eps_b; a linear strain would reach 0.012 at 3.602 s."""
+    for frames in (11, 201):
+        scene, eps0, tau = cantilever(**{"run.effects": ["bending", "viscous-flow"], "run.frames": frames})
+        run = sc.simulate(scene)
+        exact, found = tau * (math.expm1(0.012) / eps0 - 1), run.summary["broken"]
+        assert exact == pytest.approx(3.6345, rel=1e-4)
+        assert abs(found["time_s"] - exact) < found["time_error_s"] < 1e-3 * exact
+        assert found["rate_per_s"] == pytest.approx(eps0 / tau / math.exp(0.012) / 0.012, rel=1e-3)
+        assert f"{found['time_s']:.6g} s ± {found['time_error_s']:.2g} s" in run.summary["message"]
+        assert "true strain 0.012," in run.summary["message"]
+
+
+def test_one_that_rings_breaks_in_a_swing_whatever_the_frames() -> None:
+    """Of an elastic cantilever dropped at once, at tip and clamp, the swing reaches less than twice its rest."""
+    found = []
+    for frames in (5, 60):
+        scene, eps0, _ = cantilever(
+            **{"material.law": "elastic", "material.viscosity": None, "material.breaking_strain": 0.0074}
+            | {"run.effects": ["inertia", "bending"], "run.frames": frames, "run.duration": "1 s"}
+        )
+        assert eps0 < 0.0074 < 2 * eps0
+        found.append(sc.simulate(scene).summary["broken"])
+    few, many = found
+    assert few["time_s"] == pytest.approx(many["time_s"], abs=few["time_error_s"] + many["time_error_s"])
+    assert few["time_s"] == pytest.approx(many["time_s"], rel=1e-3)
+
+
 def test_one_that_bears_all_that_it_is_asked_to_is_as_without() -> None:
     law = {"law": "maxwell", "youngs_modulus": "100 kPa", "viscosity": "1 MPa*s"}
     limits, run = {"breaking_strain": 0.7, "breaking_stress": "1 MPa"}, {"duration": "9 s", "effects": STRETCHING}

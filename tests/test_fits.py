@@ -71,7 +71,7 @@ def test_a_run_that_is_solved_changes_nothing() -> None:
 
 
 def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck: NECK)
+    monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck, yields: NECK)
     found = fitted()
     assert found.parameters["viscosity"].verdict == "identified"
     assert found.outcome is FitOutcome.localised

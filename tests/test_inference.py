@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,13 +12,24 @@ from scipy.signal import lfilter
 from scipy.stats import chi2
 from scipy.stats import f as fisher
 
+from softcat_sym.design.critical_span import percent
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting import inference
-from softcat_sym.fitting.identifiability import Information, check_residuals, information, standard_errors
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.fitting.identifiability import (
+    Information,
+    check_residuals,
+    estimate,
+    information,
+    is_identified,
+    standard_errors,
+)
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, infer, profile, verdicts
 from softcat_sym.fitting.least_squares import LINEAR, Fixed, Loss, minimise, multi_start
+from softcat_sym.fitting.result import fitted_parameter
 from tests.common.draws import draws, errors_away, shares
 from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
+from tests.common.runs import scene_of
 
 
 def informed(p: Problem, *, noise_known: bool, logarithmic: tuple[bool, ...] | None = None) -> Information:
@@ -515,16 +527,34 @@ def test_at_a_bound_that_the_data_pull_against(profiled: bool) -> None:
     assert A.word == "identified"
 
 
-def test_an_interval_of_more_than_a_factor_e_says_next_to_nothing() -> None:
+def test_an_interval_of_more_than_a_factor_of_two_is_poor_and_one_of_more_than_e_says_next_to_nothing() -> None:
     def faint(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return X * q[0], X[:, None]
 
     spread = float(np.sqrt(np.sum(X**2)))
-    for std, word in ((0.9 * spread, "identified"), (1.1 * spread, "not identified")):
+    # 2 * 1.96 standard errors of log 2 = 0.693 are one of 0.177.
+    words = {0.17: "identified", 0.18: "poorly determined", 0.9: "poorly determined", 1.1: "not identified"}
+    for error, word in words.items():
+        std = error * spread
         (one,) = judged(problem("slope", faint, [0.5], std, None), noise_known=True)
+        assert ("factor" in one.reason) == (word != "identified")
         assert one.word == word
         assert one.upper - one.lower == pytest.approx(2 * 1.96 * std / spread, rel=1e-3)
         assert (one.value is None) == (word == "not identified")
+
+
+def test_fit_flow_curve_and_experiment_have_one_criterion() -> None:
+    """A 95 % interval of less than a factor of two, or of +- 50 % of the scale where an unknown may be negative."""
+    for error, sure in ((0.17, True), (0.18, False)):
+        assert (percent(error) == f"{100 * error:.2g} %") is sure
+    for half, word in ((0.33, "determined"), (0.34, "poorly determined"), (1.1, "undetermined")):
+        assert estimate(1.0, half / 2, 2.0, (0.0, math.inf)).verdict == word
+    free = free_parameters(scene_of(), ["yield_stress"])[0]
+    known = ParameterVerdict("yield_stress", "identified", 0.0, 0.0, 0.1, -0.3, 0.3, "")
+    for shift, word in ((0.04, "identified"), (0.05, "poorly determined")):
+        assert fitted_parameter(free, known, shift, widened=True).verdict == word
+    for half, sure in ((0.49, True), (0.51, False)):
+        assert is_identified(-half, half, logarithmic=False) is sure
 
 
 def noise(sets: int, points: int, correlation: float = 0.0) -> np.ndarray:

@@ -147,6 +147,24 @@ def test_a_cell_that_gathers_the_strain_of_its_half_is_a_neck() -> None:
         assert largest_share_of_one_cell(one_half, length) == pytest.approx(5 / 6)
 
 
+def test_strain_that_a_finer_grid_spreads_is_no_neck_of_a_liquid() -> None:
+    """A stretch x^(q - 1) has the elongation x^q up to x: its share of one cell falls as N^-q, of a cut not at all."""
+
+    def stretches(cells: int, q: float, cut: float) -> Array:
+        edges = np.linspace(0, 1, cells + 1)
+        half = np.diff(3 * edges**q) * cells
+        half[0] += cut * cells
+        return np.concatenate([half, half[::-1]])
+
+    for q, cut in ((0.25, 0.0), (0.5, 0.0), (0.25, 9.0), (0.9, 9.0)):
+        for cells in (20, 160):
+            nodes = np.linspace(-0.5, 0.5, 2 * cells + 1)
+            stretch = stretches(cells, q, cut)
+            assert bool(neck_that_the_grid_decides(stretch, nodes, None, yields=False)) is (cut > 0)
+    # What yields necks at strains that no liquid would gather.
+    assert neck_that_the_grid_decides(stretches(20, 0.25, 0.0), np.linspace(-0.5, 0.5, 41), None, yields=True)
+
+
 def test_the_strain_of_a_neck_does_not_depend_on_the_grid() -> None:
     """A hinge at each clamp that opens by a given length: spread over a neck, whatever the cells."""
     neck, opening = 0.04, 0.012
@@ -247,7 +265,7 @@ def test_a_balance_that_does_not_close_is_a_failure_unless_the_closure_has_none(
         assert drifted.outcome is Outcome.energy_drift and "0.5" in drifted.summary["message"]
         assert simulate(scene_of(run={"closure": "printed"})).outcome is Outcome.solved
         # A neck is worse than any other verdict.
-        open_balance.setattr(verdict, "neck_that_the_grid_decides", lambda *_: "a neck at X")
+        open_balance.setattr(verdict, "neck_that_the_grid_decides", lambda *_, **__: "a neck at X")
         necked = simulate(scene_of())
         assert necked.outcome is Outcome.localised and "a neck at X" in necked.summary["message"]
     # Finite stretch without thinning has no stored energy whose gradient the force is: reported, not failed.

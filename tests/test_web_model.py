@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import softcat_sym as sc
 from softcat_sym.discretization.parameters import parameter_values, time_scale
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.ensemble.members import written
@@ -25,6 +27,8 @@ from softcat_sym.solvers.solution import Silence
 from tests.common.javascript import evaluated
 from tests.common.pages import quick_page, random_states
 from tests.common.runs import scene_of
+
+FOLDER = Path(__file__).parent / "cases"
 
 INK: dict[str, dict[str, Any]] = {
     "filament": {"span": "5 mm", "thickness": "0.4 mm", "section": "circle", "density": "2200 kg/m^3"},
@@ -106,6 +110,12 @@ def weak() -> Scene:
     return scene_of("elastic").replace(changes)
 
 
+def thread(duration: float) -> Scene:
+    """A thread of polymer chains, whose last cell carries four tenths of its elongation, or nine."""
+    changes = {"run.duration": f"{duration} s", "run.frames": 5, "numerics.cells": 20, "numerics.estimate": False}
+    return sc.load_scene(FOLDER / "giesekus-thread.toml", changes)
+
+
 CASES: Mapping[str, tuple[Any, str, str | None]] = {
     "stops": (lambda: scene_of(**LONG, material={"yield_stress": "9.32 kPa"}), "solved", "arrested-overdamped"),
     "swings back": (
@@ -125,6 +135,8 @@ CASES: Mapping[str, tuple[Any, str, str | None]] = {
     "tears": (weak, "ruptured", None),
     "necks": (scene_of, "localised", None),
     "necks in one cell": (lambda: scene_of(run={"effects": UNLIMITED}), "localised", None),
+    "thread": (lambda: thread(0.5), "solved", "viscous"),
+    "thread that is cut": (lambda: thread(0.7), "localised", None),
     "gives up": (scene_of, "step_limit", None),
     "folds": (
         lambda: scene_of("elastic", run={"effects": STRING}, ends={"motion": SQUEEZED, "left": "pinned"}),

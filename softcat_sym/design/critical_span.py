@@ -27,6 +27,7 @@ from softcat_sym.design.information import (
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
+from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
@@ -276,8 +277,11 @@ def length_text(value: float) -> str:
 
 
 def percent(error: float) -> str:
-    """A relative error for reading."""
-    return f"{100 * error:.2g} %" if math.isfinite(error) else "not determined"
+    """A relative standard error for reading, and whether it identifies a parameter, as a fit would say."""
+    if not math.isfinite(error):
+        return "not determined"
+    half = two_sided_quantile(None) * error
+    return f"{100 * error:.2g} %" + ("" if is_identified(-half, half) else " (poorly determined)")
 
 
 def sentences(

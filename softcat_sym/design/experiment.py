@@ -34,7 +34,7 @@ from softcat_sym.design.information import (
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
-from softcat_sym.fitting.identifiability import MAX_ERROR, Information, information
+from softcat_sym.fitting.identifiability import FACTOR, MAX_ERROR, Information, information, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
@@ -448,7 +448,9 @@ def _as_given(judge: Judge) -> Trial:
 def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
     """Say that no experiment determines the parameters, and what combination of them is determined."""
     names = " and ".join(name.rpartition(".")[2] for name in judge.names)
-    head = f"no experiment within these bounds determines {names} to better than {100 * MAX_ERROR:g} %"
+    span = math.exp(2 * two_sided_quantile(None) * MAX_ERROR)
+    head = f"no experiment within these bounds determines {names} to a factor of {span:.2g}"
+    head += f" (95 % interval; identified is less than {FACTOR:g})"
     seen = sorted((one for one in tried if one.frames), key=lambda one: one.worst)[:_CANDIDATES]
     if not seen:
         notes = sorted({one.note for one in tried if one.note})

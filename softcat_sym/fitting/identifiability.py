@@ -15,7 +15,25 @@ from scipy import stats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss
 
-Determination = Literal["determined", "undetermined", "on a bound"]
+Determination = Literal["determined", "poorly determined", "undetermined", "on a bound"]
+
+FACTOR = 2.0
+"""The ends of the 95 % interval of an identified unknown differ by less than this factor, those of a poorly determined
+one by more. Of an unknown that may be zero or negative, the limit is +- 50 % of its scale."""
+
+
+def is_identified(lower: float, upper: float, *, logarithmic: bool = True) -> bool:
+    """Whether the ends of a 95 % interval of q = log(value/typical), or of q = value/scale, identify the unknown."""
+    return upper - lower < (math.log(FACTOR) if logarithmic else 1.0)
+
+
+def span_text(lower: float, upper: float, *, logarithmic: bool = True) -> str:
+    """How wide a 95 % interval of q is, and how wide it may be of what is identified."""
+    width = upper - lower
+    if logarithmic:
+        return f"spans a factor of {math.exp(width):.2g}, and less than {FACTOR:g} where it is identified"
+    return f"is +- {50 * width:.2g} % of its scale, and less than 50 % where it is identified"
+
 
 LEVEL = 0.95
 
@@ -30,8 +48,12 @@ class Estimate:
     # 95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
     interval: tuple[float, float] | None
     half_width: float | None  # Of the 95 % interval, without the bounds; None if there is no standard error
-    # ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
+    # ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say),
+    # ``"poorly determined"`` if it is too wide for an identified one.
     verdict: Determination
+
+
+_UNSURE: dict[bool, Determination] = {True: "poorly determined", False: "undetermined"}
 
 
 def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> Estimate:
@@ -41,7 +63,8 @@ def estimate(value: float, error: float, quantile: float, bounds: tuple[float, f
     half = quantile * error
     inside = bounds[0] < value - half and value + half < bounds[1]
     interval = (max(value - half, bounds[0]), min(value + half, bounds[1]))
-    return Estimate(value, error, interval, half, "determined" if inside else "undetermined")
+    known = inside and is_identified(math.log(value - half), math.log(value + half))
+    return Estimate(value, error, interval, half, "determined" if known else _UNSURE[inside])
 
 
 def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np.float64]:
@@ -271,6 +294,7 @@ class Information:
     determined: NDArray[np.bool_]  # shape (k,); Which directions are determined
     # Combinations that are determined; empty if every unknown and every direction is.
     combinations: tuple[Combination, ...]
+    logarithmic: tuple[bool, ...]  # Which unknowns are logarithms
 
     @property
     def noise(self) -> float:
@@ -351,6 +375,7 @@ def information(
         directions=rows.T,
         determined=determined,
         combinations=() if determined.all() and np.all(standard < MAX_ERROR) else found,
+        logarithmic=flags,
     )
 
 

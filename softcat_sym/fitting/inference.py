@@ -11,7 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from softcat_sym.fitting.identifiability import MAX_ERROR, Information, information, noise_of, two_sided_quantile
+from softcat_sym.fitting.identifiability import (
+    MAX_ERROR,
+    Information,
+    information,
+    is_identified,
+    noise_of,
+    span_text,
+    two_sided_quantile,
+)
 from softcat_sym.fitting.least_squares import (
     LINEAR,
     SAME_FIT,
@@ -279,7 +287,7 @@ class _Path:
         return found.q, 2 * found.value, found.converged or self._root(predicted) >= 1
 
 
-Word = Literal["identified", "one-sided", "not identified", "at a bound"]
+Word = Literal["identified", "poorly determined", "one-sided", "not identified", "at a bound"]
 
 
 @dataclass(frozen=True)
@@ -287,13 +295,14 @@ class ParameterVerdict:
     """Verdict on one unknown, in q."""
 
     name: str
-    # ``"identified"``: the 95 % interval ends on both sides, within the bounds, and the standard error is less than a
-    # factor e. ``"one-sided"``: it ends on one side. ``"not identified"``: it ends on no side, or is too wide.
+    # ``"identified"``: the 95 % interval ends on both sides, within the bounds, and its ends differ by less than a
+    # factor of two (`is_identified`). ``"poorly determined"``: they differ by more. ``"one-sided"``: it ends on one
+    # side. ``"not identified"``: it ends on no side, or says next to nothing: a standard error of more than a factor e.
     # ``"at a bound"``: the best value lies on a bound and the data pull it further: the bound or the model is wrong.
     word: Word
     value: float | None  # The best q; None where a number would mislead: not identified, or one-sided
     best: float  # The q of the best fit, identified or not
-    standard_error: float | None  # Of q from the Fisher information; None unless identified
+    standard_error: float | None  # Of q from the Fisher information; None with the value
     # Ends of the 95 % interval of q; None where it has no end within the bounds. The probability that q lies beyond a
     # single end is at most 5 %.
     lower: float | None
@@ -361,7 +370,16 @@ def _verdict(
         return ParameterVerdict(name, "not identified", None, best, None, lower, upper, reason)
     # Where the curvature at the optimum does not identify the unknown, the profile gives the standard error.
     error = float(known.standard_errors[k]) if known.identified[k] else 0.5 * (upper - lower) / known.quantile
-    return ParameterVerdict(name, "identified", best, best, error, lower, upper, "")
+    return judged(ParameterVerdict(name, "identified", best, best, error, lower, upper, ""), known.logarithmic[k])
+
+
+def judged(verdict: ParameterVerdict, logarithmic: bool) -> ParameterVerdict:
+    """The verdict on an unknown that is known on both sides, once its interval is: identified, or poorly determined."""
+    low, high = verdict.lower, verdict.upper
+    if verdict.word != "identified" or low is None or high is None or is_identified(low, high, logarithmic=logarithmic):
+        return verdict
+    reason = f"its 95 % interval {span_text(low, high, logarithmic=logarithmic)}"
+    return replace(verdict, word="poorly determined", reason=reason)
 
 
 def _score_statistics(optimum: Optimum, known: Information, loss: Loss) -> Floats:

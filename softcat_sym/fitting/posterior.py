@@ -19,7 +19,8 @@ from scipy.optimize import minimize
 from scipy.special import expit, log_expit, logit
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.identifiability import Noise
+from softcat_sym.fitting.free_parameters import FreeParameter
+from softcat_sym.fitting.identifiability import Noise, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
 from softcat_sym.fitting.problem import Marginal
@@ -127,6 +128,11 @@ class Posterior:
             f"independent draws, {self.divergences} divergences"
         )
 
+    def verdict(self, free: FreeParameter) -> str:
+        """Whether the 95 % of the draws between their quantiles identify a parameter, as for an interval of a fit."""
+        low, high = (free.scaled(value) for value in self.parameters[free.name]["eti95"])
+        return "identified" if is_identified(low, high, logarithmic=free.logarithmic) else "poorly determined"
+
     def to_netcdf(self, path: str | Path) -> None:
         """Write the draws; ``arviz.from_netcdf`` reads them."""
         self.data.to_netcdf(str(path), engine="h5netcdf")
@@ -141,7 +147,12 @@ class Posterior:
     def to_dict(self) -> dict[str, Any]:
         """Its entry in ``fit.json``."""
         parameters = {
-            one.free.name: {**self.parameters[one.free.name], "unit": one.free.unit, "prior": one.text}
+            one.free.name: {
+                **self.parameters[one.free.name],
+                "verdict": self.verdict(one.free),
+                "unit": one.free.unit,
+                "prior": one.text,
+            }
             for one in self.priors
         }
         keys = ("message", "divergences", "draws", "evaluations", "seconds")

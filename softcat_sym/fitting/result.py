@@ -19,7 +19,7 @@ from softcat_sym.fitting.identifiability import (
     Information,
     ResidualChecks,
 )
-from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word
+from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judged
 from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem
@@ -34,10 +34,10 @@ if TYPE_CHECKING:
 class FitOutcome(Enum):
     """End of a fit; ``name`` with blanks for underscores goes into ``fit.json``."""
 
-    solved = "the model fits within its noise; every free parameter is identified"
+    solved = "the model fits within its noise; every free parameter is identified, to less than a factor of two"
     not_identified = (
-        "the model fits, but the data do not tell every parameter: read the verdicts and the combinations, fix what is "
-        "known otherwise, or film what softcat's experiment design proposes"
+        "the model fits, but the data do not tell every parameter to a factor of two: read the verdicts and the "
+        "combinations, fix what is known otherwise, or film what softcat's experiment design proposes"
     )
     at_a_bound = "the best fit lies on a bound that the data push against: widen the bound, or doubt the law"
     contradiction = (
@@ -100,7 +100,8 @@ class FittedParameter:
     ci95 : (float or None, float or None)
         95 % interval; None where it does not end.
     verdict : str
-        ``"identified"``, ``"one-sided"``, ``"not identified"`` or ``"at a bound"``.
+        ``"identified"``, ``"poorly determined"`` (the ends of its interval differ by a factor of two or more),
+        ``"one-sided"``, ``"not identified"`` or ``"at a bound"``.
     reason : str
         Why it is not identified; empty if it is.
     typical : float
@@ -487,9 +488,9 @@ def fitted_parameter(
 ) -> FittedParameter:
     """Convert a verdict on q to the parameter; with `widened`, its interval includes the shift."""
     margin = shift if widened else 0.0
-    low, high = (
-        None if q is None else free.value(q + sign * margin) for q, sign in ((verdict.lower, -1), (verdict.upper, 1))
-    )
+    ends = [None if q is None else q + sign * margin for q, sign in ((verdict.lower, -1), (verdict.upper, 1))]
+    verdict = judged(replace(verdict, lower=ends[0], upper=ends[1]), free.logarithmic)
+    low, high = (None if q is None else free.value(q) for q in ends)
     return FittedParameter(
         name=free.name,
         unit=free.unit,

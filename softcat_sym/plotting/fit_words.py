@@ -141,7 +141,8 @@ def posterior_texts(posterior: Posterior) -> list[tuple[str, str]]:
             significant(value / unit.size) for value in (one["eti95"][0], one["median"], one["eti95"][1])
         )
         sign = "" if unit.symbol == "1" else f" {unit.symbol}"
-        rows.append((prior.free.name, f"{middle}{sign}, 95 % of the draws {low} to {high}; prior {prior.text}"))
+        drawn = f"95 % of the draws {low} to {high}, {posterior.verdict(prior.free)}"
+        rows.append((prior.free.name, f"{middle}{sign}, {drawn}; prior {prior.text}"))
     return rows
 
 

@@ -25,17 +25,20 @@ class Break:
     time_s: float
     X_m: float  # Material coordinate, 0 at midspan
     side: str  # ``top``, ``bottom``, or ``section`` where tension tears all of it
-    strain: float  # True (Hencky) strain of the fibre
+    strain: float  # True (Hencky) strain of the outer fibre
     stress_Pa: float  # True stress of the fibre
     by: str  # ``strain`` or ``stress``: which limit was reached
+    rate_per_s: float  # At which its load grows, over what the material bears
+    time_error_s: float | None = None  # None where it is not estimated
 
     @property
     def text(self) -> str:
         """In words."""
         where = "through the section" if self.side == "section" else f"from the {self.side}"
+        error = "" if self.time_error_s is None else f" ± {self.time_error_s:.2g} s"
         return (
-            f"it breaks after {self.time_s:.6g} s at X = {self.X_m:.4g} m, {where}, by its {self.by} "
-            f"(strain {self.strain:.4g}, stress {self.stress_Pa:.4g} Pa)"
+            f"it breaks after {self.time_s:.6g} s{error} at X = {self.X_m:.4g} m, {where}, by its {self.by} "
+            f"(outer fibre: true strain {self.strain:.4g}, true stress {self.stress_Pa:.4g} Pa)"
         )
 
 
@@ -60,8 +63,8 @@ def fibres(fields: Mapping[str, Floats]) -> tuple[Floats, Floats, Floats, Floats
     """Where the outer fibre is most loaded, its true strain and stress, and the curvature.
 
     At the middles of cells, shape (time, cell + 2), and at both ends, by a straight line through the last two: where an
-    end is clamped the bending is largest there. The strain is log(s) + |kappa| h/2, the stress its mean and its linear
-    part over the section.
+    end is clamped the bending is largest there. The strain is log(s (1 + |kappa| h/2)), the logarithm of what the fibre
+    is stretched by, and the stress its mean and its linear part over the section.
     """
     cells, nodes = fields["X_cell"], fields["X_node"]
     ends = ((0, 1, nodes[0]), (-1, -2, nodes[-1]))
@@ -73,7 +76,8 @@ def fibres(fields: Mapping[str, Floats]) -> tuple[Floats, Floats, Floats, Floats
         return np.column_stack([outer[0], values, outer[1]])
 
     curvature = extended("curvature")
-    strain = np.log(np.maximum(extended("stretch"), 1e-300)) + np.abs(curvature) * extended("thickness") / 2
+    bent = np.log1p(np.abs(curvature) * extended("thickness") / 2)
+    strain = np.log(np.maximum(extended("stretch"), 1e-300)) + bent
     stress = extended("stress_mean") + np.abs(extended("stress_bending"))
     return np.array([nodes[0], *cells, nodes[-1]]), strain, stress, curvature
 
@@ -95,7 +99,7 @@ def first_break(scene: Scene, fields: Mapping[str, Floats]) -> Break | None:
         return None
     load = load_of(scene, fields)
     upto = slice(frame + 1)
-    return _at(fields, load, frame, _crossing(fields["time"][upto], np.max(load, axis=(0, 2))[upto]))
+    return _at(fields, load, frame, *_crossing(fields["time"][upto], np.max(load, axis=(0, 2))[upto]))
 
 
 def break_frame(scene: Scene, fields: Mapping[str, Floats]) -> int | None:
@@ -104,33 +108,35 @@ def break_frame(scene: Scene, fields: Mapping[str, Floats]) -> int | None:
     return int(over[0]) if len(over) else None
 
 
-def break_at_end(scene: Scene, fields: Mapping[str, Floats]) -> tuple[Break, float]:
-    """Where a filament that was followed up to its break does so, and its load there, which is one."""
-    load, time = load_of(scene, fields), fields["time"]
-    frame = len(time) - 1
-    largest = np.max(load, axis=(0, 2))
-    slope = (largest[frame] - largest[frame - 1]) / (time[frame] - time[frame - 1])
-    late = (largest[frame] - 1) / slope if slope > 0 else 0.0
-    return _at(fields, load, frame, float(time[frame] - late)), float(largest[frame])
+def break_at_end(scene: Scene, fields: Mapping[str, Floats], rate: float) -> tuple[Break, float]:
+    """Where a filament that was followed up to its break does so, and its load there, which grows at this rate."""
+    load, end = load_of(scene, fields), len(fields["time"]) - 1
+    reached = float(np.max(load[:, end]))
+    return _at(fields, load, end, float(fields["time"][end] - (reached - 1) / rate), rate), reached
 
 
-def _at(fields: Mapping[str, Floats], load: Floats, frame: int, when: float) -> Break:
+def _at(fields: Mapping[str, Floats], load: Floats, frame: int, when: float, rate: float) -> Break:
     """The break at an instant in or just before a frame, as the frame shows it."""
     kind, at = np.unravel_index(int(np.argmax(load[:, frame])), load[:, frame].shape)
     places, strain, stress, curvature = (values[..., at] for values in fibres(fields))
     bent = abs(curvature[frame]) * np.max(fields["thickness"][frame]) / 2 > _BENT * strain[frame]
     side = ("bottom" if curvature[frame] > 0 else "top") if bent else "section"
     by = ("strain", "stress")[int(kind)]
-    return Break(when, float(places), side, float(strain[frame]), float(stress[frame]), by)
+    return Break(when, float(places), side, float(strain[frame]), float(stress[frame]), by, rate)
 
 
-def _crossing(time: Floats, load: Floats) -> float:
-    """When a load that is below one in all frames but the last reaches it."""
-    if len(time) == 1 or load[-1] <= 1:
-        return float(time[-1])
+def _crossing(time: Floats, load: Floats) -> tuple[float, float]:
+    """When a load that is below one in all frames but the last reaches it, and its rate over the last two."""
+    if len(time) == 1:
+        return float(time[-1]), np.inf
+    rate = float((min(load[-1], 1e6) - load[-2]) / (time[-1] - time[-2]))
+    if load[-1] <= 1:
+        return float(time[-1]), rate
     # Imported here, since they take half a second to load.
     from scipy.interpolate import PchipInterpolator
     from scipy.optimize import brentq
 
     smooth = PchipInterpolator(time, np.minimum(load, 1e6))
-    return float(brentq(lambda instant: smooth(instant) - 1, time[-2], time[-1]))
+    when = float(brentq(lambda instant: smooth(instant) - 1, time[-2], time[-1]))
+    # At a corner that curve may be level.
+    return when, max(float(smooth(when, 1)), rate)

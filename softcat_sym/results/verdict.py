@@ -78,6 +78,14 @@ Converged runs stay below 0.2 (a thick ink strand at N = 20) and fall with 1/N; 
 carries 0.4 or more on every grid from N = 10 up. A thick strand on very few cells (N = 8) comes close to the limit.
 """
 
+BEYOND_A_LIQUID = 14.0
+"""Times the stretch of its neighbours to which a cell of a liquid must be drawn to be a localised neck.
+
+Without a yield stress a neck grows as fast as the strain itself, and the stretch of a thread rises towards its support
+as x^(q - 1). That is no localisation: the share of the last cell falls as N^-q, and its neighbour is drawn 2^q - 1
+times as far. Beyond this limit, q = 0.1, cells a thousand times shorter would not halve the share: the thread is cut.
+"""
+
 DRAWN_OUT = 0.4
 """Strain of a neck, spread over its length, beyond which it is drawn out even where the necking gradient is in force.
 
@@ -110,12 +118,16 @@ COMPRESSION = 0.02
 """Of the largest tension: what a string that does not bend may be compressed by."""
 
 
-def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
-    """Share of a half's elongation that one cell carries in excess of its more stretched neighbour."""
+def largest_share_of_one_cell(stretch: Floats, length: Floats, beyond: float = 1.0) -> float:
+    """Share of a half's elongation that one cell carries in excess of its more stretched neighbour.
+
+    A cell counts that is drawn to more than `beyond` times the stretch of that neighbour.
+    """
     # A support has no cell behind it: its cell is compared with the one neighbour it has.
     left = np.concatenate([[-np.inf], stretch[:-1]])
     right = np.concatenate([stretch[1:], [-np.inf]])
-    excess = np.maximum(stretch - np.maximum(np.maximum(left, right), 1.0), 0.0) * length
+    beside = np.maximum(left, right)
+    excess = np.where(stretch > beyond * beside, np.maximum(stretch - np.maximum(beside, 1.0), 0.0), 0.0) * length
     # Where parts are compressed and parts drawn, their sum may vanish: it is no scale.
     elongation = np.abs(stretch - 1.0) * length
     middle = len(stretch) // 2
@@ -147,11 +159,11 @@ def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
     return float(np.max(np.where(np.isfinite(excess), excess, 0.0) * window / neck))
 
 
-def neck_that_the_grid_decides(stretch: Floats, nodes: Floats, neck: float | None) -> str:
+def neck_that_the_grid_decides(stretch: Floats, nodes: Floats, neck: float | None, *, yields: bool = True) -> str:
     """What is wrong with a neck, or an empty text."""
     length, where = np.diff(nodes), f"X/L = {_place(nodes, int(np.argmax(stretch))):.4g}"
     if neck is None:
-        share = largest_share_of_one_cell(stretch, length)
+        share = largest_share_of_one_cell(stretch, length, 1.0 if yields else BEYOND_A_LIQUID)
         text = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
         return text if share > SHARE_OF_ONE_CELL else ""
     strain = neck_strain(stretch, length, neck)
@@ -303,10 +315,10 @@ def verdict(
     places = {"time": time, "X_node": nodes, "X_cell": (nodes[1:] + nodes[:-1]) / 2}
     if breakable(scene) and (end := first_break(scene, {**fields, **places})) is not None:
         return Outcome.broken, end.text
-    # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
+    # The gradient bounds necks of what yields: a liquid is drawn out where the filament is.
     neck = neck_length(scene) if terms.necking_gradient and terms.yields else None
     # An elastic filament is as uneven as its load: only flow gathers strain.
-    necked = neck_that_the_grid_decides(stretch[-1], nodes, neck) if terms.flows else ""
+    necked = neck_that_the_grid_decides(stretch[-1], nodes, neck, yields=terms.yields) if terms.flows else ""
     if necked:
         return Outcome.localised, "; ".join(filter(None, [necked, solution.message]))
     torn = rupture(scene, time, stretch, nodes)

@@ -513,9 +513,9 @@ class Material(Part):
     hardening_recovery: Annotated[float, Number(above=0, closed=True)] = 0.0
     """q of its dynamic recovery, A_t = rate - q A |rate|, per tensile strain: sqrt(3) times that in shear."""
     breaking_strain: Annotated[float | None, Number(above=0)] = None
-    """True (Hencky) tensile strain at which a fibre breaks; the run ends there."""
+    """True (Hencky) strain, log of its stretch, at which the outer fibre breaks in tension; the run ends there."""
     breaking_stress: Annotated[float | None, Quantity("stress", "20 kPa")] = None
-    """True tensile stress at which a fibre breaks; the run ends there."""
+    """True stress at which the outer fibre breaks in tension; the run ends there."""
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
     natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0

@@ -400,6 +400,7 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "thread": thread_of(terms),
         "largest_stretch": verdict.largest_stretch(scene),
         "share_of_one_cell": verdict.SHARE_OF_ONE_CELL,
+        "beyond_neighbours": 1.0 if terms.yields else verdict.BEYOND_A_LIQUID,
         "drawn_out": verdict.DRAWN_OUT,
         "smooth": verdict.SMOOTH,
         "ruptured": verdict.RUPTURED,

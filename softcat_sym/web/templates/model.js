@@ -317,7 +317,7 @@ function placeOf(nodes, cell) {
 function neckThatTheGridDecides({ limits }, stretch, nodes, neck) {
   const length = differences(nodes), where = `X/L = ${general(placeOf(nodes, placeOfLargest(stretch)), 4)}`
   if (neck === null) {
-    const share = largestShareOfOneCell(stretch, length)
+    const share = largestShareOfOneCell(stretch, length, limits.beyond_neighbours)
     return share > limits.share_of_one_cell ? `the cell at ${where} carries ${percent(share)} of the elongation of its half beyond its neighbour` : ""
   }
   const strain = neckStrain(limits, stretch, length, neck)
@@ -325,13 +325,14 @@ function neckThatTheGridDecides({ limits }, stretch, nodes, neck) {
   return strain > limits.drawn_out ? `the neck at ${where} is drawn out ${far} beyond its neighbourhood: near rupture` : ""
 }
 
-function largestShareOfOneCell(stretch, length) {
+function largestShareOfOneCell(stretch, length, beyond) {
   const n = stretch.length, middle = Math.floor(n / 2), total = sumOf(length)
   const at = k => k < 0 || k >= n ? -Infinity : stretch[k]
   const share = (from, to) => {
     let most = 0, elongation = 0
     for (let k = from; k < to; k++) {
-      most = Math.max(most, Math.max(stretch[k] - Math.max(at(k - 1), at(k + 1), 1), 0) * length[k])
+      const beside = Math.max(at(k - 1), at(k + 1))
+      if (stretch[k] > beyond * beside) most = Math.max(most, Math.max(stretch[k] - Math.max(beside, 1), 0) * length[k])
       elongation += Math.abs(stretch[k] - 1) * length[k]
     }
     return elongation > 1e-9 * total ? most / elongation : 0
@@ -399,7 +400,7 @@ function fibres({ limits }, { fields, time, X_node }) {
   const [mostStrain, mostStress] = limits.breaking
   return Array.from({ length: frames }, (_, frame) => Array.from({ length: cells + 2 }, (_, k) => {
     const curvature = at("curvature", frame, k)
-    const strain = Math.log(Math.max(at("stretch", frame, k), 1e-300)) + Math.abs(curvature) * at("thickness", frame, k) / 2
+    const strain = Math.log(Math.max(at("stretch", frame, k), 1e-300)) + Math.log1p(Math.abs(curvature) * at("thickness", frame, k) / 2)
     const stress = at("stress_mean", frame, k) + Math.abs(at("stress_bending", frame, k))
     const loads = [mostStrain === null ? 0 : strain / mostStrain, mostStress === null ? 0 : stress / mostStress].map(one => Number.isNaN(one) ? 0 : one)
     return { X: k === 0 ? X_node[0] : k > cells ? X_node[cells] : middles[k - 1], curvature, strain, stress, loads }
@@ -422,7 +423,7 @@ function breakText(data, run) {
   const found = all[frame][placeOfLargest(all[frame].map(one => one.loads[kind]))]
   const bent = Math.abs(found.curvature) * largestOf(rowOf(run.fields.thickness, frame, run.time.length)) / 2 > BENT * found.strain
   const where = bent ? `from the ${found.curvature > 0 ? "bottom" : "top"}` : "through the section"
-  return `it breaks after ${general(when)} s at X = ${general(found.X, 4)} m, ${where}, by its ${["strain", "stress"][kind]} (strain ${general(found.strain, 4)}, stress ${general(found.stress, 4)} Pa)`
+  return `it breaks after ${general(when)} s at X = ${general(found.X, 4)} m, ${where}, by its ${["strain", "stress"][kind]} (outer fibre: true strain ${general(found.strain, 4)}, true stress ${general(found.stress, 4)} Pa)`
 }
 
 function pushedString({ limits }, { fields, time }) {
