@@ -7,16 +7,10 @@ import os
 import secrets
 import select
 import stat
-import sys
-import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from pathlib import Path
-
-import platformdirs
-
-from softcat_sym.errors import SoftcatError
 
 _waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
 """Files that are written but not in their place yet, and their places; None where each goes there at once."""
@@ -39,28 +33,14 @@ def read_limited(path: str | os.PathLike[str], size: int) -> bytes:
         return file.read(size)
 
 
-def cache_folder() -> Path:
-    """SOFTCAT_CACHE, else the user's folder of caches on this system; it may not exist yet."""
-    if chosen := os.environ.get("SOFTCAT_CACHE"):
-        try:
-            return Path(chosen).expanduser().absolute()
-        except RuntimeError as error:
-            raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
-    usual = Path(platformdirs.user_cache_dir("softcat_sym", appauthor=False))
-    if usual.parts[0] != "~":
-        return usual.absolute()
-    # A user without a home, as in some containers.
-    return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
-
-
-def replace_atomically(path: Path, content: bytes, *, at_once: bool = False) -> Path:
+def replace_atomically(path: Path, content: bytes) -> Path:
     """Write a file next to its place, then move it there; a reader sees the old file or the new one."""
 
     def fill(passing: Path) -> None:
         with passing.open("xb") as stream:
             stream.write(content)
 
-    return fill_atomically(path, fill, at_once=at_once)
+    return fill_atomically(path, fill)
 
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
@@ -110,14 +90,11 @@ def written_together() -> Iterator[None]:
             passing.unlink(missing_ok=True)
 
 
-def fill_atomically(path: Path, fill: Callable[[Path], object], *, at_once: bool = False) -> Path:
-    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later.
-
-    What is written `at_once` does not wait for the others.
-    """
+def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
+    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later."""
     # A name of its own keeps two runs into one folder apart. Not tempfile: its files are readable by their owner only.
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
-    waiting, kept = None if at_once else _waiting.get(), False
+    waiting, kept = _waiting.get(), False
     try:
         fill(passing)
         if waiting is None:

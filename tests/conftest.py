@@ -10,13 +10,14 @@ import math
 import os
 import re
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from softcat_sym import progress, store
+from softcat_sym import cache, progress
 from softcat_sym.codegen.compiler import find_compiler
 
 if TYPE_CHECKING:
@@ -36,8 +37,11 @@ collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platfo
 
 
 def pytest_configure() -> None:
-    """No plain lines of progress on a slow machine, where tests ask that nothing else is printed."""
+    """No plain lines of progress on a slow machine, and no warnings, where tests ask that nothing else is printed."""
     progress._PLAIN_DELAY = math.inf
+    # Where others could write into the user's cache, every test would be warned.
+    if cache.problem(cache.LIBRARIES):
+        os.environ["SOFTCAT_CACHE"] = tempfile.mkdtemp(prefix="softcat-tests-")
 
 
 @pytest.fixture(autouse=True)
@@ -46,7 +50,8 @@ def results_of_studies(request: pytest.FixtureRequest, tmp_path_factory: pytest.
     name = hashlib.sha256(request.node.nodeid.encode()).hexdigest()[:16]
     folder = tmp_path_factory.getbasetemp() / f"results-{name}"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(store, "folder", lambda: folder)
+        usual = cache.folder
+        patch.setattr(cache, "folder", lambda kind: folder if kind == cache.RESULTS else usual(kind))
         yield folder
 
 

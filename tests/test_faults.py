@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from softcat_sym import cache, store
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.codegen.library import recall
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, made, replace_atomically, write_all, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
@@ -149,11 +149,12 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
         until(note.exists, process)
         assert ended(process, signal.SIGTERM) == (143, "", "softcat: interrupted; nothing was written\n")
     assert is_gone(note)
-    kept = [Path(name) for name in files_in(tmp_path / "cache") if not name.endswith("compilers.json")]
-    texts = [path for path in kept if path.parent.name == "texts" and path.suffix == ".text"]
+    kept = [Path(name) for name in files_in(tmp_path / "cache")]
+    texts = [path for path in kept if path.parent.name == cache.TEXTS]
     assert kept == texts
-    assert len(texts) == 1 if compiling == "the model" else len(texts) <= 1
-    assert all(recall(path.stem) is not None for path in texts)  # only what is whole is recalled
+    # One is what the compiler has said of itself.
+    assert len(texts) == 2 if compiling == "the model" else len(texts) <= 2
+    assert all(store.recall(path.name, cache.TEXTS) is not None for path in texts)  # only what is whole is recalled
     assert not (tmp_path / "out").exists()
 
 
