@@ -125,7 +125,7 @@ def folders(kind: str) -> list[Path]:
         return [usual]
     own = _private(cache_folder(), reason) / kind
     own.mkdir(mode=0o700, exist_ok=True)
-    return [own] if distrust(usual) else [usual, own]
+    return [usual, own] if usual.is_dir() and not distrust(usual) else [own]
 
 
 @functools.cache

@@ -12,8 +12,8 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext, supp
 from contextvars import ContextVar
 from pathlib import Path
 
-_waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
-"""Files that are written but not in their place yet, and their places; None where each goes there at once."""
+_waiting: ContextVar[tuple[dict[Path, Path], set[Path]] | None] = ContextVar("waiting", default=None)
+"""Files that are written but not in their place yet, with their places, and folders that were made for them."""
 
 _PATIENCE = 5.0  # s, for whoever writes into a pipe to begin
 
@@ -54,6 +54,8 @@ def made(directory: str | Path) -> Iterator[Path]:
     """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again."""
     folder = Path(directory)
     missing = [place for place in (folder, *folder.parents) if not place.exists()]
+    if waiting := _waiting.get():
+        waiting[1].update(missing)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         yield folder
@@ -61,6 +63,17 @@ def made(directory: str | Path) -> Iterator[Path]:
         for place in missing:
             with suppress(OSError):  # there is something in it, or it was never made
                 place.rmdir()
+        raise
+
+
+@contextmanager
+def named(path: Path) -> Iterator[None]:
+    """Let an error of the system that names no file, as that of a full disk, name this one."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno is not None and error.filename is None:
+            error.filename = str(path)
         raise
 
 
@@ -75,19 +88,22 @@ def written_together() -> Iterator[None]:
     if _waiting.get() is not None:
         yield
         return
-    waiting: list[tuple[Path, Path]] = []
-    before = _waiting.set(waiting)
+    waiting, folders = dict[Path, Path](), set[Path]()
+    before = _waiting.set((waiting, folders))
     try:
         yield
-        for _, path in waiting:
+        for path in waiting.values():
             if path.is_dir():
                 raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-        for passing, path in waiting:
+        for passing, path in waiting.items():
             passing.replace(path)
     finally:
         _waiting.reset(before)
-        for passing, _ in waiting:
+        for passing in waiting:
             passing.unlink(missing_ok=True)
+        for place in sorted(folders, reverse=True):  # those inside first
+            with suppress(OSError):  # there is something in it
+                place.rmdir()
 
 
 def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
@@ -96,16 +112,13 @@ def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
     waiting, kept = _waiting.get(), False
     try:
-        fill(passing)
+        with named(path):
+            fill(passing)
         if waiting is None:
             passing.replace(path)
         else:
-            waiting.append((passing, path))
+            waiting[0][passing] = path
             kept = True
-    except OSError as error:
-        if error.errno is not None and error.filename is None:  # as when a disk is full
-            error.filename = str(path)
-        raise
     finally:
         if not kept:
             passing.unlink(missing_ok=True)

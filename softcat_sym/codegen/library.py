@@ -207,7 +207,8 @@ def _build(
         (folder / name).write_text(text, encoding="utf-8")
     command = [*compiler.command, *flags, "-o", LIBRARY, *units, "-lm"]
     try:
-        done = run(command, _PATIENCE, folder, _zig())
+        is_of_zig = any("zig" in Path(word).name for word in compiler.command)
+        done = run(command, _PATIENCE, folder, _zig() if is_of_zig else None)
     except subprocess.TimeoutExpired as error:
         raise SoftcatError(
             f"{compiler.path} ({compiler.version}) did not finish within {_PATIENCE:.0f} s and was stopped"
