@@ -7,19 +7,13 @@ import os
 import secrets
 import select
 import stat
-import sys
-import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from pathlib import Path
 
-import platformdirs
-
-from softcat_sym.errors import SoftcatError
-
-_waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
-"""Files that are written but not in their place yet, and their places; None where each goes there at once."""
+_waiting: ContextVar[tuple[dict[Path, Path], set[Path]] | None] = ContextVar("waiting", default=None)
+"""Files that are written but not in their place yet, with their places, and folders that were made for them."""
 
 _PATIENCE = 5.0  # s, for whoever writes into a pipe to begin
 
@@ -39,28 +33,14 @@ def read_limited(path: str | os.PathLike[str], size: int) -> bytes:
         return file.read(size)
 
 
-def cache_folder() -> Path:
-    """SOFTCAT_CACHE, else the user's folder of caches on this system; it may not exist yet."""
-    if chosen := os.environ.get("SOFTCAT_CACHE"):
-        try:
-            return Path(chosen).expanduser().absolute()
-        except RuntimeError as error:
-            raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
-    usual = Path(platformdirs.user_cache_dir("softcat_sym", appauthor=False))
-    if usual.parts[0] != "~":
-        return usual.absolute()
-    # A user without a home, as in some containers.
-    return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
-
-
-def replace_atomically(path: Path, content: bytes, *, at_once: bool = False) -> Path:
+def replace_atomically(path: Path, content: bytes) -> Path:
     """Write a file next to its place, then move it there; a reader sees the old file or the new one."""
 
     def fill(passing: Path) -> None:
         with passing.open("xb") as stream:
             stream.write(content)
 
-    return fill_atomically(path, fill, at_once=at_once)
+    return fill_atomically(path, fill)
 
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
@@ -74,6 +54,8 @@ def made(directory: str | Path) -> Iterator[Path]:
     """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again."""
     folder = Path(directory)
     missing = [place for place in (folder, *folder.parents) if not place.exists()]
+    if waiting := _waiting.get():
+        waiting[1].update(missing)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         yield folder
@@ -81,6 +63,17 @@ def made(directory: str | Path) -> Iterator[Path]:
         for place in missing:
             with suppress(OSError):  # there is something in it, or it was never made
                 place.rmdir()
+        raise
+
+
+@contextmanager
+def named(path: Path) -> Iterator[None]:
+    """Let an error of the system that names no file, as that of a full disk, name this one."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno is not None and error.filename is None:
+            error.filename = str(path)
         raise
 
 
@@ -95,40 +88,37 @@ def written_together() -> Iterator[None]:
     if _waiting.get() is not None:
         yield
         return
-    waiting: list[tuple[Path, Path]] = []
-    before = _waiting.set(waiting)
+    waiting, folders = dict[Path, Path](), set[Path]()
+    before = _waiting.set((waiting, folders))
     try:
         yield
-        for _, path in waiting:
+        for path in waiting.values():
             if path.is_dir():
                 raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-        for passing, path in waiting:
+        for passing, path in waiting.items():
             passing.replace(path)
     finally:
         _waiting.reset(before)
-        for passing, _ in waiting:
+        for passing in waiting:
             passing.unlink(missing_ok=True)
+        for place in sorted(folders, reverse=True):  # those inside first
+            with suppress(OSError):  # there is something in it
+                place.rmdir()
 
 
-def fill_atomically(path: Path, fill: Callable[[Path], object], *, at_once: bool = False) -> Path:
-    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later.
-
-    What is written `at_once` does not wait for the others.
-    """
+def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
+    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later."""
     # A name of its own keeps two runs into one folder apart. Not tempfile: its files are readable by their owner only.
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
-    waiting, kept = None if at_once else _waiting.get(), False
+    waiting, kept = _waiting.get(), False
     try:
-        fill(passing)
+        with named(path):
+            fill(passing)
         if waiting is None:
             passing.replace(path)
         else:
-            waiting.append((passing, path))
+            waiting[0][passing] = path
             kept = True
-    except OSError as error:
-        if error.errno is not None and error.filename is None:  # as when a disk is full
-            error.filename = str(path)
-        raise
     finally:
         if not kept:
             passing.unlink(missing_ok=True)

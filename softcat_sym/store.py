@@ -1,7 +1,8 @@
 """Finished runs of studies, kept by content in the user's cache: a study given again takes them from here.
 
-A key is a hash of all that decides a result, the program's own text included. What is kept is JSON or arrays, never a
-pickle. An entry that is harmed counts as not there, and what cannot be written is computed again another time.
+A key is a hash of all that decides a result, the program's own text included. What is kept is text, JSON or arrays,
+never a pickle. An entry that is harmed, or that another user may have made, counts as not there, and what cannot be
+written is computed again another time.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.files import cache_folder, replace_atomically
+from softcat_sym import cache
 
 Result = TypeVar("Result")
 Arrays = Mapping[str, npt.NDArray[Any]]
@@ -32,9 +33,12 @@ Arrays = Mapping[str, npt.NDArray[Any]]
 LIMIT = 10**9
 """Bytes that results may take together; beyond it those go that were not used for longest."""
 
+_LIMIT_OF_TEXTS = 10**7
+"""The same of texts, of which one takes some 20 kB."""
+
 _NO_PHYSICS = ("cli", "plotting", "web")
 _VERSIONS = ("casadi", "numpy", "sympy")
-_DIGEST = 32
+_DIGEST = 64
 _QUICKLY = 1
 _TRIMMING = "000", "400", "800", "c00"
 """Beginnings of the keys after which the limit is looked at: one in 1024, as a full store has 100 000 files."""
@@ -76,55 +80,33 @@ def key_of(what: str, *parts: object) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def folder() -> Path:
-    """The folder of the results, in the user's cache; it may not exist yet."""
-    return cache_folder() / "results"
-
-
-def recall(key: str) -> bytes | None:
-    """Return what was kept under a key; None if nothing was, or if it was harmed."""
-    if _fresh.get():
+def recall(key: str, kind: str = cache.RESULTS) -> bytes | None:
+    """Return what was kept under a key; None if nothing was, if it was harmed, or if others may have put it there."""
+    if kind == cache.RESULTS and _fresh.get():
         return None
-    path = folder() / key
-    try:
-        content = path.read_bytes()
-    except OSError:
-        return None
-    if content[:_DIGEST] != _digest(key, content[_DIGEST:]):
-        return None
-    with contextlib.suppress(OSError):  # a cache that is only read is as good
-        os.utime(path)
-    return zlib.decompress(content[_DIGEST:])
+    with contextlib.suppress(OSError):
+        for folder in cache.folders(kind):
+            with contextlib.suppress(OSError):
+                content = cache.content_of(folder / key)
+                if content[:_DIGEST] == cache.digest(key, content[_DIGEST:]).encode():
+                    cache.touch(folder / key)
+                    return zlib.decompress(content[_DIGEST:])
+    return None
 
 
-def keep(key: str, content: bytes) -> None:
+def keep(key: str, content: bytes, kind: str = cache.RESULTS) -> None:
     """Keep a result whole or not at all; where that is impossible, as on a full disk, it will be computed again."""
     packed = zlib.compress(content, _QUICKLY)
     with contextlib.suppress(OSError):
-        folder().mkdir(mode=0o700, parents=True, exist_ok=True)
-        replace_atomically(folder() / key, _digest(key, packed) + packed, at_once=True)
-        if key.startswith(_TRIMMING):
-            _trim()
-
-
-def entries() -> list[tuple[Path, int]]:
-    """Files of all results with their sizes, the last used first."""
-    found = []
-    with contextlib.suppress(FileNotFoundError):
-        for entry in os.scandir(folder()):
-            with contextlib.suppress(OSError):  # another process dropped it
-                stat = entry.stat()
-                found.append((stat.st_mtime, entry.path, stat.st_size))
-    return [(Path(path), size) for _, path, size in sorted(found, reverse=True)]
-
-
-def clear() -> int:
-    """Delete every result, and say how many bytes that freed."""
-    freed = 0
-    for path, size in entries():
-        path.unlink(missing_ok=True)
-        freed += size
-    return freed
+        folder = cache.folders(kind)[-1]
+        with cache.passing(folder, key) as passing:
+            with open(passing, "xb", opener=lambda name, flags: os.open(name, flags, 0o600)) as stream:
+                stream.write(cache.digest(key, packed).encode() + packed)
+            passing.replace(folder / key)
+        if kind != cache.RESULTS:
+            cache.trim(kind, _LIMIT_OF_TEXTS, key)
+        elif key.startswith(_TRIMMING):
+            cache.trim(kind, LIMIT, key)
 
 
 def packed(arrays: Arrays) -> bytes:
@@ -175,16 +157,3 @@ def _program() -> list[str]:
 def version(package: str) -> str:
     """Version of an installed package, looked up once a process."""
     return importlib.metadata.version(package)
-
-
-def _digest(key: str, packed: bytes) -> bytes:
-    """Hash of a result under its key, so that one in the place of another is found out, too."""
-    return hashlib.sha256(key.encode() + packed).digest()
-
-
-def _trim() -> None:
-    total = 0
-    for path, size in entries():
-        total += size
-        if total > LIMIT:
-            path.unlink(missing_ok=True)

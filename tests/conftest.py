@@ -11,13 +11,14 @@ import os
 import re
 import signal
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from softcat_sym import progress, store
+from softcat_sym import cache, progress
 from softcat_sym.codegen.compiler import find_compiler
 
 if TYPE_CHECKING:
@@ -37,10 +38,14 @@ collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platfo
 
 
 def pytest_configure() -> None:
-    """No plain lines of progress on a slow machine; and Ctrl-C arrives even where a script's `&` has it ignored."""
+    """No plain lines of progress and no warnings where tests ask that nothing else is printed; Ctrl-C arrives."""
     progress._PLAIN_DELAY = math.inf
+    # A job behind the `&` of a script ignores it.
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    # Where others could write into the user's cache, every test would be warned.
+    if cache.problem(cache.LIBRARIES):
+        os.environ["SOFTCAT_CACHE"] = tempfile.mkdtemp(prefix="softcat-tests-")
 
 
 @pytest.fixture(autouse=True)
@@ -49,7 +54,8 @@ def results_of_studies(request: pytest.FixtureRequest, tmp_path_factory: pytest.
     name = hashlib.sha256(request.node.nodeid.encode()).hexdigest()[:16]
     folder = tmp_path_factory.getbasetemp() / f"results-{name}"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(store, "folder", lambda: folder)
+        usual = cache.folder
+        patch.setattr(cache, "folder", lambda kind: folder if kind == cache.RESULTS else usual(kind))
         yield folder
 
 

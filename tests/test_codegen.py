@@ -21,10 +21,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import softcat_sym as sc
+from softcat_sym import cache
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
 from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
-from softcat_sym.codegen.library import cache_entries, compile_library, load
+from softcat_sym.codegen.library import about, compile_library, load
 from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
 from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
@@ -156,7 +157,7 @@ def test_one_library_serves_every_number_of_fibres(tmp_path: Path, monkeypatch: 
     runs, scenes = [], [scene_of("fibres, necking", numerics__fibres=n, groups__duration=5.0) for n in (4, 6)]
     for scene in scenes:
         runs.append(sc.simulate(scene.replace({"numerics.estimate": False, "numerics.backend": "compiled"})))
-    compiled = [one.about.split()[0] for one in cache_entries()]
+    compiled = [about(one.path)[1].split()[0] for one in cache.entries(cache.LIBRARIES)]
     assert compiled.count("filament.c") == compiled.count("observables.c") == 1
     for scene, run in zip(scenes, runs, strict=True):
         interpreted = sc.simulate(scene.replace({"numerics.estimate": False, "numerics.backend": "interpreted"}))

@@ -23,12 +23,13 @@ from PIL import Image
 from rich.console import Console
 
 import softcat_sym as sc
+from softcat_sym import cache as cached
 from softcat_sym.cli import plain, print_whatever_the_terminal_takes
 from softcat_sym.cli.application import output_directory
 from softcat_sym.cli.completing import complete_change, complete_scene
 from softcat_sym.cli.explain import article, print_explanation
 from softcat_sym.cli.overview import COMMANDS
-from softcat_sym.codegen.library import keep, store
+from softcat_sym.codegen.library import store
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
@@ -38,6 +39,7 @@ from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.solvers.run import Prepared
+from softcat_sym.store import keep
 from softcat_sym.studies.explanation import Explanation, explain
 from tests.common.in_process import Softcat, sets
 from tests.golden import help as help_record
@@ -538,11 +540,11 @@ def test_what_is_stored_is_shown_and_cleared(softcat: Softcat, tmp_path: Path, m
     monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "2 MB")
     put("a", 400_000)
     put("b", 100_000)
-    keep("c" * 64, "text")
+    keep("c" * 64, b"text", cached.TEXTS)
     (cache / "elements").mkdir()
     (cache / "elements" / "run.npz").write_bytes(bytes(3000))
     shown = softcat("cache").out
-    assert "libraries  2, 500.2 kB of at most 2.0 MB\n" in shown and "C texts    1, 7" in shown
+    assert "libraries  2, 500.2 kB of at most 2.0 MB\n" in shown and "texts      1, 7" in shown
     assert sorted(line.split()[0] for line in shown.splitlines() if ".c by gcc" in line) == ["a" * 12, "b" * 12]
     monkeypatch.setenv("CC", "/nowhere/cc")
     assert "compiler   none\n" in softcat("cache").out

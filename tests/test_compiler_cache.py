@@ -15,27 +15,19 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym import cache
 from softcat_sym.codegen import compiler as asking
 from softcat_sym.codegen import library as cached
-from softcat_sym.codegen.compiler import beside, cache_folder, compiler_name, find_compiler
-from softcat_sym.codegen.library import GRACE, OPTIMISED, cache_entries, cache_limit, clear_cache, compile_library, load
+from softcat_sym.codegen.compiler import beside, compiler_name, find_compiler
+from softcat_sym.codegen.library import OPTIMISED, cache_limit, compile_library, load
 from softcat_sym.errors import SoftcatError
 from tests.common.compilers import ANSWER, COMPILE, Counter, compiler, left_in
-
-OLD = 10 * GRACE
 
 
 @pytest.fixture(autouse=True)
 def native(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
     return tmp_path / "cache" / "native"
-
-
-def usual_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of libraries where the user names none."""
-    monkeypatch.delenv("SOFTCAT_CACHE")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    return tmp_path / "softcat_sym" / "native"
 
 
 def in_process(code: str) -> subprocess.CompletedProcess[str]:
@@ -94,17 +86,15 @@ def test_sources_flags_units_versions_and_compiler_each_make_another_library(
     assert found is not None and found.command == (str(counter.script), "-DEXTRA=7") and found.version
 
 
-def test_a_compiler_is_examined_again_when_it_may_have_changed(
-    native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_compiler_is_asked_again_when_it_may_have_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     counter = Counter(tmp_path, monkeypatch)
     path, before = compile_library(ANSWER), len(counter.calls)
     counter.script.write_text(counter.script.read_text() + "# another\n")
     assert compile_library(ANSWER) == path and len(counter.calls) == before + 1
-    for known in (b"", b"[]", b'{"a": 1}', b"\xff"):
-        (native / "compilers.json").write_bytes(known)
-        asking._examine.cache_clear()
-        assert compile_library(ANSWER) == path
+    for text in cache.entries(cache.TEXTS):
+        text.path.write_bytes(b"")
+    asking._version.cache_clear()
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
 
 
 def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -122,17 +112,21 @@ def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     for prints, name in [("printf '\\n\\nodd 1.2\\n'", "odd 1.2"), ("sleep 60", "")]:
         script.write_text(f"#!/bin/sh\n{prints}\n")
         script.chmod(0o755)
-        asking._examine.cache_clear()
+        asking._version.cache_clear()
         monkeypatch.setenv("CC", str(script))
         assert compiler_name() == name
 
 
 def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    assert cache_folder() == tmp_path / "cache"
-    assert usual_folder(tmp_path, monkeypatch).parent == cache_folder()
+    assert cache.cache_folder() == tmp_path / "cache"
+    monkeypatch.delenv("SOFTCAT_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert cache.cache_folder() == tmp_path / "softcat_sym"
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
-    assert cache_folder() == tmp_path / "home" / ".cache" / "softcat_sym"
+    assert cache.cache_folder() == tmp_path / "home" / ".cache" / "softcat_sym"
+    monkeypatch.setenv("SOFTCAT_CACHE", "~nobody-of-this-name/cache")
+    refused("SOFTCAT_CACHE is '~nobody-of-this-name/cache'")
 
 
 @pytest.mark.parametrize("damage", ["cut", "changed", "no digest", "no library", "empty", "another's"])
@@ -150,7 +144,7 @@ def test_a_damaged_entry_is_compiled_again(damage: str, tmp_path: Path, monkeypa
         other.rename(path.parent)
         counter.log.unlink()
     elif damage == "no digest":
-        path.with_name("library.sha256").unlink()
+        path.with_name("about.txt").unlink()
     else:
         for left in path.parent.iterdir():
             if damage == "empty" or left == path:
@@ -161,12 +155,12 @@ def test_a_damaged_entry_is_compiled_again(damage: str, tmp_path: Path, monkeypa
     assert left_in(path.parent.parent) == [path.parent.name], "the damaged one is gone"
 
 
-def test_two_processes_compile_the_same_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_processes_compile_the_same_at_once(native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     counter = Counter(tmp_path, monkeypatch, delay=0.5)
     both = [subprocess.Popen([sys.executable, "-c", COMPILE], stdout=subprocess.PIPE, text=True) for _ in range(2)]
     assert [process.communicate(timeout=60)[0] for process in both] == ["42\n"] * 2
     assert counter.compilations == 2, "neither waited for the other"
-    assert len(cache_entries()) == 1
+    assert len(left_in(native)) == 1
 
 
 # Faults: each is one error, and nothing is left behind.
@@ -254,15 +248,13 @@ def test_a_disk_that_fills(limit: int, native: Path) -> None:
     assert load(compile_library(source)).answer() == 42
 
 
-@pytest.mark.parametrize("usual", [False, True], ids=["named", "usual"])
 def test_a_folder_without_space_is_no_reason_to_compile_elsewhere(
-    usual: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    native: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    native = usual_folder(tmp_path, monkeypatch) if usual else native
     write = Path.write_text
 
     def full(path: Path, data: str, encoding: str | None = None) -> int:
-        if path.name in ("library.sha256", "answer.c"):
+        if path.name in ("about.txt", "answer.c"):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return write(path, data, encoding)
 
@@ -271,66 +263,6 @@ def test_a_folder_without_space_is_no_reason_to_compile_elsewhere(
         refused("No space left on device; free some space")
     assert left_in(native) == []
     assert load(compile_library(ANSWER)).answer() == 42
-
-
-def test_a_named_folder_that_cannot_be_used_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "a file").write_text("mine")
-    for place in (tmp_path / "a file", "/proc/nowhere", "~nobody-of-this-name/cache"):
-        monkeypatch.setenv("SOFTCAT_CACHE", str(place))
-        refused("set SOFTCAT_CACHE|SOFTCAT_CACHE is '~nobody-of-this-name/cache'")
-
-
-def test_without_the_usual_folder_every_process_compiles_its_own(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    counter = Counter(tmp_path, monkeypatch)
-    usual_folder(Path("/proc/nowhere"), monkeypatch)
-    asking.temporary.cache_clear()
-    with pytest.warns(UserWarning, match=r"/proc/nowhere/softcat_sym/native: .* set SOFTCAT_CACHE"):
-        path = compile_library(ANSWER)
-    assert load(path).answer() == 42 and compile_library(ANSWER) == path, "and says so only once"
-    assert path.parent.parent.stat().st_mode & 0o077 == 0
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    assert in_process(COMPILE).stdout == "42\n" and counter.compilations == 2
-    assert not list(tmp_path.glob("softcat_sym-*")), "the temporary folder goes with its process"
-
-
-def test_a_cache_that_is_only_read_serves_what_it_holds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = compile_library(ANSWER)
-
-    def refuse(*_: object, **__: object) -> None:
-        raise OSError(errno.EROFS, os.strerror(errno.EROFS))
-
-    monkeypatch.setattr(os, "utime", refuse)
-    monkeypatch.setattr(Path, "mkdir", refuse)
-    assert compile_library(ANSWER) == path
-    refused("Read-only file system; set SOFTCAT_CACHE", {"other.c": "int other;\n"})
-
-
-@pytest.mark.parametrize("usual", [False, True], ids=["named", "usual"])
-@pytest.mark.parametrize("whose", ["another's", "writable"])
-def test_code_is_not_loaded_from_where_others_can_write(
-    whose: str, usual: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    native = usual_folder(tmp_path, monkeypatch) if usual else native
-    path = compile_library(ANSWER)
-    assert native.stat().st_mode & 0o777 == 0o700
-    if whose == "writable":
-        native.chmod(0o770)
-    elif os.geteuid() == 0:
-        os.chown(native, 12345, 12345)
-    else:
-        monkeypatch.setattr(os, "geteuid", lambda: 12345)
-    message = "belongs to another user" if whose == "another's" else "can be written by others.*chmod go-w"
-    if usual:
-        with pytest.warns(UserWarning, match=message):
-            other = compile_library(ANSWER)
-        assert native not in other.parents and load(other).answer() == 42
-    else:
-        refused(message)
-    with pytest.raises(SoftcatError, match=message):
-        clear_cache()
-    assert path.exists()
 
 
 # Compilers that hang, and processes that are interrupted or killed.
@@ -385,16 +317,16 @@ def test_an_ended_process_leaves_nothing_that_is_taken_for_a_library(
         assert gone([driver, hanging]) and left_in(native) == []
         return
     (leftover,) = left_in(native)
-    clear_cache()
+    cache.clear(cache.LIBRARIES)
     assert left_in(native) == [leftover], "what is under way is let alone"
     process.kill()
     process.communicate(timeout=30)
     os.killpg(driver, signal.SIGKILL)
-    assert gone([driver, hanging]) and cache_entries() == ()
+    assert gone([driver, hanging]) and cache.entries(cache.LIBRARIES) == []
     monkeypatch.delenv("CC")
+    os.utime(native / leftover, (0, 0))  # an hour later
     assert load(compile_library(ANSWER)).answer() == 42
-    clear_cache()
-    assert not list(native.iterdir())
+    assert leftover not in left_in(native) and len(left_in(native)) == 1
 
 
 def test_work_beside_the_compiler(native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -418,45 +350,15 @@ def test_work_beside_the_compiler(native: Path, tmp_path: Path, monkeypatch: pyt
     assert time.monotonic() - began < 100, "it sleeps for 300 s"
 
 
-# The limit of the cache: what was used least recently goes.
-def put(name: str, age: float, size: int = 1000) -> None:
-    """Store a library that was last used some seconds ago."""
-    path = cached.store(name * 64, lambda folder: (folder / "library.so").write_bytes(bytes(size)))
-    os.utime(path.with_name("library.sha256"), (time.time() - age,) * 2)
-
-
-def names() -> set[str]:
-    return {entry.key[0] for entry in cache_entries()}
-
-
-def test_the_least_recently_used_go_until_the_limit_holds(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "3500")
-    for name, age in zip("abc", (3 * OLD, 2 * OLD, OLD), strict=True):
-        put(name, age)
-    used = cached.find("a" * 64)
-    assert used is not None
-    os.utime(used.with_name("library.sha256"), (time.time() - OLD / 2,) * 2)
-    put("d", 0)
-    assert names() == {"a", "c", "d"} and sum(entry.size for entry in cache_entries()) <= cache_limit()
-    put("e", 0, size=2100)
-    assert names() == {"d", "e"}, "d was used within the minute"
-    monkeypatch.setattr(cached, "GRACE", -1.0)  # a file server whose clock is behind
-    put("f", OLD, size=10_000)
-    assert names() == {"f"}, "the one just stored stays, however large"
-
-
+# Its size.
 def test_a_loaded_library_works_after_it_was_dropped(native: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "0")
     path = compile_library(ANSWER)
     library = load(path)
-    os.utime(path.with_name("library.sha256"), (0, 0))
-    old, young = (native / f".{digit * 64}.{'0' * 8}" for digit in "12")
-    for leftover in (old, young):
-        leftover.mkdir()
-    os.utime(old, (0, 0))
-    put("a", 0)
-    assert not path.exists() and left_in(native) == [young.name, "a" * 64], "old leftovers are swept"
-    assert library.answer() == 42 == load(compile_library(ANSWER)).answer()
+    os.utime(path.parent, (0, 0))
+    other = compile_library({"other.c": "int other;\n"})
+    assert left_in(native) == [other.parent.name] and library.answer() == 42
+    assert load(compile_library(ANSWER)).answer() == 42
 
 
 def test_sizes(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -468,45 +370,3 @@ def test_sizes(monkeypatch: pytest.MonkeyPatch) -> None:
         refused(r"SOFTCAT_CACHE_LIMIT is .*'500 MB'")
     words = [cached.size_text(size) for size in (0, 999, 1500, 512e6, 2.5e9)]
     assert words == ["0 B", "999 B", "1.5 kB", "512.0 MB", "2.5 GB"]
-
-
-def test_clearing_frees_what_the_entries_weigh_and_nothing_else(native: Path) -> None:
-    assert cache_entries() == () and clear_cache() == 0
-    paths = {compile_library(ANSWER), compile_library(ANSWER, flags=("-O1",))}
-    entries = cache_entries()
-    assert {entry.path for entry in entries} == paths
-    assert all(entry.size >= entry.path.stat().st_size for entry in entries)
-    mine = [native.parent / "notes.txt", native / "notes.txt"]
-    for note in mine:
-        note.write_text("mine")
-    broken_off = native / f".{'0' * 64}.{'1' * 8}"
-    broken_off.mkdir()
-    (broken_off / "half.c").write_text("12345")
-    os.utime(broken_off, (0, 0))
-    (native / "compilers.json").write_text("{}")
-    assert clear_cache() == sum(entry.size for entry in entries) + 5 + 2
-    assert [path.name for path in native.iterdir()] == ["notes.txt"]
-    assert all(note.read_text() == "mine" for note in mine)
-
-
-def test_texts_are_recalled_as_they_were_or_not_at_all(native: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    folder, text = native.with_name("texts"), "phi(σ) = σ/η\n" * 1000
-    cached.keep("a" * 64, text)
-    assert cached.recall("a" * 64) == text and cached.recall("b" * 64) is None
-    (path,) = folder.iterdir()
-    path.write_bytes(path.read_bytes()[:-1] + b"?")
-    assert cached.recall("a" * 64) is None, "damaged"
-    cached.keep("a" * 64, text)
-    shutil.copy(path, folder / path.name.replace("a", "b"))
-    assert cached.recall("b" * 64) is None, "another's"
-    folder.chmod(0o777)
-    assert cached.recall("a" * 64) is None, "others can write it"
-    folder.chmod(0o700)
-    monkeypatch.setattr(cached, "MOST", 2)
-    for age, name in ((300, "a"), (200, "b")):
-        cached.keep(name * 64, name)
-        os.utime(folder / f"{name * 64}.text", (time.time() - age,) * 2)
-    cached.recall("a" * 64)
-    cached.keep("c" * 64, "c")
-    assert {name for name in "abc" if cached.recall(name * 64)} == {"a", "c"}, "the least recently used goes"
-    assert clear_cache() > 64 and cached.kept_texts() == []

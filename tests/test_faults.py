@@ -13,15 +13,18 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
+import xarray as xr
 
+from softcat_sym import cache, store
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.codegen.library import recall
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, made, replace_atomically, write_all, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.reference.element_loop import write_checkpoint
+from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.solvers.compiled import CModel
 from tests.common.commands import ended, hanging, is_gone, until
 from tests.common.commands import softcat as started
@@ -149,11 +152,12 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
         until(note.exists, process)
         assert ended(process, signal.SIGTERM) == (143, "", "softcat: interrupted; nothing was written\n")
     assert is_gone(note)
-    kept = [Path(name) for name in files_in(tmp_path / "cache") if not name.endswith("compilers.json")]
-    texts = [path for path in kept if path.parent.name == "texts" and path.suffix == ".text"]
+    kept = [Path(name) for name in files_in(tmp_path / "cache")]
+    texts = [path for path in kept if path.parent.name == cache.TEXTS]
     assert kept == texts
-    assert len(texts) == 1 if compiling == "the model" else len(texts) <= 1
-    assert all(recall(path.stem) is not None for path in texts)  # only what is whole is recalled
+    # One is what the compiler has said of itself.
+    assert len(texts) == 2 if compiling == "the model" else len(texts) <= 2
+    assert all(store.recall(path.name, cache.TEXTS) is not None for path in texts)  # only what is whole is recalled
     assert not (tmp_path / "out").exists()
 
 
@@ -197,6 +201,10 @@ def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path
     with pytest.raises(IsADirectoryError):
         write_all(tmp_path, {"a": b"1", "b": b"2"})
     assert not (tmp_path / "a").exists()
+    with pytest.raises(OSError, match="No space"), written_together():
+        write_all(tmp_path / "c" / "d", {"e": b"1"})
+        fill_atomically(tmp_path / "third", full)
+    assert not (tmp_path / "c").exists(), "nor are folders left in which nothing is"
 
 
 def test_a_folder_into_which_nothing_came_goes_again(tmp_path: Path) -> None:
@@ -233,6 +241,31 @@ def test_c_on_a_full_disk_is_not_half_a_product(softcat: Softcat, tmp_path: Path
         assert (done.status, done.out) == (2, "")
         assert done.err.startswith("softcat: cannot write the results: No space left on device")
         assert [path.name for path in disk.iterdir()] == ["fill"]
+
+
+@pytest.mark.parametrize("kilobytes", [4, 20, 40, 400])
+def test_netcdf_on_a_full_disk_is_an_error_and_neither_a_crash_nor_half_a_file(kilobytes: int, tmp_path: Path) -> None:
+    """HDF5 would crash; blocks that find room are as any other program reads them."""
+    blocks = np.random.default_rng(1).normal(size=(10, 500))
+
+    def fill(path: Path) -> None:
+        with netcdf_file(path) as (file, check):
+            file.dimensions = {"row": 10, "column": 500}
+            values = file.create_variable("values", ("row", "column"), float, chunks=(1, 500))
+            text = file.create_variable("text", ("row",), h5py.string_dtype())
+            for number, block in enumerate(blocks):
+                values[number], text[number] = block, 100 * "x"
+                check()
+
+    with tiny_disk(tmp_path / "disk", kilobytes) as disk:
+        if kilobytes < 400:
+            with pytest.raises(OSError, match="No space left on device") as raised:
+                fill_atomically(disk / "a.nc", fill)
+            assert raised.value.filename == str(disk / "a.nc") and files_in(disk) == {}
+            return
+        fill_atomically(disk / "a.nc", fill)
+        with xr.open_dataset(disk / "a.nc", engine="h5netcdf") as found:
+            assert np.array_equal(found["values"], blocks) and set(found["text"].values) == {100 * "x"}
 
 
 def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tmp_path: Path) -> None:

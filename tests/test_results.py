@@ -17,7 +17,7 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym import store
+from softcat_sym import cache, store
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.results.fields import VARIABLES, mirrored
 from softcat_sym.results.run import open_run, run_form
@@ -287,18 +287,20 @@ def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
     for content in (b"", path.read_bytes()[:-1], bytes(100)):
         path.write_bytes(content)
         assert store.recall(key) is None
-    assert store.clear() > 0 and store.entries() == []
-    monkeypatch.setattr(store, "LIMIT", 100)
-    for number in range(5):
-        store.keep(f"ff{number}", b"content")
-        os.utime(results_of_studies / f"ff{number}", (number, number))
-    store.keep("000", b"content")
-    left = {path.name for path, _ in store.entries()}
-    assert "000" in left and "ff4" in left and "ff0" not in left
+    assert len(cache.clear(cache.RESULTS)[cache.RESULTS]) == 2 and cache.entries(cache.RESULTS) == []
+    monkeypatch.setattr(store, "LIMIT", 250)
+    names = [64 * digit for digit in "abc0"]
+    for age, name in enumerate(names):
+        store.keep(name, b"content")
+        os.utime(results_of_studies / name, (age, age))
+    store.keep(names[-1], b"content")
+    left = {entry.path.name for entry in cache.entries(cache.RESULTS)}
+    assert left == {names[-1], names[-2], names[-3]}, "the least recently used goes"
 
 
 def test_a_full_disk_ends_no_study(results_of_studies: Path) -> None:
     results_of_studies.write_text("no folder")
-    store.keep("000", b"content")
+    with pytest.warns(UserWarning, match="nothing is kept in .* set SOFTCAT_CACHE"):
+        store.keep("000", b"content")
     assert store.recall("00") is None
     results_of_studies.unlink()

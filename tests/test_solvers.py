@@ -20,8 +20,8 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
+from softcat_sym import cache as kept
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.codegen.library import cache_entries
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.unknowns import Floats
@@ -510,7 +510,7 @@ def test_a_failed_compilation_is_an_error_with_the_compilers_words(
     monkeypatch.setenv("CC", str(script))
     with pytest.raises(SoftcatError, match=fault):
         sc.simulate(short_scene())
-    assert cache_entries() == ()
+    assert kept.entries(kept.LIBRARIES) == []
     assert not list(nothing_compiled_yet.rglob("*.c"))
 
 

@@ -15,7 +15,7 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym import store
+from softcat_sym import cache
 from softcat_sym.ensemble.executor import Threads
 from softcat_sym.ensemble.members import Member
 from softcat_sym.errors import SceneError, SoftcatError
@@ -296,7 +296,7 @@ def test_an_interrupted_sweep_resumes_where_it_was(
     vary = {"groups.G": "0.05:0.5:35:log"}
     whole, broken = tmp_path / "whole", tmp_path / "broken"
     sc.sweep(brief, vary, whole, shapes=True)
-    store.clear()
+    cache.clear(cache.RESULTS)
     with pytest.raises(KeyboardInterrupt):
         sc.sweep(brief, vary, broken, shapes=True, workers=1, progress=Listener(25))
     assert not broken.exists()

@@ -14,8 +14,9 @@ import io
 import os
 import sys
 import unicodedata
+import warnings
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from softcat_sym.cli.overview import HELP, overview
 
@@ -42,9 +43,17 @@ def main() -> NoReturn:
     os.environ["PYDANTIC_DISABLE_PLUGINS"] = "1"
     # The matrices of this package are too small for the threads of OpenBLAS, which would compete with a command's own.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    warnings.showwarning = _show_warning
     with ended_like_ctrl_c() as ending:
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)
+
+
+def _show_warning(message: Warning | str, category: type[Warning], *where: Any) -> None:
+    """Print what a user can do something about as one line, without the line of the program."""
+    from softcat_sym.cli.application import print_error
+
+    print_error(str(message) if issubclass(category, UserWarning) else f"{category.__name__}: {message} ({where[0]})")
 
 
 def _status() -> int | str | None:

@@ -10,6 +10,13 @@ import typer
 from softcat_sym.cli.application import commands
 
 _SHOWN = 20
+_HEADINGS = {"native": "libraries", "texts": "texts", "results": "results"}
+_NAMES = {
+    "native": ("compiled library", "compiled libraries"),
+    "texts": ("text", "texts"),
+    "results": ("result of studies", "results of studies"),
+    "zig": ("folder of zig", "folders of zig"),
+}
 _BESIDE = {"elements": "states of finite elements", "answers": "answers of acceptance checks"}
 
 
@@ -17,7 +24,7 @@ _BESIDE = {"elements": "states of finite elements", "answers": "answers of accep
 def cache(
     clear: Annotated[
         bool,
-        typer.Option("--clear", help="Delete libraries, C texts and results; nothing else in the folder."),
+        typer.Option("--clear", help="Delete libraries, texts and results; nothing else in the folder."),
     ] = False,
 ) -> None:
     """Show the libraries and results that are kept, or clear them.
@@ -26,33 +33,31 @@ def cache(
     SOFTCAT_CACHE_LIMIT (512 MB); beyond that, the least recently used ones are deleted. Results of studies take at most
     1 GB in addition.
     """
-    from softcat_sym import store
-    from softcat_sym.codegen.compiler import cache_folder, compiler_name
-    from softcat_sym.codegen.library import cache_entries, cache_limit, clear_cache, kept_texts, size_text
+    from softcat_sym import cache, store
+    from softcat_sym.codegen.compiler import compiler_name
+    from softcat_sym.codegen.library import about, cache_limit, size_text
 
-    folder, entries, results = cache_folder(), cache_entries(), store.entries()
+    folder = cache.cache_folder()
     if clear:
-        freed = size_text(clear_cache()), size_text(store.clear())
-        libraries = f"{len(entries)} compiled {'library' if len(entries) == 1 else 'libraries'}"
-        typer.echo(f"deleted {libraries} from {folder / 'native'}: {freed[0]} freed")
-        studies = f"{len(results)} {'result' if len(results) == 1 else 'results'} of studies"
-        typer.echo(f"deleted {studies} from {store.folder()}: {freed[1]} freed")
+        for kind, entries in cache.clear(*cache.KINDS).items():
+            freed = size_text(sum(entry.size for entry in entries))
+            typer.echo(f"deleted {len(entries)} {_NAMES[kind][len(entries) != 1]} from {folder / kind}: {freed} freed")
     else:
-        texts = kept_texts()
-        total, limit = size_text(sum(entry.size for entry in entries)), size_text(cache_limit())
-        stored = size_text(sum(size for _, size in results))
+        limits = {cache.LIBRARIES: cache_limit(), cache.RESULTS: store.LIMIT}
         typer.echo(f"folder     {folder}")
         typer.echo(f"compiler   {compiler_name() or 'none'}")
-        typer.echo(f"libraries  {len(entries)}, {total} of at most {limit}")
-        typer.echo(f"C texts    {len(texts)}, {size_text(sum(path.stat().st_size for path in texts))}")
-        typer.echo(f"results    {len(results)}, {stored} of at most {size_text(store.LIMIT)}")
-        if entries:
+        for kind, heading in _HEADINGS.items():
+            entries = cache.entries(kind)
+            most = f" of at most {size_text(limits[kind])}" if kind in limits else ""
+            typer.echo(f"{heading:9}  {len(entries)}, {size_text(sum(entry.size for entry in entries))}{most}")
+        libraries = cache.entries(cache.LIBRARIES)
+        if libraries:
             typer.echo(f"\n{'key':12}  {'size':>9}  {'last used':16}  made from")
-        for entry in entries[:_SHOWN]:
+        for entry in libraries[:_SHOWN]:
             used = f"{datetime.fromtimestamp(entry.used).astimezone():%Y-%m-%d %H:%M}"
-            typer.echo(f"{entry.key[:12]}  {size_text(entry.size):>9}  {used:16}  {entry.about}")
-        if len(entries) > _SHOWN:
-            typer.echo(f"... and {len(entries) - _SHOWN} with an earlier use")
+            typer.echo(f"{entry.path.name[:12]}  {size_text(entry.size):>9}  {used:16}  {about(entry.path)[1]}")
+        if len(libraries) > _SHOWN:
+            typer.echo(f"... and {len(libraries) - _SHOWN} with an earlier use")
     for name, what in _BESIDE.items():
         files = [path for path in (folder / name).rglob("*") if path.is_file()]
         if files:

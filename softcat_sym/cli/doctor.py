@@ -136,33 +136,32 @@ def _compiler() -> Finding:
 
 
 def _cache() -> Finding:
-    """The folder of the cache, whether it can be written, and how much compiled libraries take."""
-    from softcat_sym.codegen.compiler import ADVICE, cache_folder, libraries, make
-    from softcat_sym.codegen.library import cache_entries, cache_limit, size_text
-    from softcat_sym.files import replace_atomically
+    """The folder of the cache, whether it can be used, and how much compiled libraries take."""
+    from softcat_sym import cache
+    from softcat_sym.codegen.library import cache_limit, size_text
 
     try:
-        folder = cache_folder()
-        make(libraries())
-        replace_atomically(libraries() / f".doctor-{os.getpid()}", b"").unlink()
-        limit = size_text(cache_limit())
+        folder, limit = cache.cache_folder(), size_text(cache_limit())
+        for kind in cache.KINDS:
+            if reason := cache.problem(kind):
+                return Finding("cache", f"{cache.folder(kind)} cannot be used: {reason}", cache.ADVICE, True)
+        with cache.passing(cache.folder(cache.LIBRARIES), 64 * "0") as passing:
+            passing.touch()
+        size = size_text(sum(entry.size for entry in cache.entries(cache.LIBRARIES)))
     except SoftcatError as error:
         return Finding("cache", str(error), "correct the variable", True)
     except OSError as error:
-        return Finding("cache", f"{libraries()} cannot be written: {error.strerror or error}", ADVICE, True)
-    size = size_text(sum(entry.size for entry in cache_entries()))
+        return Finding("cache", f"{folder} cannot be written: {error.strerror or error}", cache.ADVICE, True)
     return Finding("cache", f"{folder}, can be written; compiled libraries take {size} of at most {limit}")
 
 
 def _results() -> Finding:
-    from softcat_sym import store
+    from softcat_sym import cache, store
     from softcat_sym.codegen.library import size_text
 
-    sizes = [size for _, size in store.entries()]
-    return Finding(
-        "results",
-        f"{store.folder()}, {len(sizes)} of studies, {size_text(sum(sizes))} of at most {size_text(store.LIMIT)}",
-    )
+    found = cache.entries(cache.RESULTS)
+    size, limit = size_text(sum(entry.size for entry in found)), size_text(store.LIMIT)
+    return Finding("results", f"{cache.folder(cache.RESULTS)}, {len(found)} of studies, {size} of at most {limit}")
 
 
 def _terminal() -> Finding:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import atexit
 import contextlib
 import functools
 import hashlib
 import importlib.util
 import itertools
-import json
 import os
 import re
 import shlex
@@ -19,125 +17,25 @@ import sys
 import tempfile
 import threading
 import time
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 
+from softcat_sym import cache, store
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import cache_folder as cache_folder
-from softcat_sym.files import replace_atomically
 from softcat_sym.interrupts import interrupts_go_to
 
-ADVICE = "set SOFTCAT_CACHE to a folder of your own that can be written"
-COMPILERS = "compilers.json"
-"""What is known of compilers, beside the libraries."""
 
-ZIG = "zig"
-"""What zig keeps, likewise."""
+def run(
+    command: Sequence[str], seconds: float, folder: Path, zig: Path | None = None
+) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end in a folder, and take what it says.
 
-_LOCK, _MOMENT = "lock", 5.0
-
-
-def libraries() -> Path:
-    """The folder of compiled libraries, in the cache; it may not exist yet."""
-    return cache_folder() / "native"
-
-
-def distrust(folder: Path) -> str:
-    """Why no code may be loaded from a folder; empty where it is the user's own, or not there.
-
-    Whoever can write there could put a library in, with its digest, that this user would then run. That nobody else
-    can is asked of this one folder: who can rename what lies above it can still not fill it in this user's name.
+    Zig compiles the libraries of C for itself, once; where `zig` does not say where it keeps them, the folder has them.
     """
-    if sys.platform == "win32":
-        return ""
-    try:
-        status = folder.stat()
-    except OSError:
-        return ""
-    if status.st_uid not in (os.geteuid(), 0):
-        return f"{folder} belongs to another user, who could put code there"
-    if status.st_mode & 0o022:
-        return f"{folder} can be written by others, who could put code there (chmod go-w takes that away)"
-    return ""
-
-
-def make(folder: Path) -> None:
-    """Make a folder that only this user can write, with the folders above it."""
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    if reason := distrust(folder):
-        raise PermissionError(reason)
-
-
-@functools.cache
-def temporary(instead_of: Path, reason: str) -> Path:
-    """A folder of this process that is gone with it, for libraries that cannot be kept; the user is warned, once."""
-    warnings.warn(
-        f"compiled libraries cannot be kept in {instead_of}: {reason}; every process compiles its own. To keep them, "
-        f"{ADVICE}",
-        stacklevel=2,
-    )
-    made = Path(tempfile.mkdtemp(prefix="softcat_sym-"))
-    atexit.register(shutil.rmtree, made, ignore_errors=True)
-    return made
-
-
-@contextlib.contextmanager
-def locked(folder: Path) -> Iterator[None]:
-    """Mark a folder as in use by this process; the mark is gone when the process is, however it ends.
-
-    Windows has no such mark: there an open file could not be renamed, nor the folder around it.
-    """
-    if sys.platform == "win32":
-        yield
-        return
-    begun = folder / f"{_LOCK}.begun"
-    with begun.open("w") as stream:
-        import fcntl
-
-        # Some network file systems know no locks: clearing the cache then also takes what is under way.
-        with contextlib.suppress(OSError):
-            fcntl.flock(stream, fcntl.LOCK_EX)
-        begun.rename(folder / _LOCK)  # so that it is never seen without the lock
-        yield
-
-
-def in_use(folder: Path) -> bool:
-    """Whether a process holds the folder :func:`locked`."""
-    if sys.platform == "win32":
-        return False
-    import fcntl
-
-    try:
-        with (folder / _LOCK).open("r+") as stream:
-            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return True
-    except FileNotFoundError:
-        # Made a moment ago, and about to be locked; or what is left of one.
-        try:
-            return time.time() - folder.stat().st_mtime < _MOMENT
-        except FileNotFoundError:
-            return False
-    except OSError:
-        return False
-    return False
-
-
-def _places(folder: Path) -> dict[str, str]:
-    """Where a compiler keeps its passing files, and zig what it needs again: beside the libraries.
-
-    Zig compiles the libraries of C for itself, once; a home that cannot be written would end it.
-    """
-    kept = os.environ.get("ZIG_GLOBAL_CACHE_DIR") or str(folder.parent / ZIG)
-    return {"TMPDIR": str(folder), "ZIG_GLOBAL_CACHE_DIR": kept}
-
-
-def run(command: Sequence[str], seconds: float, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Run a command to its end in a folder, and take what it says."""
+    kept = os.environ.get("ZIG_GLOBAL_CACHE_DIR") or str(zig or folder / "zig")
     interrupt = _Interrupt()
     with (
         interrupts_go_to(interrupt.note),
@@ -145,7 +43,7 @@ def run(command: Sequence[str], seconds: float, folder: Path) -> subprocess.Comp
             command,
             cwd=folder,
             # In the C locale messages are in English, where the word "error" marks the lines that matter.
-            env={**os.environ, "LC_ALL": "C", **_places(folder)},
+            env={**os.environ, "LC_ALL": "C", "TMPDIR": str(folder), "ZIG_GLOBAL_CACHE_DIR": kept},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -230,46 +128,6 @@ def _kill_group(process: subprocess.Popen[str]) -> None:
 
 
 _DAY = 86400.0
-_KEPT = 32
-
-
-def fingerprint(command: Sequence[str]) -> str:
-    """Path, size and time of change of every executable that a command names: ``ccache gcc`` names two."""
-    found = [path for word in command if not word.startswith("-") and (path := shutil.which(word)) is not None]
-    return json.dumps([(path, (status := Path(path).stat()).st_size, status.st_mtime_ns) for path in found])
-
-
-def _recall(command: Sequence[str], files: str) -> str | None:
-    """What a compiler said before, if its files are the same.
-
-    A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
-    """
-    known = _read().get(json.dumps(list(command)), {})
-    try:
-        if known["files"] == files and 0 <= time.time() - float(str(known["time"])) < _DAY:
-            return str(known["version"])
-    except (KeyError, TypeError, ValueError):
-        pass
-    return None
-
-
-def _remember(command: Sequence[str], files: str, version: str) -> None:
-    """Write down what a compiler said; where that is impossible, it will be asked again."""
-    known = dict(list(_read().items())[-_KEPT:])
-    known[json.dumps(list(command))] = {"files": files, "version": version, "time": time.time()}
-    with contextlib.suppress(OSError):
-        make(libraries())
-        replace_atomically(libraries() / COMPILERS, json.dumps(known, indent=1).encode())
-
-
-def _read() -> dict[str, dict[str, object]]:
-    try:
-        known = {} if distrust(libraries()) else json.loads((libraries() / COMPILERS).read_bytes())
-    except (OSError, ValueError):
-        return {}
-    return {key: value for key, value in known.items() if isinstance(value, dict)} if isinstance(known, dict) else {}
-
-
 # A clang on Windows usually makes libraries for Microsoft's linker, which takes other flags and exports no name.
 _USUAL = ("cc", "gcc") if sys.platform == "win32" else ("cc", "gcc", "clang")
 TO_INSTALL = "install gcc or clang (or pip install 'softcat_sym[compiler]'), or set CC"
@@ -324,9 +182,12 @@ def first_of(commands: Iterable[Sequence[str]]) -> Compiler | None:
         if path is not None:
             # Absolute, since it will be called from another folder.
             whole = (str(Path(path).absolute()), *command[1:])
-            found = _examine(whole, fingerprint(whole))
-            if found is not None:
-                return found
+            # Of every executable that is named: ``ccache gcc`` names two.
+            words = (shutil.which(word) for word in whole if not word.startswith("-"))
+            stats = [(word, Path(word).stat()) for word in words if word is not None]
+            version = _version(whole, tuple((word, stat.st_size, stat.st_mtime_ns) for word, stat in stats))
+            if version:
+                return Compiler(whole, version)
     return None
 
 
@@ -353,16 +214,19 @@ def split_variable(name: str) -> list[str]:
 
 
 @functools.lru_cache(maxsize=8)
-def _examine(command: tuple[str, ...], files: str) -> Compiler | None:
-    """What a compiler is, looked up once a process as long as its files do not change."""
-    version = _recall(command, files)
-    if not version:
-        said = _output(*command, "--version")
-        if said is None or not said.strip():
-            return None
-        version = said.strip().splitlines()[0].strip()
-        _remember(command, files, version)
-    return Compiler(command, version)
+def _version(command: tuple[str, ...], files: tuple[tuple[str, int, int], ...]) -> str:
+    """The version that a compiler says it has; empty where it does not run. It is asked again if its files change.
+
+    A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
+    """
+    key = store.key_of("compiler", command, files, time.time() // _DAY)
+    if (known := store.recall(key, cache.TEXTS)) is not None:
+        return known.decode()
+    said = (_output(*command, "--version") or "").strip()
+    version = said.splitlines()[0].strip() if said else ""
+    if version:
+        store.keep(key, version.encode(), cache.TEXTS)
+    return version
 
 
 UNKNOWN = "unknown"
@@ -389,9 +253,7 @@ def _output(*command: str) -> str | None:
     """What a command prints, or None where it fails."""
     try:
         with tempfile.TemporaryDirectory(prefix="softcat_sym-") as passing:
-            place = Path(passing) / "asked"
-            place.mkdir()
-            done = run(command, _PATIENCE, place)
+            done = run(command, _PATIENCE, Path(passing))
     except (OSError, subprocess.TimeoutExpired):
         return None
     return done.stdout if done.returncode == 0 else None

@@ -8,8 +8,7 @@ from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import TypeVar
 
-from softcat_sym import store
-from softcat_sym.codegen import library
+from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
 from softcat_sym.discretization.assembly import Theory
 from softcat_sym.discretization.grid import End, Grid
@@ -231,7 +230,7 @@ def _recalled(key: str) -> Template:
 
     Another program has others.
     """
-    text = library.recall(store.key_of("template", key))
+    text = store.recall(store.key_of("template", key), cache.TEXTS)
     if text is None:
         raise LookupError(key)
     parts = json.loads(text)
@@ -295,7 +294,8 @@ def model_for(structure: Structure) -> Model:
         template = _recalled(structure.key)
     except LookupError:
         template = _made(structure)
-        library.keep(store.key_of("template", structure.key), json.dumps(asdict(template)))
+        content = json.dumps(asdict(template)).encode()
+        store.keep(store.key_of("template", structure.key), content, cache.TEXTS)
     return template.with_fibres(structure.theory.fibres)
 
 

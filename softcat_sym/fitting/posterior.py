@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextvars
 import math
-import tempfile
 import time
 import warnings
 from collections.abc import Mapping, Sequence
@@ -19,6 +18,7 @@ from scipy.optimize import minimize
 from scipy.special import expit, log_expit, logit
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.identifiability import Noise, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
@@ -135,14 +135,14 @@ class Posterior:
 
     def to_netcdf(self, path: str | Path) -> None:
         """Write the draws; ``arviz.from_netcdf`` reads them."""
-        self.data.to_netcdf(str(path), engine="h5netcdf")
+        replace_atomically(Path(path), self.to_bytes())
 
     def to_bytes(self) -> bytes:
         """Content of ``posterior.nc``."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "posterior.nc"
-            self.to_netcdf(path)
-            return path.read_bytes()
+        import xarray as xr
+
+        groups = {f"/{name}": group for name, group in self.data.items()}
+        return bytes(xr.DataTree.from_dict(groups).to_netcdf(engine="h5netcdf"))
 
     def to_dict(self) -> dict[str, Any]:
         """Its entry in ``fit.json``."""

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, replace_atomically
+from softcat_sym.files import fill_atomically, made, replace_atomically, written_together
 from softcat_sym.reference.elements import ElementField, element_fields, strip_of
 from softcat_sym.results.fields import VARIABLES, variable_of
 
@@ -113,13 +113,13 @@ def _lines(places: Floats, cells: NDArray[np.int64], points: dict[str, Floats], 
 
 def _written(folder: Path, series: str, meshes: Iterable[tuple[float, Any]], count: int) -> list[Path]:
     """A file for every mesh with its time, and the series that lists them."""
-    folder.mkdir(parents=True, exist_ok=True)
     digits, written = max(2, len(str(count - 1))), dict[Path, float]()
-    for number, (time, mesh) in enumerate(meshes):
-        path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"
-        fill_atomically(path, lambda passing, mesh=mesh: mesh.write(passing, file_format="vtu"))  # type: ignore[misc]
-        written[path] = time
-    return [replace_atomically(folder / series, _series(written)), *written]
+    with made(folder), written_together():
+        for number, (time, mesh) in enumerate(meshes):
+            path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"
+            fill_atomically(path, lambda passing, mesh=mesh: mesh.write(passing, file_format="vtu"))  # type: ignore[misc]
+            written[path] = time
+        return [replace_atomically(folder / series, _series(written)), *written]
 
 
 def _mesh(nodes: np.ndarray[Any, Any], corner: np.ndarray[Any, Any], field: ElementField) -> Any:

@@ -26,8 +26,9 @@ from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, check_executor, counted, executor
 from softcat_sym.ensemble.members import Row
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.files import fill_atomically, made, written_together
+from softcat_sym.files import fill_atomically, made, named, written_together
 from softcat_sym.results.motion import observed_motion
+from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
@@ -280,9 +281,7 @@ def _write_store(plan: SweepPlan, blocks: _Blocks, directory: Path, centre: Cent
     counts = Counts()
 
     def fill(passing: Path) -> None:
-        import h5netcdf
-
-        with h5netcdf.File(passing, "w") as file:
+        with netcdf_file(passing) as (file, check):
             _make_variables(file, plan)
             file.attrs["centre"] = json.dumps(centre.to_dict(), default=str)
             for start, part in blocks.parts():
@@ -294,6 +293,7 @@ def _write_store(plan: SweepPlan, blocks: _Blocks, directory: Path, centre: Cent
                     file.variables[name][rows] = part["shapes"][:, k] if "shapes" in part else np.nan
                 counts.outcomes.update(part["outcome"].tolist())
                 counts.regimes.update(regime for regime in part["regime"].tolist() if regime)
+                check()
 
     fill_atomically(directory / STORE, fill)
     return counts
@@ -539,8 +539,12 @@ def run_sweep(
     """Run the members of a plan that are not in the store yet, and write all of them."""
     begun = time.perf_counter()
     _refuse_plan(plan)
-    # A file without a name vanishes however the program ends.
-    with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched() as interrupts:
+    with (
+        made(directory),
+        named(directory / STORE),
+        tempfile.TemporaryFile(dir=directory) as passing,  # without a name it vanishes however the program ends
+        watched() as interrupts,
+    ):
         blocks, centre = _Blocks(plan, passing), _centre(plan)
         for number in range(plan.blocks):
             content = store.recall(plan.key(number, centre))

@@ -16,8 +16,8 @@ COMPILE = (
 
 
 def left_in(native: Path) -> list[str]:
-    """What lies in the folder of libraries, beside what is known of compilers."""
-    return sorted(path.name for path in native.iterdir() if path.name != "compilers.json")
+    """What lies in the folder of libraries."""
+    return sorted(path.name for path in native.iterdir())
 
 
 class Counter:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.cache import cache_folder
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
 from softcat_sym.reference.elements import ElementRun, run_elements

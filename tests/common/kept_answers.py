@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.cache import cache_folder
 
 
 def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> Any:

@@ -17,7 +17,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.cache import cache_folder
 from softcat_sym.plotting.paper_figures import (
     BLACK_RATE,
     midpoints_figure,

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.cache import cache_folder
 from softcat_sym.plotting.style import png
 from softcat_sym.plotting.theory_end import remarks, tables, theory_end_figure
 from softcat_sym.scene.scene import Scene

@@ -54,7 +54,7 @@ def test_zig_takes_the_place_of_a_compiler_and_its_absence_says_how_to_have_it(t
         for name, (one, _) in runs.items()
     ]  # fmt: skip
     show("ink-bridge without estimate", ["compiler", "backend", "found", "compiling [s]", "midpoint [um]"], rows)
-    kept = tmp_path / "zig" / "cache" / "native" / "zig"
+    kept = tmp_path / "zig" / "cache" / "zig"
     print(f"zig keeps {size_text(sum(file.stat().st_size for file in kept.rglob('*') if file.is_file()))} of its own")
     own, zig, none = (one for one, _ in runs.values())
     assert (own["backend"], zig["backend"], none["backend"]) == ("compiled", "compiled", "interpreted")

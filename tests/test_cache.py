@@ -1,0 +1,281 @@
+"""The cache is this user's alone: it deletes only what the program has made, and takes nothing from anybody else."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import stat
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from softcat_sym import cache, store
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.errors import SoftcatError
+from tests.common.compilers import ANSWER, Counter
+from tests.common.in_process import Softcat
+from tests.common.tiny_disk import files_in, remount, tiny_disk
+
+ANOTHER = 12345
+"""A user who is not there."""
+KEY, OTHER = 64 * "a", 64 * "b"
+OLD = 10 * cache.GRACE
+
+of_root = pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can give a file to another user"
+)
+of_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has neither owners nor modes of this kind")
+
+
+@pytest.fixture(autouse=True)
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of the cache, with results in it as without tests."""
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "c"))
+    monkeypatch.setattr(cache, "folder", lambda kind: cache.cache_folder() / kind)
+    return tmp_path / "c"
+
+
+# What is deleted.
+def of_the_user(root: Path) -> dict[str, bytes]:
+    """Files that a user may keep in the folder that SOFTCAT_CACHE names, and elsewhere with links from there to it."""
+    documents = root.parent / "documents"
+    for kind in cache.KINDS:
+        # What the program keeps as a file may be a folder of the user, and the other way round.
+        other = 64 * "3" if kind in (cache.LIBRARIES, cache.ZIG) else 64 * "3" + "/a"
+        for name in ("thesis.csv", f"{KEY}.csv", f"{KEY[1:]}", f"{KEY.upper()}", f".{KEY}", f".{KEY}.copy/a", other):
+            place = root / kind / name
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(b"mine")
+        (documents / kind).mkdir(parents=True)
+        (documents / kind / "letter").write_bytes(b"mine")
+        (root / kind).chmod(0o700)
+        (root / kind / (64 * "1")).symlink_to(documents / kind)
+        (root / kind / (64 * "2")).symlink_to(documents / kind / "letter")
+    (root / "zig" / "project").mkdir()
+    (root / "zig" / "project" / "main.zig").write_bytes(b"mine")
+    return files_in(root.parent)
+
+
+def fill(root: Path, kind: str, key: str, age: float = OLD, size: int = 1000) -> Path:
+    """An entry as the program makes it: of libraries and of zig it is a folder."""
+    place = root / kind / key
+    if kind in (cache.LIBRARIES, cache.ZIG):
+        place.mkdir(mode=0o700)
+        (place / "library.so").write_bytes(bytes(size))
+    else:
+        place.write_bytes(bytes(size))
+        place.chmod(0o600)
+    os.utime(place, (time.time() - age,) * 2)
+    return place
+
+
+def test_clearing_and_trimming_take_what_the_program_made_and_nothing_else(softcat: Softcat, root: Path) -> None:
+    mine = of_the_user(root)
+    made = [fill(root, kind, name) for kind in cache.KINDS for name in (KEY, OTHER, f".{KEY}.{8 * '0'}")]
+    os.utime(made[2], (0, 0))
+    for kind in cache.KINDS:
+        cache.trim(kind, 1500, KEY)
+    assert {path.name for path in made if path.exists()} == {KEY, f".{KEY}.{8 * '0'}"} and not made[2].exists()
+    done = softcat("cache", "--clear")
+    assert done.status in (0, None) and f"deleted 1 compiled library from {root / 'native'}: 1.0 kB freed" in done.out
+    assert [path for path in made if path.exists()] == [made[k] for k in (5, 8, 11)], "what is being made stays"
+    for path in (made[5], made[8], made[11]):
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+    assert files_in(root.parent) == mine
+
+
+@pytest.mark.parametrize("kind", cache.KINDS)
+def test_a_folder_that_is_a_link_is_neither_used_nor_cleared(kind: str, softcat: Softcat, root: Path) -> None:
+    documents = root.parent / "documents"
+    documents.mkdir()
+    (documents / KEY).write_bytes(b"mine")
+    root.mkdir()
+    (root / kind).symlink_to(documents)
+    done = softcat("cache", "--clear")
+    assert (done.status, f"not cleared: {root / kind} is neither a file nor a folder itself" in done.err) == (2, True)
+    with pytest.warns(UserWarning, match="neither a file nor a folder itself; .* set SOFTCAT_CACHE"):
+        store.keep(OTHER, b"content", kind)
+    assert files_in(root.parent) == {f"documents/{KEY}": b"mine"}
+
+
+def test_the_cache_itself_may_be_reached_by_a_link(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where a home is small, and the folder of caches lies on another disk."""
+    (root.parent / "disk").mkdir(mode=0o700)
+    root.symlink_to(root.parent / "disk")
+    store.keep(KEY, b"content")
+    assert store.recall(KEY) == b"content" and (root.parent / "disk" / "results" / KEY).is_file()
+    monkeypatch.chdir(root.parent)
+    monkeypatch.setenv("SOFTCAT_CACHE", "c")
+    assert cache.cache_folder() == root.parent / "disk"
+
+
+@of_root
+def test_what_others_put_there_is_not_deleted(root: Path) -> None:
+    for kind in cache.KINDS:
+        (root / kind).mkdir(parents=True, mode=0o700)
+        os.chown(fill(root, kind, KEY), ANOTHER, ANOTHER)
+        fill(root, kind, OTHER)
+    root.chmod(0o700)
+    assert all(len(found) == 1 for found in cache.clear(*cache.KINDS).values())
+    assert all((root / kind / KEY).exists() for kind in cache.KINDS)
+
+
+# What is taken from there.
+def planted(root: Path, path: Path, key: str) -> None:
+    """A library that gives another answer, with the digest that belongs to it."""
+    other = compile_library({"answer.c": "int answer(void) { return 666; }\n"})
+    content = other.read_bytes()
+    path.with_name("about.txt").write_text(f"{cache.digest(key, content)}\nanswer.c by gcc\n")
+    path.unlink()
+    path.write_bytes(content)
+
+
+@of_root
+@pytest.mark.parametrize("whose", ["library.so", "about.txt", ""], ids=["library", "digest", "folder"])
+def test_a_planted_library_is_not_loaded_whatever_was_mended_since(
+    whose: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    path = compile_library(ANSWER)
+    planted(root, path, path.parent.name)
+    assert load(shutil.copy(path, tmp_path / "planted.so"), "answer").answer() == 666
+    os.chown(path.parent / whose, ANOTHER, ANOTHER)
+    (root / "native").chmod(0o700)  # as the warning had advised
+    before = counter.compilations
+    assert compile_library(ANSWER) == path and counter.compilations == before + 1
+    assert load(path, "answer").answer() == 42
+    assert path.parent.stat().st_uid == path.stat().st_uid == os.geteuid()
+    assert compile_library(ANSWER) == path and counter.compilations == before + 1
+
+
+@of_posix
+@pytest.mark.parametrize("whose", ["the parent's", "the parent's parent's", "the cache's", "of all"])
+def test_where_others_can_write_nothing_is_taken_and_nothing_kept(
+    whose: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not even for a moment: who owns a folder above could swap what is below between a check and the loading."""
+    above = tmp_path / "x" / "y"
+    root = above / "c"
+    monkeypatch.setenv("SOFTCAT_CACHE", str(root))
+    path = compile_library(ANSWER)
+    store.keep(KEY, b"content")
+    assert root.stat().st_mode & 0o777 == path.parent.stat().st_mode & 0o777 == 0o700, "and what was missing above"
+    place = {"the parent's": above, "the parent's parent's": above.parent}.get(whose, root)
+    if whose == "of all":
+        place.chmod(0o777)
+    elif os.geteuid() == 0:
+        os.chown(place, ANOTHER, ANOTHER)
+    else:
+        monkeypatch.setattr(os, "geteuid", lambda: ANOTHER)
+        place = root
+    before = files_in(tmp_path)
+    message = "can be written by others.*chmod go-w" if whose == "of all" else "belongs to another user"
+    with pytest.warns(UserWarning, match=f"nothing is kept in {root}: {place}.* {message}"):
+        assert store.recall(KEY) is None
+        store.keep(OTHER, b"content")
+        other = compile_library(ANSWER)
+    assert root not in other.parents and load(other, "answer").answer() == 42
+    assert not any(root in entry.path.parents for entry in cache.entries(cache.LIBRARIES))
+    with pytest.raises(SoftcatError, match=f"not cleared: .*{message}"):
+        cache.clear(*cache.KINDS)
+    assert files_in(tmp_path) == before
+
+
+@of_posix
+def test_a_sticky_folder_above_may_be_of_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "tmp").mkdir()
+    (tmp_path / "tmp").chmod(0o1777)
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "tmp" / "c"))
+    store.keep(KEY, b"content")
+    assert store.recall(KEY) == b"content" and cache.problem(cache.LIBRARIES) == ""
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "tmp"))
+    (tmp_path / "tmp" / "native").mkdir()
+    (tmp_path / "tmp" / "native").chmod(0o1777)
+    assert "can be written by others" in cache.problem(cache.LIBRARIES), "but what holds the entries may not"
+
+
+@of_root
+@pytest.mark.parametrize("what", ["another's", "open", "link", "pipe", "folder", "huge"])
+def test_a_result_that_is_not_this_users_own_file_is_not_there(
+    what: str, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store.keep(KEY, b"content")
+    path = root / "results" / KEY
+    if what == "another's":
+        os.chown(path, ANOTHER, ANOTHER)
+    elif what == "open":
+        path.chmod(0o666)
+    elif what != "huge":
+        path.rename(root / "elsewhere")
+        make = {"link": lambda: path.symlink_to(root / "elsewhere"), "pipe": lambda: os.mkfifo(path)}
+        make.get(what, path.mkdir)()
+    with monkeypatch.context() as patch:
+        if what == "huge":
+            patch.setattr(cache, "_LARGEST", 50)
+        assert store.recall(KEY) is None
+    if what != "folder":
+        store.keep(KEY, b"another")
+        assert store.recall(KEY) == b"another", "and another takes its place"
+
+
+@of_root
+def test_a_folder_of_temporary_files_that_another_owns_is_refused(
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root.mkdir()
+    for place in (root, temporary := tmp_path / "tmp"):
+        place.mkdir(exist_ok=True)
+        os.chown(place, ANOTHER, ANOTHER)
+    monkeypatch.setattr("tempfile.tempdir", str(temporary))
+    with pytest.warns(UserWarning, match="nothing is kept"), pytest.raises(SoftcatError, match="set TMPDIR"):
+        compile_library(ANSWER)
+
+
+def test_what_can_only_be_read_serves_what_it_holds(root: Path, tmp_path: Path) -> None:
+    """Such as a cache that came with a container; what is new is this process's alone."""
+    with tiny_disk(tmp_path / "c", 400):
+        path = compile_library(ANSWER)
+        store.keep(KEY, b"content")
+        remount(root, "ro")
+        with pytest.warns(UserWarning, match="it cannot be written; .* set SOFTCAT_CACHE"):
+            assert compile_library(ANSWER) == path and store.recall(KEY) == b"content"
+            assert root not in compile_library({"other.c": "int other;\n"}).parents
+
+
+def test_without_the_usual_folder_every_process_keeps_its_own_and_is_told_once(tmp_path: Path) -> None:
+    program = f"""
+import os, stat
+from softcat_sym import store
+from softcat_sym.codegen.library import compile_library, load
+path = compile_library({ANSWER!r})
+assert load(path, "answer").answer() == 42 and compile_library({ANSWER!r}) == path
+store.keep({KEY!r}, b"content")
+assert store.recall({KEY!r}) == b"content"
+print(path.parents[2], stat.S_IMODE(os.stat(path.parents[2]).st_mode))
+"""
+    environment = {**os.environ, "SOFTCAT_CACHE": "/proc/nowhere", "TMPDIR": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True)
+    place, mode = done.stdout.split()
+    assert Path(place).parent == tmp_path and int(mode) == stat.S_IRWXU and not Path(place).exists()
+    assert done.stderr.count("nothing is kept in /proc/nowhere: ") == 1
+
+
+# The limit: what was used least recently goes.
+def test_the_least_recently_used_go_until_the_limit_holds(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (root / "native").mkdir(parents=True, mode=0o700)
+
+    def left(stored: str, limit: int = 3500) -> str:
+        cache.trim(cache.LIBRARIES, limit, 64 * stored)
+        return "".join(sorted(entry.path.name[0] for entry in cache.entries(cache.LIBRARIES)))
+
+    for name, age in zip("abcd", (3 * OLD, 2 * OLD, OLD, 0), strict=True):
+        fill(root, cache.LIBRARIES, 64 * name, age)
+    cache.touch(root / "native" / (64 * "a"))
+    assert left("d") == "acd"
+    assert left("d", 0) == "ad", "used within the minute"
+    monkeypatch.setattr(cache, "GRACE", -1.0)  # a file server whose clock is behind
+    fill(root, cache.LIBRARIES, 64 * "f", OLD, size=10_000)
+    assert left("f") == "f", "the one just stored stays, however large"
