@@ -1,7 +1,7 @@
 """A filament of elastic elements: its shape under load, and its small vibrations about that shape.
 
 Beams of two nodes in space whose angles are small in the frame of their chord (Battini & Pacoste 2002): the nodes may
-go and turn anywhere. NumPy solves the equations: SciPy takes longer to load than they to be solved a hundred times.
+go and turn anywhere. NumPy solves the equations, as SciPy would take longer to load than the solution takes.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import numpy.typing as npt
 Floats = npt.NDArray[np.float64]
 
 _STEPS = 200
-TRACE = False
 _EXACT = 1e-6
 _NEAR, _FARTHEST = 0.03, 0.5
 """Turns of a node in a step [rad], and its displacements over the length."""
@@ -26,12 +25,9 @@ _ALONG, _UP, _ASIDE, _TWIST = (np.array(places) for places in ([0, 6], [1, 5, 7,
 """What the nodes of an element do along it, in the plane of its bending, across that, and about it."""
 _LINE = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6
 _BEAM = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420
-_BENT, _LONGER, _TWISTED = np.zeros((3, 6, 6))
-_BENT[1::3, 1::3] = _BENT[2::3, 2::3] = np.array([[4.0, 2.0], [2.0, 4.0]])
+_LONGER = np.zeros((6, 6))
 _LONGER[1::3, 1::3] = _LONGER[2::3, 2::3] = np.array([[4.0, -1.0], [-1.0, 4.0]]) / 30
-_TWISTED[0::3, 0::3] = np.array([[1.0, -1.0], [-1.0, 1.0]])
-"""Of the angles a within an element: energies by E I and G J are half of a.BENT.a and a.TWISTED.a, and slopes lengthen
-it by half of a.LONGER.a."""
+"""Slopes within an element lengthen it by half of a.LONGER.a, of its angles a."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +69,7 @@ class Elements:
     bending: Floats  # shape (n, 6, 6); Stiffness of the angles at both ends
     natural: Floats  # shape (n, 6); Angles without stress
     mass: Floats  # shape (n,)
+    mass_across: Floats  # shape (n,); The same of what moves across its tangent, with the fluid around it
     inertia: Floats  # shape (n,); Of a turn about its length [kg m^2]
     attached: Floats  # shape (n + 1,); Masses on the nodes
     force: Floats  # shape (n + 1, 6); Dead forces and torques
@@ -91,21 +88,22 @@ class Elements:
         for _ in range(_STEPS):
             firm = self.stiffness(cells) + shift * mass
             least = _LEAST * _largest_ratio(firm, mass)
+            missing = load * self.force.flat[self.free] - self._assembled(cells.forces)
+            step = np.zeros(self.force.shape)
             try:
                 np.linalg.cholesky(firm)
+                step.flat[self.free] = np.linalg.solve(firm, missing)
             except np.linalg.LinAlgError:
                 shift = max(_FIRMER * shift, least)
                 continue
-            step = np.zeros(self.force.shape)
-            missing = load * self.force.flat[self.free] - self._assembled(cells.forces)
-            step.flat[self.free] = np.linalg.solve(firm, missing)
             far = float(np.max(np.abs(step) / [size, size, size, 1.0, 1.0, 1.0]))
-            TRACE and print(f'load {load} far {far:.3g} shift {shift:.3g} least {least:.3g} missing {np.abs(missing).max():.3g}')
+            if not math.isfinite(far):
+                return None
             step *= min(1.0, _FARTHEST / max(far, _FARTHEST))
             shape = shape.moved(step, self.closing)
-            cells = Cells.of(self, shape, cells.foreseen(step))
             if far < _EXACT and shift <= _NOISE * least:
                 return shape
+            cells = Cells.of(self, shape, cells.foreseen(step))
             shift = shift / _FIRMER if far > _NEAR else 0.0
         return None
 
@@ -145,7 +143,7 @@ class Elements:
         """Mass matrix of what is free."""
         local, one = np.zeros((len(self.mass), 12, 12)), np.ones_like(cells.length)
         lever = np.stack([one, cells.length, one, cells.length], axis=1)
-        beam = self.mass[:, None, None] * _BEAM * lever[:, :, None] * lever[:, None, :]
+        beam = self.mass_across[:, None, None] * _BEAM * lever[:, :, None] * lever[:, None, :]
         local[:, _ALONG[:, None], _ALONG] = self.mass[:, None, None] * _LINE
         local[:, _TWIST[:, None], _TWIST] = self.inertia[:, None, None] * _LINE
         local[:, _UP[:, None], _UP] = beam
@@ -160,9 +158,10 @@ class Elements:
         number = np.full(self.force.size, size - 1)
         number[self.free] = np.arange(size - 1)
         rows = np.hstack([number.reshape(-1, 6)[:-1], number.reshape(-1, 6)[1:]])
-        places, shape = (rows, (size,)) if parts.ndim == 2 else (rows[:, :, None] * size + rows[:, None, :], (size, size))
-        total = np.bincount(places.ravel(), parts.ravel(), math.prod(shape)).reshape(shape)
-        return np.ascontiguousarray(total[(slice(-1),) * len(shape)])
+        if parts.ndim == 2:
+            return np.bincount(rows.ravel(), parts.ravel(), size)[:-1]
+        places = rows[:, :, None] * size + rows[:, None, :]
+        return np.bincount(places.ravel(), parts.ravel(), size * size).reshape(size, size)[:-1, :-1]
 
 
 @dataclass(frozen=True)
@@ -229,11 +228,15 @@ def unstrained(length: Floats, angles: Floats) -> Floats:
     return np.asarray(length * np.exp(np.sum(angles @ _LONGER * angles, axis=1) / 2))
 
 
-def stiffness_of_angles(length: Floats, in_plane: Floats, across: Floats, torsion: Floats) -> Floats:
-    """Stiffness of the angles at both ends of elements, by E I about both axes and G J, shape (n, 6, 6)."""
-    own = np.zeros((len(length), 6))
-    own[:, 0::3], own[:, 1::3], own[:, 2::3] = torsion[:, None], across[:, None], in_plane[:, None]
-    return np.asarray((own / length[:, None])[:, :, None] * (_BENT + _TWISTED))
+def stiffness_of_angles(length: Floats, in_plane: Floats, across: Floats, torsion: Floats, shear: Floats) -> Floats:
+    """Stiffness of the angles at both ends, shape (n, 6, 6), by E I about both axes, G J and kappa G A (Timoshenko)."""
+    found = np.zeros((len(length), 6, 6))
+    found[:, 0::3, 0::3] = (torsion / length)[:, None, None] * np.array([[1.0, -1.0], [-1.0, 1.0]])
+    for axis, bent in ((1, across), (2, in_plane)):
+        weak = 12 * bent / (shear * length**2)
+        own, other = (4 + weak) / (1 + weak) * bent / length, (2 - weak) / (1 + weak) * bent / length
+        found[:, axis::3, axis::3] = np.stack([own, other, other, own], axis=1).reshape(-1, 2, 2)
+    return found
 
 
 def _frames(shape: Shape) -> tuple[Floats, Floats, Floats, Floats]:

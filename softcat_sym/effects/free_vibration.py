@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects import scaling_estimates as scales
+from softcat_sym.effects.added_mass import mass_ratio
 from softcat_sym.effects.discrete_filament import (
     Elements,
     Shape,
@@ -22,12 +23,11 @@ from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import (
     elastic_sag_under,
-    load_factor,
     retardation,
     slackness,
     solvent_lag,
-    start_sag,
 )
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.dimensions import is_spatial
@@ -43,7 +43,7 @@ from softcat_sym.scene.scene import (
 )
 
 _ELEMENTS = 40
-_TURN, _MOST = 0.4, 150
+_TURN, _MOST = 0.6, 100
 """Turn of an element of a natural curve [rad], unless that would take too many of them."""
 _EXCITED = 0.05
 """Smallest share of the way to rest that is of a mode which the load sets ringing."""
@@ -59,6 +59,7 @@ class Vibration:
     # Share of bending and stretching in its stiffness, besides that of the static tension: only straining dissipates,
     # so that a loss tangent gives the damping ratio material_share loss_tangent/2.
     material_share: float
+    way: float  # Of the midpoint from where the filament begins to where it rests [m]; 0 if it begins at rest
 
 
 def first_vibration(scene: Scene) -> Vibration | None:
@@ -84,28 +85,32 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     if begin is None or rest is None:
         return None
     squares, modes, strained, mass = elements.vibrations(rest)
+    left = begin.seen_from(rest)
     if is_slack(scene):
         rung = np.ones_like(squares)
     elif np.any(elements.force):
-        rung = modes.T @ mass @ begin.seen_from(rest).ravel()[elements.free]
+        rung = modes.T @ mass @ left.ravel()[elements.free]
     else:
         # By whatever weight, however little.
-        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(begin.places))[elements.free]
+        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
         rung = modes.T @ mass @ pushed / squares
     first = int(np.argmax(rung**2 > _EXCITED * float(np.sum(rung**2))))
-    share = min(1.0, max(0.0, float(strained[first])))
-    return Vibration(math.sqrt(float(squares[first])), share) if squares[first] > 0 else None
+    if squares[first] <= 0:
+        return None
+    way = 0.0 if is_slack(scene) else float(np.linalg.norm(left[len(left) // 2, :3]))
+    return Vibration(math.sqrt(float(squares[first])), min(1.0, max(0.0, float(strained[first]))), way)
 
 
 def solid_viscosity(scene: Scene) -> float:
     """eta_s of the viscous stress beside spring and flow [Pa s]: as given, or loss_tangent E/omega_1; 0 without one."""
-    material = scene.material
-    if material.solid_viscosity is not None:
-        return material.solid_viscosity
-    vibration = first_vibration(scene) if material.loss_tangent > 0 else None
+    material, modulus = scene.material, scales.instant_modulus(scene)
+    if material.solid_viscosity is not None or material.loss_tangent == 0 or modulus is None:
+        return material.solid_viscosity or 0.0
+    vibration = first_vibration(scene)
     if vibration is None:
-        return 0.0
-    return material.loss_tangent * (scales.instant_modulus(scene) or 0.0) * _fibre_ratio(scene) / vibration.frequency
+        found = f"{material.loss_tangent:g}, but no stable elastic shape under the load is found, and so no frequency"
+        raise SceneError([Fault("material.loss_tangent", found, "material.solid_viscosity, or leaving it out")])
+    return material.loss_tangent * modulus * _fibre_ratio(scene) / vibration.frequency
 
 
 def solid_retardation(scene: Scene) -> float:
@@ -207,10 +212,18 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     drawn = (angles_in(begin)[0] / length) ** (-4 if section.plane_strain else -3)
     square, across = (relative * filament.thickness) ** 2, filament.width**2
     axial = section.stiffness(modulus, poisson) * areas
-    bends = isinstance(asked, str) or "bending" in asked
-    bent = axial * drawn * bends
-    twisted = bent / (2 * (1 + poisson)) * section.torsion(filament.width / filament.thickness) * square
+    bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
+    sheared = axial * drawn / (2 * (1 + poisson))
+    stiff = section.shear_correction if asked == "auto" or "shear" in asked else math.inf
+    bending = stiffness_of_angles(
+        length,
+        bent * square,
+        bent * across,
+        sheared * section.torsion(filament.width / filament.thickness) * square,
+        sheared * stiff,
+    )
     mass = filament.density * areas * length
+    in_bath = asked == "auto" or "added-mass" in asked
     attached, force = np.zeros(n + 1), np.zeros((n + 1, 6))
     attached[n // 2], attached[-1] = load.point_mass, load.tip_mass
     weight = (np.append(mass, 0.0) + np.append(0.0, mass)) / 2 * (1 - scales.buoyant_share(scene)) + attached
@@ -225,11 +238,14 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         length=length,
         relaxed=math.log(force_free_stretch(scene)) + strains,
         axial=axial,
-        pull=np.array([scales.surface_stress(scene, one) for one in relative]) * areas * bool(scales.pull_of_surface(scene)),
+        pull=np.array([scales.surface_stress(scene, one) for one in relative])
+        * areas
+        * bool(scales.pull_of_surface(scene)),
         pull_power=1.0 if section.plane_strain else 0.5,
-        bending=stiffness_of_angles(length, bent * section.gyration * square, bent * section.gyration * across, twisted),
+        bending=bending,
         natural=angles,
         mass=mass,
+        mass_across=mass * (1 + in_bath * mass_ratio(scene)),
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,
@@ -237,9 +253,6 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         free=np.flatnonzero(free),
     )
 
-
-_FREQUENCY = 1.3
-"""Omega^2 H/g of a filament with static sag H: 22.37^2/384 of a clamped beam, pi^2/8 of a string."""
 
 _RAMP_ENVELOPE = 120.0
 """Ringing after the quintic ramp is 120/(omega ramp)^3 for a slow ramp (see regimes.ramp_gain)."""
@@ -252,9 +265,10 @@ _OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 class Ringing:
     """Ringing of the lowest mode about the elastic shape."""
 
-    frequency: float  # Angular [1/s]; infinite for a filament that does not spring back
+    frequency: float  # Of the first mode, angular [1/s]; infinite for a filament that does not spring back
     decay: float  # Decay rate of its amplitude [1/s]
     amplitude: float  # In spans, at the start
+    way: float = 0.0  # Of the midpoint from where the filament begins to where it rests, in spans
 
     def lasting(self, time: float) -> float:
         """Amplitude after a time [s]."""
@@ -268,40 +282,35 @@ class Ringing:
 
 
 def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
-    """Ringing that the load of a scene causes."""
-    modulus, weight = scales.instant_modulus(scene), scales.weight_stress(scene) * load_factor(scene)
-    if modulus is None or weight == 0 or is_slack(scene):
+    """Ringing that the load of a scene causes; without amplitude where the scene begins at rest under its load."""
+    vibration = first_vibration(scene)
+    if vibration is None:
         return Ringing(math.inf, 0.0, 0.0)
-    static = scales.static_modulus(scene) if scene.material.law == "kelvin-voigt" else modulus
-    deep = elastic_sag_under(scene, weight, static) - start_sag(scene)
-    if deep <= 0:
-        return Ringing(math.inf, 0.0, 0.0)
-    frequency = math.sqrt(_FREQUENCY * scales.gravity_of(scene) / (deep * scene.filament.span))
+    frequency, way = vibration.frequency, vibration.way / scene.filament.span
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
-    left = min(1.0, _left_by_ramp(scene, frequency, deep)) if scene.load.ramp > 0 else 1.0
-    return Ringing(frequency, decay, deep * left if decay < frequency else 0.0)
+    if scales.weight_stress(scene) == 0 or decay >= frequency:
+        return Ringing(frequency, decay, 0.0, way)
+    left = min(1.0, _left_by_ramp(scene, frequency, way)) if scene.load.ramp > 0 else 1.0
+    return Ringing(frequency, decay, way * left, way)
 
 
-def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
+def _left_by_ramp(scene: Scene, frequency: float, way: float) -> float:
     """Ringing after the ramp of gravity over that without a ramp.
 
     A straight filament without bending stiffness is soft while its load is small: its quasi-static sag starts with a
     speed of 2.15 sags per ramp, inertia keeps up with it from the time t_c on, when its phase has grown to one radian,
-    and the action of that oscillation is conserved.
+    and the action of that oscillation is conserved. From omega^2 H/g = constant the phase at t is omega(t) t/2.
     """
-    ramp, gravity, span = scene.load.ramp, scales.gravity_of(scene), scene.filament.span
+    ramp, speed = scene.load.ramp, 2.15 / scene.load.ramp
     smooth = _RAMP_ENVELOPE / (frequency * ramp) ** 3
-    beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
-    straight = is_held(scene) and abs(slackness(scene)) < _STRAIGHT
-    speed = 2.15 * deep * span / ramp
-    caught = math.sqrt(math.sqrt(ramp**3 * speed / (10 * _FREQUENCY * gravity)))
-    stiff = math.sqrt(_FREQUENCY * gravity / (beam * span))
-    if not straight:
+    if not is_held(scene) or abs(slackness(scene)) > _STRAIGHT:
         return smooth
-    swing = speed * caught / (deep * span) / math.sqrt(max(1.0, frequency * caught))
+    beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
+    caught = math.sqrt(math.sqrt(4 * ramp**3 * speed / 10) / frequency)
+    swing = speed * caught * math.sqrt(min(1.0, 2 / (frequency * caught)))
     # A beam that is stiff from the beginning follows its equilibrium; between beam and string the share falls with the
-    # cube of the frequency.
-    return max(smooth, swing / float(max(1.0, stiff * caught)) ** 3)
+    # cube of the frequency of the beam alone.
+    return max(smooth, swing / max(1.0, frequency * math.sqrt(way / beam) * caught) ** 3)
 
 
 def _decay(scene: Scene, frequency: float) -> float:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 PLANE_STRAIN = math.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width."""
 
-_ODD_TERMS = 40
+_ODD_TERMS = 120
 
 
 @dataclass(frozen=True, slots=True)
