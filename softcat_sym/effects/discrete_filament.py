@@ -6,7 +6,6 @@ go and turn anywhere. NumPy solves the equations, as SciPy would take longer to 
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,8 +82,8 @@ class Elements:
         foreseen by the step before: as a thin filament is much stiffer along itself, those of a shape that is not yet
         in balance are far too large (Magisano, Leonetti & Garcea 2017).
         """
-        cells, size, shift = Cells.of(self, shape), float(np.sum(self.length)), 0.0
-        mass = self.mass_matrix(cells)
+        cells, shift = Cells.of(self, shape), 0.0
+        mass, units = self.mass_matrix(cells), np.repeat([float(np.sum(self.length)), 1.0], 3)
         for _ in range(_STEPS):
             firm = self.stiffness(cells) + shift * mass
             least = _LEAST * _largest_ratio(firm, mass)
@@ -96,15 +95,19 @@ class Elements:
             except np.linalg.LinAlgError:
                 shift = max(_FIRMER * shift, least)
                 continue
-            far = float(np.max(np.abs(step) / [size, size, size, 1.0, 1.0, 1.0]))
-            if not math.isfinite(far):
-                return None
-            step *= min(1.0, _FARTHEST / max(far, _FARTHEST))
-            shape = shape.moved(step, self.closing)
-            if far < _EXACT and shift <= _NOISE * least:
+            far = float(np.max(np.abs(step) / units))
+            stable = shift <= _NOISE * least
+            if far < _EXACT and not stable:
+                # What is symmetric does not leave an unstable equilibrium by itself.
+                step.flat[self.free] = np.linalg.eigh(firm)[1][:, 0]
+                step *= _NEAR / float(np.max(np.abs(step) / units))
+            shape = shape.moved(step * min(1.0, _FARTHEST / max(far, _FARTHEST)), self.closing)
+            if far < _EXACT and stable:
                 return shape
+            if not np.all(np.isfinite(shape.places)):
+                return None
             cells = Cells.of(self, shape, cells.foreseen(step))
-            shift = shift / _FIRMER if far > _NEAR else 0.0
+            shift = 0.0 if _EXACT <= far < _NEAR else shift / _FIRMER
         return None
 
     def is_strained(self, shape: Shape) -> bool:
