@@ -17,8 +17,9 @@ _STEPS = 200
 _EXACT = 1e-6
 _NEAR, _FARTHEST = 0.03, 0.5
 """Turns of a node in a step [rad], and its displacements over the length."""
-_LEAST, _NOISE, _FIRMER = 1e-15, 100.0, 10.0
-"""First shift of the stiffness over the largest; what rounding may need, over the first; ratio of one to the next."""
+_LEAST, _NOISE, _SHIFT, _FIRMER = 1e-15, 1e-13, 1e-11, 10.0
+"""Shifts of the stiffness over the largest: the first, what rounding may need, that of a modal analysis; the ratio of
+one shift to the next."""
 
 _ALONG, _UP, _ASIDE, _TWIST = (np.array(places) for places in ([0, 6], [1, 5, 7, 11], [2, 4, 8, 10], [3, 9]))
 """What the nodes of an element do along it, in the plane of its bending, across that, and about it."""
@@ -86,17 +87,17 @@ class Elements:
         mass, units = self.mass_matrix(cells), np.repeat([float(np.sum(self.length)), 1.0], 3)
         for _ in range(_STEPS):
             firm = self.stiffness(cells) + shift * mass
-            least = _LEAST * _largest_ratio(firm, mass)
+            largest = _largest_ratio(firm, mass)
             missing = load * self.force.flat[self.free] - self._assembled(cells.forces)
             step = np.zeros(self.force.shape)
             try:
                 np.linalg.cholesky(firm)
                 step.flat[self.free] = np.linalg.solve(firm, missing)
             except np.linalg.LinAlgError:
-                shift = max(_FIRMER * shift, least)
+                shift = max(_FIRMER * shift, _LEAST * largest)
                 continue
             far = float(np.max(np.abs(step) / units))
-            stable = shift <= _NOISE * least
+            stable = shift <= _NOISE * largest
             if far < _EXACT and not stable:
                 # What is symmetric does not leave an unstable equilibrium by itself.
                 step.flat[self.free] = np.linalg.eigh(firm)[1][:, 0]
@@ -125,18 +126,17 @@ class Elements:
         modes : ndarray, shape (free, free)
             In columns, each of unit modal mass.
         strained : ndarray, shape (free,)
-            Share of straining in the stiffness of each mode, besides that of forces that turn.
+            Share of straining in these squares, besides that of forces that turn [1/s^2].
         mass : ndarray, shape (free, free)
         """
         cells = Cells.of(self, shape)
         mass, firm = self.mass_matrix(cells), self.stiffness(cells)
-        shift = _NOISE * _LEAST * _largest_ratio(firm, mass)
         # By the inverse of the stiffness the lowest frequencies are exact, and not the highest.
+        shift = _SHIFT * _largest_ratio(firm, mass)
         root = np.linalg.inv(np.linalg.cholesky(firm + shift * mass))
         inverse, vectors = np.linalg.eigh(root @ mass @ root.T)
         squares, modes = 1 / inverse[::-1] - shift, (root.T @ vectors / np.sqrt(inverse))[:, ::-1]
-        strained = np.sum(modes * (self.stiffness(cells, by_strain=True) @ modes), axis=0)
-        return squares, modes, strained / np.maximum(squares, shift), mass
+        return squares, modes, np.sum(modes * (self.stiffness(cells, by_strain=True) @ modes), axis=0), mass
 
     def stiffness(self, cells: Cells, *, by_strain: bool = False) -> Floats:
         """Tangent stiffness of what is free; by strain alone it leaves out that of forces as they turn."""
@@ -162,9 +162,10 @@ class Elements:
         number[self.free] = np.arange(size - 1)
         rows = np.hstack([number.reshape(-1, 6)[:-1], number.reshape(-1, 6)[1:]])
         if parts.ndim == 2:
-            return np.bincount(rows.ravel(), parts.ravel(), size)[:-1]
+            return np.asarray(np.bincount(rows.ravel(), parts.ravel(), size), dtype=np.float64)[:-1]
         places = rows[:, :, None] * size + rows[:, None, :]
-        return np.bincount(places.ravel(), parts.ravel(), size * size).reshape(size, size)[:-1, :-1]
+        total = np.asarray(np.bincount(places.ravel(), parts.ravel(), size * size), dtype=np.float64)
+        return total.reshape(size, size)[:-1, :-1]
 
 
 @dataclass(frozen=True)
@@ -213,7 +214,7 @@ class Cells:
 
     def foreseen(self, step: Floats) -> Floats:
         """What the axial forces would be after a step, if they were linear in it, shape (n,)."""
-        return self.stress + np.sum(self.hardening * np.hstack([step[:-1], step[1:]]), axis=1)
+        return np.asarray(self.stress + np.sum(self.hardening * np.hstack([step[:-1], step[1:]]), axis=1))
 
 
 def _largest_ratio(stiffness: Floats, mass: Floats) -> float:

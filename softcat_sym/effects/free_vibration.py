@@ -21,12 +21,7 @@ from softcat_sym.effects.discrete_filament import (
 )
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.quasi_static import (
-    elastic_sag_under,
-    retardation,
-    slackness,
-    solvent_lag,
-)
+from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
@@ -43,7 +38,7 @@ from softcat_sym.scene.scene import (
 )
 
 _ELEMENTS = 40
-_TURN, _MOST = 0.6, 100
+_TURN, _MOST = 0.4, 100
 """Turn of an element of a natural curve [rad], unless that would take too many of them."""
 _EXCITED = 0.05
 """Smallest share of the way to rest that is of a mode which the load sets ringing."""
@@ -77,28 +72,25 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     if modulus is None:
         return None
     natural = _natural_shape(scene)
-    begin: Shape | None = _held_shape(scene, natural)
-    elements = _elements(scene, modulus, natural, begin)
-    if elements.is_strained(begin) and not is_slack(scene):
-        begin = elements.at_rest(begin, 0.0)
+    start = _held_shape(scene, natural)
+    elements = _elements(scene, modulus, natural, start)
+    begin = elements.at_rest(start, 0.0) if elements.is_strained(start) and not is_slack(scene) else start
     rest = None if begin is None else elements.at_rest(begin, 1.0)
     if begin is None or rest is None:
         return None
     squares, modes, strained, mass = elements.vibrations(rest)
     left = begin.seen_from(rest)
-    if is_slack(scene):
-        rung = np.ones_like(squares)
-    elif np.any(elements.force):
-        rung = modes.T @ mass @ left.ravel()[elements.free]
-    else:
-        # By whatever weight, however little.
+    first, way = 0, 0.0
+    if not is_slack(scene):
+        # Without a load: by whatever weight, however little.
         pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
-        rung = modes.T @ mass @ pushed / squares
-    first = int(np.argmax(rung**2 > _EXCITED * float(np.sum(rung**2))))
-    if squares[first] <= 0:
-        return None
-    way = 0.0 if is_slack(scene) else float(np.linalg.norm(left[len(left) // 2, :3]))
-    return Vibration(math.sqrt(float(squares[first])), min(1.0, max(0.0, float(strained[first]))), way)
+        is_loaded, way = np.any(elements.force), float(np.linalg.norm(left[len(left) // 2, :3]))
+        rung = modes.T @ mass @ (left.ravel()[elements.free] if is_loaded else pushed)
+        rung /= 1 if is_loaded else squares
+        first = int(np.argmax(rung**2 > _EXCITED * float(np.sum(rung**2))))
+    square = float(squares[first])
+    share = min(1.0, max(0.0, float(strained[first]) / square))
+    return Vibration(math.sqrt(square), share, way) if square > 0 else None
 
 
 def solid_viscosity(scene: Scene) -> float:
@@ -209,7 +201,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     )
     areas = undeformed_area(scene) * relative**section.area_power
     # A drawn filament is thinner: I0/s^3 over the length at rest, of a sheet I0/s^4.
-    drawn = (angles_in(begin)[0] / length) ** (-4 if section.plane_strain else -3)
+    drawn = (angles_in(begin)[0] / chords * force_free_stretch(scene)) ** (-4 if section.plane_strain else -3)
     square, across = (relative * filament.thickness) ** 2, filament.width**2
     axial = section.stiffness(modulus, poisson) * areas
     bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
@@ -223,6 +215,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         sheared * stiff,
     )
     mass = filament.density * areas * length
+    surface = np.array([scales.surface_stress(scene, one) for one in relative])
     in_bath = asked == "auto" or "added-mass" in asked
     attached, force = np.zeros(n + 1), np.zeros((n + 1, 6))
     attached[n // 2], attached[-1] = load.point_mass, load.tip_mass
@@ -238,9 +231,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         length=length,
         relaxed=math.log(force_free_stretch(scene)) + strains,
         axial=axial,
-        pull=np.array([scales.surface_stress(scene, one) for one in relative])
-        * areas
-        * bool(scales.pull_of_surface(scene)),
+        pull=surface * areas * bool(scales.pull_of_surface(scene)),
         pull_power=1.0 if section.plane_strain else 0.5,
         bending=bending,
         natural=angles,
