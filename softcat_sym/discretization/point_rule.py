@@ -10,6 +10,7 @@ from typing import ClassVar
 import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 
 POINT_TABLES = ("Y_f", "Z_f", "W_2", "W_3", "weight")
 """Numbers of a point, by the names of their symbols."""
@@ -92,7 +93,7 @@ def warping_rule(across: int, beside: int, aspect: float) -> PointRule:
     Y, Z = (part.ravel() for part in np.meshgrid(y, aspect * z, indexing="ij"))
     weight = np.outer(share_y, share_z).ravel() / 4
     W_2, W_3 = _slope_of_prandtl(Y, Z, aspect)
-    scale = np.sqrt(_torsion(aspect) / np.sum(weight * (W_2**2 + W_3**2)))
+    scale = np.sqrt(4 * CROSS_SECTIONS["rectangle"].torsion(aspect) / np.sum(weight * (W_2**2 + W_3**2)))
     return PointRule(Y, Z, scale * W_2, scale * W_3, weight)
 
 
@@ -112,9 +113,3 @@ def _slope_of_prandtl(Y: Floats, Z: Floats, aspect: float) -> tuple[Floats, Floa
     along_Y = -2 * Y + np.sum(a * k * np.sin(k * Y) * even, axis=0)
     along_Z = -np.sum(a * k * np.cos(k * Y) * odd, axis=0)
     return along_Z, -along_Y
-
-
-def _torsion(aspect: float) -> float:
-    """J over area and (h0/2)^2 of a rectangle: mean of 2 phi."""
-    k, _ = _odd()
-    return float(4 / 3 * (1 - 6 / aspect * np.sum(np.tanh(k * aspect) / k**5)))

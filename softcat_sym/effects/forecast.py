@@ -134,17 +134,16 @@ def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity:
     return max(_late(time[1:], moved[1:] + jump, gravity), jump, slow) / largest
 
 
-def missed_from_rest(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
+def missed_from_rest(time: quasi_static.Floats, sag: quasi_static.Floats, frequency: float) -> float:
     """Largest change of the sag by inertia, over the largest sag, for a filament in equilibrium that begins to flow.
 
-    It oscillates about its equilibrium at omega^2 = g/H, so that the initial speed v of the flow causes ringing of
-    amplitude v/omega.
+    The initial speed v of the flow causes ringing of amplitude v/omega about the equilibrium.
     """
     largest = float(np.max(np.abs(sag)))
-    if largest == 0 or gravity == 0 or len(time) < 2:
+    if largest == 0 or len(time) < 2:
         return 0.0
     speed = abs(float(sag[1] - sag[0])) / float(time[1] - time[0])
-    return min(1.0, speed * float(np.sqrt(largest / gravity)) / largest)
+    return min(1.0, speed / frequency / largest)
 
 
 def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
@@ -228,7 +227,7 @@ def _forecast(scene: Scene) -> Motion:
     span, first = scene.filament.span, float(history.time[1])
     sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
-    amplitude = min(1.0, rings.lasting(first) / scale)
+    amplitude = min(1.0, rings.lasting(first) / max(scale, rings.way))
     missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
     # There is no forecast for the initial rate of hinges in a slack filament, nor for the motion that a moving support
     # or a force at the end causes.
@@ -330,7 +329,7 @@ def expected_strain(scene: Scene) -> float:
 def missed_by(scene: Scene, time: quasi_static.Floats, sag: quasi_static.Floats) -> float:
     """Change of the sag by inertia, over the largest sag; a slack filament starts in equilibrium under its weight."""
     if is_slack(scene):
-        return missed_from_rest(time, sag, scales.gravity_of(scene))
+        return missed_from_rest(time, sag, ringing(scene).frequency)
     return missed_inertia(time, sag, scales.gravity_of(scene), scene.load.ramp)
 
 
@@ -433,7 +432,7 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
         return 0.0
     rings = ringing(scene, lossless=True)
     lost = -math.expm1(-solid_decay(scene) * scene.run.duration)
-    return max(min(1.0, rings.lasting(first) / scale) * lost, _lag(scene, solid_retardation(scene)))
+    return max(min(1.0, rings.lasting(first) / max(scale, rings.way)) * lost, _lag(scene, solid_retardation(scene)))
 
 
 def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:

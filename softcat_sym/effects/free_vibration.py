@@ -1,4 +1,4 @@
-"""First natural frequency of a held strand, and its ringing under its load."""
+"""First natural frequency of a filament, and its ringing under its load."""
 
 from __future__ import annotations
 
@@ -10,54 +10,58 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.quasi_static import (
-    elastic_sag_under,
-    load_factor,
-    mean_of,
-    retardation,
-    slackness,
-    solvent_lag,
-    start_sag,
+from softcat_sym.effects.added_mass import mass_ratio
+from softcat_sym.effects.discrete_filament import (
+    Elements,
+    Shape,
+    angles_in,
+    stiffness_of_angles,
+    turns_by,
+    unstrained,
 )
+from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
-from softcat_sym.scene.natural_curve import has_shape
+from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
-    distance,
+    force_free_stretch,
     is_held,
     is_slack,
-    rest_length,
     stress_free_length,
     undeformed_area,
 )
 
 _ELEMENTS = 40
-_HALVINGS = 100
+_TURN, _MOST = 0.4, 100
+"""Turn of an element of a natural curve [rad], unless that would take too many of them."""
 _EXCITED = 0.05
-"""Smallest share of modal mass of a mode that the weight excites."""
+"""Smallest share of the way to rest that is of a mode which the load sets ringing."""
 
 Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The lowest mode that the weight excites, of small vibrations about the elastic shape under that weight."""
+    """A mode of small vibrations about the elastic shape under load."""
 
     frequency: float  # omega_1, angular [1/s]
     # Share of bending and stretching in its stiffness, besides that of the static tension: only straining dissipates,
     # so that a loss tangent gives the damping ratio material_share loss_tangent/2.
     material_share: float
+    way: float  # Of the midpoint from where the filament begins to where it rests [m]; 0 if it begins at rest
 
 
 def first_vibration(scene: Scene) -> Vibration | None:
-    """The first mode of an elastic strand; None without a modulus, or if a single pin holds the strand.
+    """The first mode of the elastic filament about its shape under load; None without a modulus.
 
-    Euler-Bernoulli elements of small slope between the supports include bending E I, the tension N by the initial
-    stretch and by the weight, and the stretching of a sagging strand as it vibrates (Irvine 1981). N solves
-    N = E A (eps_0 + int y'^2 dX/(2 L)) with the shape y under the weight and N; it is zero with a free end.
+    It is the lowest of the modes that the load sets ringing, as it takes the filament from where it begins to where it
+    rests; of a filament that begins at rest, slack or without a load, the lowest of all.
     """
     return _first_vibration(scene.without_numerics())
 
@@ -65,33 +69,40 @@ def first_vibration(scene: Scene) -> Vibration | None:
 @lru_cache(maxsize=256)
 def _first_vibration(scene: Scene) -> Vibration | None:
     modulus = scales.instant_modulus(scene)
-    kinds = (scene.ends.left, scene.ends.right)
-    if modulus is None or sorted(kinds) == ["free", "pinned"]:
+    if modulus is None:
         return None
-    strand = _strand(scene, modulus)
-    tension, shape = strand.at_rest()
-    bending, geometric = strand.bending, strand.geometric
-    pulled = geometric @ shape
-    stretching = strand.axial * np.outer(pulled, pulled)
-    squares, modes = eigen(bending + tension * geometric + stretching, strand.mass)
-    carried = (modes.T @ strand.push) ** 2 / float(strand.push @ np.linalg.solve(strand.mass, strand.push))
-    first = next((n for n in range(len(squares)) if squares[n] > 0 and carried[n] > _EXCITED), None)
-    if first is None:
+    natural = _natural_shape(scene)
+    start = _held_shape(scene, natural)
+    elements = _elements(scene, modulus, natural, start)
+    begin = elements.at_rest(start, 0.0) if elements.is_strained(start) and not is_slack(scene) else start
+    rest = None if begin is None else elements.at_rest(begin, 1.0)
+    if begin is None or rest is None:
         return None
-    mode = modes[:, first]
-    strained = float(mode @ (bending + stretching) @ mode)
-    return Vibration(math.sqrt(float(squares[first])), min(1.0, strained / float(squares[first])))
+    squares, modes, strained, mass = elements.vibrations(rest)
+    left = begin.seen_from(rest)
+    first, way = 0, 0.0
+    if not is_slack(scene):
+        # Without a load: by whatever weight, however little.
+        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
+        is_loaded, way = np.any(elements.force), float(np.linalg.norm(left[len(left) // 2, :3]))
+        rung = modes.T @ mass @ (left.ravel()[elements.free] if is_loaded else pushed)
+        rung /= 1 if is_loaded else squares
+        first = int(np.argmax(rung**2 > _EXCITED * float(np.sum(rung**2))))
+    square = float(squares[first])
+    share = min(1.0, max(0.0, float(strained[first]) / square))
+    return Vibration(math.sqrt(square), share, way) if square > 0 else None
 
 
 def solid_viscosity(scene: Scene) -> float:
     """eta_s of the viscous stress beside spring and flow [Pa s]: as given, or loss_tangent E/omega_1; 0 without one."""
-    material = scene.material
-    if material.solid_viscosity is not None:
-        return material.solid_viscosity
-    vibration = first_vibration(scene) if material.loss_tangent > 0 else None
+    material, modulus = scene.material, scales.instant_modulus(scene)
+    if material.solid_viscosity is not None or material.loss_tangent == 0 or modulus is None:
+        return material.solid_viscosity or 0.0
+    vibration = first_vibration(scene)
     if vibration is None:
-        return 0.0
-    return material.loss_tangent * (scales.instant_modulus(scene) or 0.0) * _fibre_ratio(scene) / vibration.frequency
+        found = f"{material.loss_tangent:g}, but no stable elastic shape under the load is found, and so no frequency"
+        raise SceneError([Fault("material.loss_tangent", found, "material.solid_viscosity, or leaving it out")])
+    return material.loss_tangent * modulus * _fibre_ratio(scene) / vibration.frequency
 
 
 def solid_retardation(scene: Scene) -> float:
@@ -126,113 +137,113 @@ def _fibre_ratio(scene: Scene) -> float:
     return section.stiffness(PLANE_STRAIN**2, scene.material.poisson) if section.plane_strain else 1.0
 
 
-@dataclass(frozen=True)
-class _Strand:
-    """Matrices of deflections and slopes at the free nodes, over the distance of the supports [SI]."""
-
-    bending: Floats  # shape (n, n); Stiffness of bending, stiffness of a unit of tension, mass
-    geometric: Floats
-    mass: Floats
-    push: Floats  # shape (n,); Forces of a unit acceleration along the deflection
-    weight: float  # Gravity perpendicular to the line between the supports
-    axial: float  # E A over the distance; 0 with a free end
-    strain: float  # Elastic strain of the straight strand
-    length: float  # Distance of the supports
-
-    def at_rest(self) -> tuple[float, Floats]:
-        """Tension, and the shape under weight and tension."""
-        force = self.weight * self.push
-        if self.axial == 0:
-            return 0.0, np.asarray(np.linalg.solve(self.bending, force), dtype=np.float64)
-        # With the buckling modes v of the thrusts lambda, y = v (v.f)/(lambda + N).
-        thrusts, shapes = eigen(self.bending, self.geometric)
-        along = shapes.T @ force
-
-        def missing(tension: float) -> float:
-            return (
-                self.axial * (self.strain * self.length + float(np.sum((along / (thrusts + tension)) ** 2)) / 2)
-                - tension
-            )
-
-        low, high = max(self.axial * self.strain * self.length, -float(thrusts[0])), 2 * float(thrusts[0])
-        while missing(high) > 0:
-            high *= 4
-        high = max(low, high)
-        for _ in range(_HALVINGS):
-            middle = (low + high) / 2
-            low, high = (middle, high) if missing(middle) > 0 else (low, middle)
-        return high, np.asarray(shapes @ (along / (thrusts + high)), dtype=np.float64)
+def _natural_shape(scene: Scene) -> Shape:
+    """Without stress: its own curve, or straight along its supports, or from its only support in its direction."""
+    ends, filament, length = scene.ends, scene.filament, stress_free_length(scene)
+    kappa = np.array([[filament.twist, 0.0, filament.curvature]])
+    turned = math.ceil(float(np.linalg.norm(kappa)) * length / _TURN / 2) * 2
+    share = np.linspace(0.0, 1.0, min(max(_ELEMENTS, turned), _MOST) + 1)
+    if has_shape(scene):
+        curve = natural_curve(scene)
+        quaternions = curve.quaternions(share * length)
+        half = np.arccos(np.clip(quaternions[:, :1], -1, 1))
+        return Shape(curve.places(share * length), turns_by(2 * quaternions[:, 1:] / np.sinc(half / np.pi)))
+    from_left = ends.left != "free"
+    kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
+    along = chord_angle(scene) if is_held(scene) else angle if kind == "clamped" else 0.0
+    at = (share[:, None] - (0.0 if from_left else 1.0)) * length
+    first = _in_plane(np.array([along]))
+    steps = np.diff(at, axis=0) * (first @ turns_by((at[1:] + at[:-1]) / 2 * kappa))[:, :, 0]
+    return Shape(np.vstack([np.zeros(3), np.cumsum(steps, axis=0)]), first @ turns_by(at * kappa))
 
 
-def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
-    """Solve K v = lambda M v: values in ascending order, vectors with v.M v = 1."""
-    root = np.linalg.inv(np.linalg.cholesky(mass))
-    values, vectors = np.linalg.eigh(root @ stiffness @ root.T)
-    return values, root.T @ vectors
+def _held_shape(scene: Scene, natural: Shape) -> Shape:
+    """Between two supports: straight, or as the catenary of its length; clamps turn its ends."""
+    if has_shape(scene) or not is_held(scene):
+        return natural
+    ends, share, length = scene.ends, np.linspace(0.0, 1.0, len(natural.places)), stress_free_length(scene)
+    places = np.outer(share, [scene.filament.span, -ends.drop, 0.0])
+    angles = np.full(len(share), chord_angle(scene))
+    if is_slack(scene):
+        # The catenary (a asinh(s/a), hypot(a, s)); of what floats up it is upside down.
+        up = -1.0 if scales.buoyant_share(scene) > 1 else 1.0
+        rise, span = -up * ends.drop / length, scene.filament.span
+        a = span / 2 / _half_catenary(length / span * math.sqrt(1 - rise**2))
+        begin = a * math.atanh(rise) - span / 2
+        s = a * math.sinh(begin / a) + share * length
+        places[:, 0], places[:, 1] = a * np.arcsinh(s / a) - begin, up * (np.hypot(a, s) - math.hypot(a, s[0]))
+        angles = up * np.arctan(s / a)
+    for node, kind, angle in ((0, ends.left, ends.left_angle), (-1, ends.right, ends.right_angle)):
+        angles[node] = angle if kind == "clamped" else angles[node]
+    return Shape(places, _in_plane(angles))
 
 
-def _strand(scene: Scene, modulus: float) -> _Strand:
-    section, length = scales.section_of(scene), distance(scene)
-    # A filament with a natural shape is longer than the distance, but not compressed.
-    drawn = 1.0 if has_shape(scene) else length / rest_length(scene)
-    # A drawn strand is thinner: A0/s, I0/s^2.
-    area, stiff = undeformed_area(scene) / drawn, section.stiffness(modulus, scene.material.poisson)
-    gyration = section.gyration * scene.filament.thickness**2 / drawn
-    places = (np.arange(_ELEMENTS) + 0.5) / _ELEMENTS
-    values = scene.filament.profile or (1.0,)
-    relative = np.interp(places, np.linspace(0, 1, len(values)), values)
-    ell, areas = length / _ELEMENTS, relative**section.area_power
-    size = 2 * (_ELEMENTS + 1)
-    bending, geometric, mass = (np.zeros((size, size)) for _ in range(3))
-    push = np.zeros(size)
-    for n in range(_ELEMENTS):
-        at = slice(2 * n, 2 * n + 4)
-        bending[at, at] += stiff * area * areas[n] * gyration * relative[n] ** 2 / ell**3 * _bent(ell)
-        geometric[at, at] += _pulled(ell) / (30 * ell)
-        mass[at, at] += scene.filament.density * area * areas[n] * ell / 420 * _inert(ell)
-        push[at] += scene.filament.density * area * areas[n] * ell * np.array([1 / 2, ell / 12, 1 / 2, -ell / 12])
-    mass[_ELEMENTS, _ELEMENTS] += scene.load.point_mass
-    push[_ELEMENTS] += scene.load.point_mass
-    free = _free_places((scene.ends.left, scene.ends.right), size)
-    cut = np.ix_(free, free)
-    held = is_held(scene)
-    relaxed = (length if has_shape(scene) else stress_free_length(scene)) * math.exp(mean_of(scene.initial.P))
-    return _Strand(
-        bending=bending[cut],
-        geometric=geometric[cut],
-        mass=mass[cut],
-        push=push[free],
-        weight=scales.gravity_of(scene) * math.cos(chord_angle(scene)),
-        axial=stiff * area * float(np.mean(1 / areas)) ** -1 / length if held else 0.0,
-        strain=math.log(length / relaxed) if held else 0.0,
+def _in_plane(angles: Floats) -> Floats:
+    return turns_by(np.outer(angles, [0.0, 0.0, 1.0]))
+
+
+def _half_catenary(ratio: float) -> float:
+    """Solve sinh(u)/u = ratio: Newton's method in the logarithm, a convex function, from below."""
+    u = math.sqrt(6 * math.log(ratio))
+    for _ in range(50):
+        u -= (math.log(math.sinh(u) / u) - math.log(ratio)) / (1 / math.tanh(u) - 1 / u)
+    return u
+
+
+def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Elements:
+    filament, load, section, asked = scene.filament, scene.load, scales.section_of(scene), scene.run.effects
+    chords, angles = angles_in(natural)
+    length = unstrained(chords, angles) / force_free_stretch(scene)
+    n, poisson = len(length), scene.material.poisson
+    relative, strains = (
+        np.interp((np.arange(n) + 0.5) / n, np.linspace(0, 1, len(values)), values)
+        for values in (filament.profile or (1.0,), initial_strain(scene) or (0.0,))
+    )
+    areas = undeformed_area(scene) * relative**section.area_power
+    # A drawn filament is thinner: I0/s^3 over the length at rest, of a sheet I0/s^4.
+    drawn = (angles_in(begin)[0] / chords * force_free_stretch(scene)) ** (-4 if section.plane_strain else -3)
+    square, across = (relative * filament.thickness) ** 2, filament.width**2
+    axial = section.stiffness(modulus, poisson) * areas
+    bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
+    sheared = axial * drawn / (2 * (1 + poisson))
+    stiff = section.shear_correction if asked == "auto" or "shear" in asked else math.inf
+    bending = stiffness_of_angles(
+        length,
+        bent * square,
+        bent * across,
+        sheared * section.torsion(filament.width / filament.thickness) * square,
+        sheared * stiff,
+    )
+    mass = filament.density * areas * length
+    surface = np.array([scales.surface_stress(scene, one) for one in relative])
+    in_bath = asked == "auto" or "added-mass" in asked
+    attached, force = np.zeros(n + 1), np.zeros((n + 1, 6))
+    attached[n // 2], attached[-1] = load.point_mass, load.tip_mass
+    weight = (np.append(mass, 0.0) + np.append(0.0, mass)) / 2 * (1 - scales.buoyant_share(scene)) + attached
+    force[:, :3] = np.outer(weight * load.gravity, load.direction)
+    force[-1] += [*load.tip_force, *load.tip_torque]
+    free = np.ones((n + 1, 6), dtype=bool)
+    free[:, 2:5] = is_spatial(scene)
+    for node, kind in ((0, scene.ends.left), (-1, scene.ends.right)):
+        free[node, : {"clamped": 6, "pinned": 3, "free": 0}[kind]] = False
+    free[-1, 0] |= scene.ends.right_slides
+    return Elements(
         length=length,
+        relaxed=math.log(force_free_stretch(scene)) + strains,
+        axial=axial,
+        pull=surface * areas * bool(scales.pull_of_surface(scene)),
+        pull_power=1.0 if section.plane_strain else 0.5,
+        bending=bending,
+        natural=angles,
+        mass=mass,
+        mass_across=mass * (1 + in_bath * mass_ratio(scene)),
+        inertia=mass * section.gyration * (square + across),
+        attached=attached,
+        force=force,
+        closing=np.linspace(scene.ends.left == "free", scene.ends.right != "free", n + 1),
+        free=np.flatnonzero(free),
     )
 
-
-def _free_places(kinds: tuple[str, str], size: int) -> list[int]:
-    """Numbers of the deflections and slopes that the ends leave free."""
-    first, last = ({"clamped": {0, 1}, "pinned": {0}, "free": set()}[kind] for kind in kinds)
-    held = {*first, *(size - 2 + one for one in last)}
-    return [place for place in range(size) if place not in held]
-
-
-def _bent(ell: float) -> Floats:
-    a, b = 6 * ell, ell * ell
-    return np.array([[12, a, -12, a], [a, 4 * b, -a, 2 * b], [-12, -a, 12, -a], [a, 2 * b, -a, 4 * b]])
-
-
-def _pulled(ell: float) -> Floats:
-    a, b = 3 * ell, ell * ell
-    return np.array([[36, a, -36, a], [a, 4 * b, -a, -b], [-36, -a, 36, -a], [a, -b, -a, 4 * b]])
-
-
-def _inert(ell: float) -> Floats:
-    a, b, c = 22 * ell, 13 * ell, ell * ell
-    return np.array([[156, a, 54, -b], [a, 4 * c, b, -3 * c], [54, b, 156, -a], [-b, -3 * c, -a, 4 * c]])
-
-
-_FREQUENCY = 1.3
-"""Omega^2 H/g of a filament with static sag H: 22.37^2/384 of a clamped beam, pi^2/8 of a string."""
 
 _RAMP_ENVELOPE = 120.0
 """Ringing after the quintic ramp is 120/(omega ramp)^3 for a slow ramp (see regimes.ramp_gain)."""
@@ -245,9 +256,10 @@ _OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 class Ringing:
     """Ringing of the lowest mode about the elastic shape."""
 
-    frequency: float  # Angular [1/s]; infinite for a filament that does not spring back
+    frequency: float  # Of the first mode, angular [1/s]; infinite for a filament that does not spring back
     decay: float  # Decay rate of its amplitude [1/s]
     amplitude: float  # In spans, at the start
+    way: float = 0.0  # Of the midpoint from where the filament begins to where it rests, in spans
 
     def lasting(self, time: float) -> float:
         """Amplitude after a time [s]."""
@@ -261,40 +273,35 @@ class Ringing:
 
 
 def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
-    """Ringing that the load of a scene causes."""
-    modulus, weight = scales.instant_modulus(scene), scales.weight_stress(scene) * load_factor(scene)
-    if modulus is None or weight == 0 or is_slack(scene):
+    """Ringing that the load of a scene causes; without amplitude where the scene begins at rest under its load."""
+    vibration = first_vibration(scene)
+    if vibration is None:
         return Ringing(math.inf, 0.0, 0.0)
-    static = scales.static_modulus(scene) if scene.material.law == "kelvin-voigt" else modulus
-    deep = elastic_sag_under(scene, weight, static) - start_sag(scene)
-    if deep <= 0:
-        return Ringing(math.inf, 0.0, 0.0)
-    frequency = math.sqrt(_FREQUENCY * scales.gravity_of(scene) / (deep * scene.filament.span))
+    frequency, way = vibration.frequency, vibration.way / scene.filament.span
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
-    left = min(1.0, _left_by_ramp(scene, frequency, deep)) if scene.load.ramp > 0 else 1.0
-    return Ringing(frequency, decay, deep * left if decay < frequency else 0.0)
+    if scales.weight_stress(scene) == 0 or decay >= frequency:
+        return Ringing(frequency, decay, 0.0, way)
+    left = min(1.0, _left_by_ramp(scene, frequency, way)) if scene.load.ramp > 0 else 1.0
+    return Ringing(frequency, decay, way * left, way)
 
 
-def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
+def _left_by_ramp(scene: Scene, frequency: float, way: float) -> float:
     """Ringing after the ramp of gravity over that without a ramp.
 
     A straight filament without bending stiffness is soft while its load is small: its quasi-static sag starts with a
     speed of 2.15 sags per ramp, inertia keeps up with it from the time t_c on, when its phase has grown to one radian,
-    and the action of that oscillation is conserved.
+    and the action of that oscillation is conserved. From omega^2 H/g = constant the phase at t is omega(t) t/2.
     """
-    ramp, gravity, span = scene.load.ramp, scales.gravity_of(scene), scene.filament.span
+    ramp, speed = scene.load.ramp, 2.15 / scene.load.ramp
     smooth = _RAMP_ENVELOPE / (frequency * ramp) ** 3
-    beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
-    straight = is_held(scene) and abs(slackness(scene)) < _STRAIGHT
-    speed = 2.15 * deep * span / ramp
-    caught = math.sqrt(math.sqrt(ramp**3 * speed / (10 * _FREQUENCY * gravity)))
-    stiff = math.sqrt(_FREQUENCY * gravity / (beam * span))
-    if not straight:
+    if not is_held(scene) or abs(slackness(scene)) > _STRAIGHT:
         return smooth
-    swing = speed * caught / (deep * span) / math.sqrt(max(1.0, frequency * caught))
+    beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
+    caught = math.sqrt(math.sqrt(4 * ramp**3 * speed / 10) / frequency)
+    swing = speed * caught * math.sqrt(min(1.0, 2 / (frequency * caught)))
     # A beam that is stiff from the beginning follows its equilibrium; between beam and string the share falls with the
-    # cube of the frequency.
-    return max(smooth, swing / float(max(1.0, stiff * caught)) ** 3)
+    # cube of the frequency of the beam alone.
+    return max(smooth, swing / max(1.0, frequency * math.sqrt(way / beam) * caught) ** 3)
 
 
 def _decay(scene: Scene, frequency: float) -> float:

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 PLANE_STRAIN = math.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width."""
 
+_ODD_TERMS = 120
+
 
 @dataclass(frozen=True, slots=True)
 class CrossSection:
@@ -36,6 +38,13 @@ class CrossSection:
     def pull(self, thickness: float, width: float) -> float:
         """Axial force of a unit of surface tension over the area, P/(2 A); of a sheet, whose width stays, 2/h_0."""
         return 1 / thickness + 1 / width if self.name == "rectangle" else 2 / thickness
+
+    def torsion(self, aspect: float) -> float:
+        """J/(A h_0^2) at a width over thickness (Saint-Venant)."""
+        if self.name == "circle":
+            return 1 / 8
+        terms = (math.tanh(n * math.pi / 2 * aspect) / n**5 for n in range(1, _ODD_TERMS, 2))
+        return (1 - 192 / math.pi**5 / aspect * sum(terms)) / 3
 
     def neck(self, aspect: float) -> float:
         """Beta of the gradient term beta h_0^2 T/s^4, at a width over thickness."""

@@ -169,7 +169,7 @@ def _of_ends(scene: Scene) -> Iterator[Rule]:
 
 def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
     """What is shaken does not rest; a loss below yield is a stress that only the filament's material closure has."""
-    load, material, numerics, ends = scene.load, scene.material, scene.numerics, scene.ends
+    load, material, numerics = scene.load, scene.material, scene.numerics
     shakes, turns, out = load.shake > 0, load.shake_frequency > 0, "leaving it out"
     found = f"'settled', but load.shake is {load.shake:g}: what is shaken does not come to rest"
     yield shakes and scene.run.until == "settled", "run.until", found, "duration"
@@ -184,9 +184,6 @@ def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
         yield scene.model == "small-deflection", path, found, accepted
         found = "given with run.closure = 'printed', whose section has no viscous stress beside its flow"
         yield scene.run.closure == "printed", path, found, f'{out}, or run.closure = "material"'
-        swings = material.solid_viscosity is None and {ends.left, ends.right} == {"free", "pinned"}
-        found = "given, but a strand that a pin alone holds has no elastic natural frequency at which it holds"
-        yield swings, path, found, f"material.solid_viscosity, or {out}"
     found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
     yield None not in (numerics.order, numerics.fibres), "numerics.order", found, "one of the two"
 

@@ -16,7 +16,6 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.scaling_estimates import (
-    elastic_sag,
     gravity_number_of,
     instant_modulus,
     viscous_number,
@@ -26,7 +25,7 @@ from softcat_sym.effects.scaling_estimates import (
 )
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack
+from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
 
@@ -296,8 +295,7 @@ def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
 
 def _is_slow(scene: Scene) -> bool:
     """Whether the ramp of the load is so slow, compared with the elastic period, that there is no ringing."""
-    sag = elastic_sag(scene)
-    if sag == 0 or scene.load.shake > 0:
+    frequency = ringing(scene).frequency
+    if not math.isfinite(frequency) or weight_stress(scene) == 0 or scene.load.shake > 0:
         return False
-    period = 2 * math.pi * math.sqrt(sag) * gravity_time(scene)
-    return scene.load.ramp > _SLOW_PERIODS * period
+    return scene.load.ramp > _SLOW_PERIODS * 2 * math.pi / frequency

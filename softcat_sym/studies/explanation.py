@@ -13,7 +13,7 @@ from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.free_vibration import damping_note, first_vibration, ringing
+from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -240,11 +240,10 @@ def _ringing(scene: Scene, effects: Effects, unknowns: int) -> str:
 
     The time of compiled runs is accurate to a factor of two or three; see :data:`STEPS_PER_PERIOD`.
     """
-    vibration, rings = first_vibration(scene), ringing(scene)
-    audible = rings.amplitude >= scene.run.accuracy * expected_sag(scene)
-    if vibration is None or not effects.terms().inertia or not audible:
+    rings = ringing(scene)
+    if not effects.terms().inertia or rings.amplitude < scene.run.accuracy * expected_sag(scene):
         return ""
-    frequency = vibration.frequency / (2 * math.pi)
+    frequency = rings.frequency / (2 * math.pi)
     damped = rings.decay > 0
     lasts = min(scene.run.duration, -math.log(scene.run.accuracy) / rings.decay if damped else math.inf)
     at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
