@@ -9,6 +9,7 @@ import hashlib
 import math
 import os
 import re
+import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -36,8 +37,13 @@ collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platfo
 
 
 def pytest_configure() -> None:
-    """No plain lines of progress on a slow machine, where tests ask that nothing else is printed."""
+    """No plain lines of progress on a slow machine, where tests ask that nothing else is printed; Ctrl-C is heard.
+
+    A shell that starts a command in the background has it ignore interrupts, and so would whatever a test starts.
+    """
     progress._PLAIN_DELAY = math.inf
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
