@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.fitting.flow_curve import LAWS, FlowCurve, FlowCurveFit, fit_flow_curve
+from tests.common.draws import draws
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -58,7 +59,7 @@ def _yielding(counts: dict[str, Counter[str]]) -> float:
 
 @pytest.mark.parametrize("error", ERRORS)
 def test_confusion_of_flow_curves(error: str) -> None:
-    random = np.random.default_rng(len(error))
+    random = draws(len(error))
     chosen: dict[str, Counter[str]] = {truth: Counter() for truth in TRUTHS}
     told: dict[str, Counter[str]] = {truth: Counter() for truth in TRUTHS}
     worst, clear = 0.0, []
