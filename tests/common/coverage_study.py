@@ -23,6 +23,7 @@ from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.free_parameters import free_parameters, with_values
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.problem import FilamentProblem
+from tests.common.draws import draws
 from tests.common.kept_answers import fingerprint, kept
 
 CELLS = 10
@@ -127,7 +128,7 @@ def _several(job: tuple[str, int, Sequence[int]]) -> list[Fitted]:
 
 def fitted(name: str, number: int, film: int) -> Fitted:
     """Draw one film, and fit it."""
-    case, asked, random = CASES[number], STUDIES[name], np.random.default_rng([number, film, len(name)])
+    case, asked, random = CASES[number], STUDIES[name], draws(number, film, len(name))
     true = sc.load_scene(case.scene, {"run.effects": case.effects, "numerics.cells": CELLS})
     true = true.replace({"run.duration": f"{true.run.duration * case.share!r} s"})
     known = free_parameters(true, case.free)

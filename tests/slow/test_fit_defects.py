@@ -20,6 +20,7 @@ from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import Fit, FitOutcome
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
 from tests.common import rk4_filament
+from tests.common.draws import draws
 from tests.common.fitting import CONSTANTS, WRONG, beside, constants, film
 from tests.common.table import show
 
@@ -45,7 +46,7 @@ def _ink() -> Seen:
     scene = sc.load_scene("ink-bridge")
     run = sc.simulate(scene).data
     heights = run.midpoint.values[1:]
-    noise = 1.5e-6 * np.random.default_rng(0).standard_normal(heights.size)
+    noise = 1.5e-6 * draws(0).standard_normal(heights.size)
     data = Measurements.of(run.time.values[1:], heights + noise)
     return Seen(scene, data, before="eta 43.0 ± 1.2 for 30, identified", profiles=True)
 
@@ -77,7 +78,7 @@ def _by_camera(scale: float, shift: float) -> Seen:
 def _wild(loss: Loss) -> Seen:
     """One reading of ten is up to half of the largest sag too low."""
     scene = sc.load_scene("continual-descent", {"run.effects": "paper"})
-    clean, random = film(scene, FRAMES, 0.01, seed=2).series[0], np.random.default_rng(3)
+    clean, random = film(scene, FRAMES, 0.01, seed=2).series[0], draws(3)
     wild, midpoint = random.choice(FRAMES, FRAMES // 10, replace=False), clean.midpoint.copy()
     midpoint[wild] -= 0.5 * np.max(np.abs(midpoint)) * random.random(wild.size)
     return Seen(scene, Measurements.of(clean.time, midpoint), loss=loss, before="not said" if loss == LINEAR else "")

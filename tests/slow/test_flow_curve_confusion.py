@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.fitting.flow_curve import LAWS, FlowCurve, FlowCurveFit, fit_flow_curve
+from tests.common.draws import draws, shares
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -56,9 +57,10 @@ def _yielding(counts: dict[str, Counter[str]]) -> float:
     )
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("error", ERRORS)
 def test_confusion_of_flow_curves(error: str) -> None:
-    random = np.random.default_rng(len(error))
+    random = draws(len(error))
     chosen: dict[str, Counter[str]] = {truth: Counter() for truth in TRUTHS}
     told: dict[str, Counter[str]] = {truth: Counter() for truth in TRUTHS}
     worst, clear = 0.0, []
@@ -82,7 +84,10 @@ def test_confusion_of_flow_curves(error: str) -> None:
     print(f"yield stress found, over two decades or more by ten points or more: {sum(clear)} of {len(clear)}")
     # One constant more is worth a factor of 1.47 with six points, two are worth 1.95.
     assert worst < 2
-    assert np.mean(clear) > 0.97
+    # Of some 160 curves: 2 in 1250 are missed, by what eight other sets of draws had.
+    assert np.mean(clear) >= 1 - shares(len(clear), 2e-3)[1]
     # Constant errors, unlike the relative ones that are assumed, are those of a few points at the lowest rates.
     if error != "of the least stress":
-        assert _yielding(chosen) < 0.12 and _yielding(told) < 0.04
+        # 8.0 and 2.1 % of the 1280 in those sets; a binomial of 160.
+        for counts, share in ((chosen, 0.09), (told, 0.025)):
+            assert _yielding(counts) <= shares(2 * EACH, share)[1]

@@ -13,6 +13,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import CANNOT, fit_laws
 from softcat_sym.scene.material import CONSTANTS
+from tests.common.draws import draws
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -44,7 +45,7 @@ def _scene(law: str, factors: np.ndarray, index: float) -> sc.Scene:
 
 def _verdict(law: str, film: int, noise: float, correlation: float, *, theory: bool) -> str:
     """The verdict on a film with errors of a share of the largest sag, each correlated with the one before."""
-    random = np.random.default_rng([film, LAWS.index(law)])
+    random = draws(film, LAWS.index(law))
     factors, index = np.exp(random.uniform(-0.7, 0.7, 3)), round(random.uniform(0.3, 0.7), 3)
     run = sc.simulate(_scene(law, factors, index)).data
     height = run.midpoint.values[1:]

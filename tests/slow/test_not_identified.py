@@ -17,6 +17,7 @@ from softcat_sym.errors import SceneError
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import Fit, FitOutcome
+from tests.common.draws import draws, misses
 from tests.common.table import show
 
 OVERDAMPED = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"]
@@ -82,7 +83,7 @@ def _scene(name: str, effects: tuple[str, ...]) -> sc.Scene:
 def _fit(name: str) -> Fit:
     case = CASES[name]
     scene = _scene(case.scene, tuple(case.effects))
-    run, random = sc.simulate(scene).data, np.random.default_rng(5)
+    run, random = sc.simulate(scene).data, draws(5)
     time = np.linspace(case.begin, 1.0, FRAMES + 1)[1:] * scene.run.duration
     exact = np.interp(time, run.time.values, run.midpoint.values)
     film = Measurements.of(time, exact + NOISE * np.max(np.abs(exact)) * random.standard_normal(FRAMES))
@@ -104,9 +105,8 @@ def test_what_a_film_cannot_tell_is_said(name: str) -> None:
         low, high = one.ci95
         assert (one.value is not None) == (one.verdict == IS)
         assert (low is None) + (high is None) == {IS: 0, ONE: 1, NOT: 2}[one.verdict]
-        # Whatever ends are given, the truth lies within: these films are drawn once, from a seed.
-        assert low is None or low < one.typical
-        assert high is None or high > one.typical
+        # Whatever ends are given, the truth lies within.
+        assert not misses(one.best, one.ci95, one.typical, FRAMES - 2)
         assert bool(one.reason) == (one.verdict != IS)
 
 

@@ -8,6 +8,7 @@ import pytest
 from softcat_sym.fitting.identifiability import information, noise_of
 from softcat_sym.fitting.inference import profile
 from softcat_sym.fitting.least_squares import Loss, minimise
+from tests.common.draws import draws, errors_away, shares
 from tests.common.fit_problems import Problem, line, problem, saturation
 
 TRUTH = np.array([0.5, 0.2])
@@ -16,7 +17,7 @@ TRUTH = np.array([0.5, 0.2])
 def film(seed: int, wild: float) -> Problem:
     """Sixty points; some are 5 to 30 standard deviations off, to either side."""
     p = problem("v K", saturation, TRUTH.tolist(), 0.03, seed)
-    random = np.random.default_rng(9000 + seed)
+    random = draws(9000 + seed)
     off = (random.random(p.data.size) < wild) * random.choice([-1, 1], p.data.size)
     p.data = p.data + off * p.std * random.uniform(5, 30, p.data.size)
     return p
@@ -39,23 +40,26 @@ def covered(loss: Loss, wild: float, sets: int, profiled: int, *, noise_known: b
 
 
 @pytest.mark.slow
+@pytest.mark.statistical
 @pytest.mark.parametrize("noise_known", [True, False])
 @pytest.mark.parametrize("wild", [0.0, 0.05, 0.1])
 @pytest.mark.parametrize("loss", [Loss("soft-l1", 1.0), Loss("cauchy", 1.0), Loss("cauchy", 2.4)], ids=str)
 def test_intervals_contain_the_truth(loss: Loss, wild: float, noise_known: bool) -> None:
-    curved, traced = covered(loss, wild, 300, 150, noise_known=noise_known)
+    curved, traced = covered(loss, wild, 1000, 150, noise_known=noise_known)
     print(f"{loss.kind} {loss.scale} wild {wild:.0%} noise known {noise_known}: curvature {curved}, profiles {traced}")
-    assert np.all((curved > 0.90) & (curved < 0.99))
-    assert np.all((traced > 0.90) & (traced < 0.99))
+    # Binomials: of 2000 films 94.2 to 95.1 % are covered, of a theory for many readings and of sixty.
+    for found, sets in ((curved, 1000), (traced, 150)):
+        assert np.all((found >= shares(sets, 0.94)[0]) & (found <= shares(sets, 0.955)[1]))
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("loss", [Loss("soft-l1", 1.0), Loss("cauchy", 1.0)], ids=str)
 def test_intervals_contain_the_truth_in_a_quick_count(loss: Loss) -> None:
-    curved, _ = covered(loss, 0.1, 60, 0, noise_known=False)
-    # 95 % less three standard deviations of a binomial of 60.
-    assert np.all(curved > 0.86)
+    curved, _ = covered(loss, 0.1, 200, 0, noise_known=False)
+    assert np.all(curved >= shares(200, 0.94)[0])  # 83.5 %
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("loss", [Loss("soft-l1", 1.0), Loss("cauchy", 1.0), Loss("cauchy", 2.4)], ids=str)
 @pytest.mark.parametrize("noise_known", [True, False])
 def test_the_scale_is_that_of_the_asymptotic_theory(loss: Loss, noise_known: bool) -> None:
@@ -64,11 +68,14 @@ def test_the_scale_is_that_of_the_asymptotic_theory(loss: Loss, noise_known: boo
     density = np.exp(-0.5 * z**2) / np.sqrt(2 * np.pi)
     psi = loss.weights(z) * z
     theory = np.sqrt(np.trapezoid(psi**2 * density, z)) / np.trapezoid(np.gradient(psi, z) * density, z)
-    residuals = np.random.default_rng(3).standard_normal(200_000)
+    number = 800_000
+    residuals = draws(3).standard_normal(number)
     found = noise_of(residuals, np.ones((residuals.size, 1)), noise_known=noise_known, loss=loss)
     assert theory > 1.02
-    assert found.deviation == pytest.approx(theory, rel=0.01)
-    assert found.reading == pytest.approx(1.0, rel=0.01)
+    # Of N readings both are off by up to 1.5/sqrt(N), as a deviation of 60 times 20 000 draws has it for each loss.
+    far = 1.5 * errors_away() / np.sqrt(number)  # 0.9 %
+    assert found.deviation == pytest.approx(theory, rel=far)
+    assert found.reading == pytest.approx(1.0, rel=far)
 
 
 def test_a_profile_of_a_straight_line_has_the_curvature_of_its_loss() -> None:
@@ -85,11 +92,15 @@ def test_a_profile_of_a_straight_line_has_the_curvature_of_its_loss() -> None:
         assert one.upper.crossing == pytest.approx(best.q[k] + half, abs=0.1 * half)
 
 
+@pytest.mark.statistical
 def test_wild_points_do_not_widen_the_noise_of_a_reading() -> None:
-    p = film(0, 0.1)
-    loss = Loss("cauchy", 1.0)
-    best = minimise(p, TRUTH, loss=loss)
-    robust = noise_of(best.residuals, best.jacobian, noise_known=False, loss=loss)
-    plain = noise_of(best.residuals, best.jacobian, noise_known=False)
-    assert plain.reading > 2.5
-    assert robust.reading == pytest.approx(1.0, abs=0.3)
+    loss, robust, plain = Loss("cauchy", 1.0), [], []
+    for seed in range(60):
+        p = film(seed, 0.1)
+        best = minimise(p, TRUTH, loss=loss)
+        robust.append(noise_of(best.residuals, best.jacobian, noise_known=False, loss=loss).reading)
+        plain.append(noise_of(best.residuals, best.jacobian, noise_known=False).reading)
+    # Means of sixty: of a median deviation to which a tenth of wild points adds 10 %, 1.10 +- 0.18/sqrt(60), and of a
+    # root mean square, 5.9 +- 1.5/sqrt(60).
+    assert np.mean(robust) == pytest.approx(1.1, abs=errors_away() * 0.18 / 60**0.5)
+    assert np.mean(plain) > 4.5

@@ -12,6 +12,7 @@ import softcat_sym as sc
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import LawComparison, fit_laws
 from softcat_sym.fitting.result import FitOutcome
+from tests.common.draws import draws
 from tests.common.table import show
 
 LAWS = ("maxwell", "bingham", "newtonian")
@@ -62,7 +63,7 @@ def _scene(law: str) -> sc.Scene:
 @cache
 def _compared(film: Film) -> LawComparison:
     scene = _scene(film.law).replace({"run.frames": film.frames + 1})
-    run, random = sc.simulate(scene).data, np.random.default_rng([film.frames, LAWS.index(film.law)])
+    run, random = sc.simulate(scene).data, draws(film.frames, LAWS.index(film.law))
     height = run.midpoint.values[1:]
     noise = film.noise * float(np.max(np.abs(height)))
     readings = Measurements.of(run.time.values[1:], height + noise * random.standard_normal(height.size))
