@@ -120,7 +120,7 @@ _WHOLE, _NOTHING, _ALIKE, _SWINGS, _BOUNDLESS = 0.95, 1e-6, 0.1, 3.0, 1e3
 
 def rough_percent(share: float) -> str:
     """A share of the sag, with the single digit of an estimate."""
-    return f"about {float(f'{100 * share:.1g}'):g} %" if share < _WHOLE else "as much as all"
+    return f"about {float(f'{100 * share:.1g}'):g} %" if share < _WHOLE else "all"
 
 
 def held_up(share: float) -> float:
