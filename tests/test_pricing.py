@@ -184,7 +184,10 @@ def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
     assert "shear" not in named and "yielding" not in named
     assert drawn[change][int(named["rotary-inertia"])] == pytest.approx(0.25)
     assert drawn[seconds][int(named["rotary-inertia"])] == pytest.approx(2.0)
-    assert altered.reading == "beyond the accuracy asked, in force: none; left out: rotary-inertia 25 %"
+    runs = rows_of(altered)["rotary-inertia"].variant, altered.base
+    sag, without = (f"{-1e3 * run.midpoint[-1]:.3g} mm" for run in runs if run is not None)
+    expected = f"left out: rotary-inertia (sag {sag}; without it {without})"
+    assert altered.reading == f"beyond the accuracy asked, in force: none; {expected}"
     rows = list(csv.DictReader(io.StringIO(altered.to_frame().to_csv(index=False))))
     assert [row["effect"] for row in rows] == [*(row.effect for row in altered.rows), EVERYTHING]
     assert float(rows[2]["change"]) == 0.25 and rows[1]["outcome"] == "step_limit" and rows[1]["own_change"] == ""

@@ -156,7 +156,7 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
     assert "interpreted" not in dict(answer_rows(slow | {"backend": "compiled"}, scene))
     # What was left out is one number, shown where it exceeds the accuracy.
     summary |= {"left_out": {"shear": 0.021, "rotary-inertia": 1e-4}, "checked": {"shear": 0.03, "rotary-inertia": 0.0}}
-    row = ("left out", "shear, rotary-inertia: together worth at most 3 % of the sag")
+    row = ("left out", "shear, rotary-inertia: at most 3 % of the sag together")
     assert [row in answer_rows({**summary, "accuracy": limit}, scene) for limit in (0.05, 0.01)] == [False, True]
     estimate = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
     details = dict(detail_rows(summary | {"error_estimate": estimate}))

@@ -421,7 +421,7 @@ def test_what_the_program_left_out_and_matters_is_missing_and_what_the_user_left
     for value, missing in ((0.0101, {"thinning"}), (0.0099, set())):
         found = missing_effect(scene, effects, {"thinning": Estimate(value, "half the strain")}, Outcome.solved)
         assert set(found) == missing
-        assert all("worth about 1 % of the sag" in text for text in found.values())
+        assert all("moves the midpoint by about 1 % of the sag" in text for text in found.values())
     for named in ({"run.effects": "paper"}, {"run.effects": ["bending"]}, {"run.closure": "printed"}):
         by_user = scene.replace(named)
         for outcome in (Outcome.solved, Outcome.no_convergence):
@@ -477,7 +477,7 @@ def test_what_a_run_shows_to_matter_is_taken_in(effect: str, monkeypatch: pytest
     assert effect not in choose_effects(scene).names
     done = simulate(scene)
     (text,) = done.summary["repeats"]
-    assert text.startswith(f"{effect}: the run without it shows that it is worth")
+    assert text.startswith(f"{effect}: shown by the run without it: ")
     assert text.removeprefix(f"{effect}: ") in done.summary["effects"][effect]
     assert (done.outcome, done.summary["warnings"], done.missing_effect) == (Outcome.solved, [], {})
     assert effect not in done.summary["checked"]

@@ -30,7 +30,7 @@ from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_
 from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import NotAQuantity, shown
+from softcat_sym.scene.units import NotAQuantity, length_text, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence
@@ -266,14 +266,7 @@ def _spread(rows: Sequence[dict[str, float]]) -> float:
 
 
 _CALLED = {SPAN: "span", THICKNESS: "thickness", FRAME_RATE: "frame rate", DURATION: "duration"}
-_LENGTHS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "um"))
 _WORTH = 1.05
-
-
-def length_text(value: float) -> str:
-    """A length with three digits and the unit that suits it."""
-    factor, unit = next((pair for pair in _LENGTHS if abs(value) >= pair[0]), _LENGTHS[-1])
-    return f"{value / factor:.3g} {unit}"
 
 
 def percent(error: float) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 
 from softcat_sym import store
-from softcat_sym.design.critical_span import LIMITS, Limit, length_text, read_limit, sentences
+from softcat_sym.design.critical_span import LIMITS, Limit, read_limit, sentences
 from softcat_sym.design.information import (
     DURATION,
     FRAME_RATE,
@@ -37,7 +37,7 @@ from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, 
 from softcat_sym.fitting.identifiability import FACTOR, MAX_ERROR, Information, information, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import NotAQuantity, shown
+from softcat_sym.scene.units import NotAQuantity, length_text, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
 

@@ -26,7 +26,10 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     slower = math.sqrt(1 + mass_ratio(scene)) - 1
     value = slower * max(motion.missed, motion.swings)
     return Estimate(
-        min(1.0, value), "change of every period, times the estimate of inertia", "sqrt(1 + C_m rho_b/rho) - 1"
+        min(1.0, value),
+        "change of every period, times the estimate of inertia",
+        "sqrt(1 + C_m rho_b/rho) - 1",
+        late=True,
     )
 
 

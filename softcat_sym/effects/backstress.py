@@ -9,7 +9,7 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, held_up
 from softcat_sym.scene.scene import Scene
 
 
@@ -30,7 +30,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     limit = scene.material.threshold
     change = stress / (stress + limit) if stress else 0.0
     meaning = "backstress over backstress and yield stress, times the stress that flow relaxes"
-    return Estimate(motion.amplified(change * motion.relaxed), meaning, "relaxed chi/(chi + sigma_Y)")
+    change *= motion.relaxed
+    return Estimate(motion.amplified(change), meaning, "relaxed chi/(chi + sigma_Y)", held_up(change))
 
 
 BACKSTRESS = Effect(

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion, always
+from softcat_sym.effects.effect import Effect, Estimate, Motion, always, held_up
 from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, chord_angle, groups_of
+from softcat_sym.scene.scene import Scene, chord_angle, groups_of, is_held
 
 _LAYER, _PINNED = 0.5, 0.1
 """Smallest share of the load in bending, over h0/H, of a string in clamps, and between pins."""
@@ -35,8 +36,11 @@ def bending_share(scene: Scene, motion: Motion) -> float:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    share = motion.amplified(bending_share(scene, motion))
-    return Estimate(share, "share of the load that bending carries", "at least h0/(2 H), between pins a fifth of it")
+    share = bending_share(scene, motion)
+    # Tension carries a load as the cube of the sag, and nothing but bending carries one to a free end.
+    without = held_up(1 - motion.tension_share) ** (1 / 3) if is_held(scene) else math.inf
+    formula = "at least h0/(2 H), between pins a fifth of it"
+    return Estimate(motion.amplified(share), "share of the load that bending carries", formula, without)
 
 
 BENDING = Effect(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, Estimate, Motion, held_up
 from softcat_sym.errors import Fault
 from softcat_sym.scene.scene import Scene
 
@@ -25,7 +25,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # The frequency of a string depends on the tension by its weight; that of a beam does not.
     change = share * motion.sag / motion.scale * (1 + motion.tension_share * motion.swings)
     meaning = "share of the weight that the surrounding fluid carries, amplified by the ringing of a string"
-    return Estimate(min(1.0, change), meaning, "rho_b/rho (1 + phase of the ringing)")
+    without = held_up(share) if share < 1 else None
+    return Estimate(min(1.0, change), meaning, "rho_b/rho (1 + phase of the ringing)", without)
 
 
 def _faults(scene: Scene) -> list[Fault]:

@@ -11,7 +11,7 @@ from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.forecast import expected_sag, forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.law import has_chains, law_in
@@ -188,10 +188,10 @@ class Decision:
 
     @property
     def why(self) -> str:
-        """Reason with the estimate: ``worth about 90 % of the sag``."""
+        """Reason with the estimate: ``sag about 12 um; without it 61 um``."""
         if self.estimate is None or (self.reason and self.estimate.value == 0):
             return self.reason
-        return f"{self.reason} ({self.estimate})" if self.reason else f"worth {self.estimate}"
+        return f"{self.reason} ({self.estimate})" if self.reason else str(self.estimate)
 
 
 @dataclass(frozen=True)
@@ -284,9 +284,9 @@ def _estimates(scene: Scene) -> dict[str, Estimate]:
 
     For a material that changes in time, the largest of its beginning, middle and end.
     """
-    stages = [(one, forecast(one)) for one in scene.stages()]
+    stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
     return {
-        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda estimate: estimate.value)
+        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)
         for effect in REGISTRY
         if effect.applies(scene)
     }

@@ -31,7 +31,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
         return Estimate(0.0, meaning)
     changing, constant = (followed_sag(one)[1] for one in (scene, scene.at(0.0)))
     change = float(np.max(np.abs(changing - constant)) / max(np.max(changing), np.max(constant), 1e-300))
-    return Estimate(motion.amplified(change), meaning)
+    without = float(np.max(constant)) / max(float(np.max(changing)), 1e-300)
+    return Estimate(motion.amplified(change), meaning, without=without)
 
 
 CURING = Effect(

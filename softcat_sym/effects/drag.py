@@ -58,7 +58,9 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     falling = min(1.0, fall / scene.run.duration)
     law = "a cylinder in cross-flow (White)" if scene.surroundings.density > 0 else "a slender body (Cox)"
     meaning = f"drag of {law} over the weight, or ringing that it damps"
-    return Estimate(min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))")
+    return Estimate(
+        min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))", late=True
+    )
 
 
 def _warnings(scene: Scene, motion: Motion) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ from softcat_sym.errors import Fault
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import to_si_of_any
+from softcat_sym.scene.units import length_text, to_si_of_any
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -58,14 +59,41 @@ class Estimate:
         Change of the midpoint, relative to its largest value, if the effect were left out.
     meaning, formula : str
         Meaning of the number in words, and its formula.
+    without : float or None
+        Sag without the effect over that with it; None where that is not known.
+    late : bool
+        Whether the effect changes when the midpoint gets where it goes, and how it swings.
+    sag : float
+        Sag with the effect [m]; 0 where it is not known.
     """
 
     value: float
     meaning: str
     formula: str = ""
+    without: float | None = None
+    late: bool = False
+    sag: float = 0.0
+
+    def seen(self, sag: float, *, lacking: bool = False) -> Estimate:
+        """The estimate for a filament with this sag [m], which has the effect or lacks it."""
+        return replace(self, sag=sag / self.without if lacking and self.without else sag)
 
     def __str__(self) -> str:
-        return amount(self.value)
+        """What the midpoint does without the effect: ``sag about 12 um; without it 61 um``."""
+        share = rough_percent(self.value)
+        if self.value < _NOTHING:
+            return "it changes nothing"
+        if self.late:
+            return f"it changes when the midpoint gets there and how it swings, by {share} of the sag on the way"
+        if self.without is None or not self.sag > 0:
+            return f"it moves the midpoint by {share} of the sag"
+        if abs(self.without - 1) < _ALIKE:
+            apart = abs(self.without - 1)
+            swings = "it changes how the midpoint swings; " if self.value > _SWINGS * apart else ""
+            more = "larger" if self.without > 1 else "smaller"
+            return f"{swings}without it the sag is {rough_percent(apart)} {more}"
+        deep = length_text(self.sag * self.without, 2) if self.without < _BOUNDLESS else "unbounded"
+        return f"sag about {length_text(self.sag, 2)}; without it {deep}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,23 +105,32 @@ class OfMotion:
     formula: str = ""
     amplified: bool = False  # Whether it is a relative change of the sag, which ringing amplifies
     factor: float = 1.0
+    without: Callable[[float], float] | None = None  # Sag without the effect over that with it, of the number
+    late: bool = False  # Whether it changes when the midpoint gets there, and how it swings
 
     def __call__(self, scene: Scene, motion: Motion) -> Estimate:
         """Return the estimate; the scene is not used."""
-        value = self.factor * getattr(motion, self.quantity)
-        return Estimate(motion.amplified(value) if self.amplified else value, self.meaning, self.formula)
+        share = self.factor * getattr(motion, self.quantity)
+        value, without = motion.amplified(share) if self.amplified else share, self.without and self.without(share)
+        return Estimate(value, self.meaning, self.formula, without, self.late)
 
 
-_WHOLE, _NOTHING = 0.95, 1e-6
+_WHOLE, _NOTHING, _ALIKE, _SWINGS, _BOUNDLESS = 0.95, 1e-6, 0.1, 3.0, 1e3
 
 
-def amount(value: float) -> str:
-    """Text of a change of the sag, with the single digit of an estimate: ``about 90 % of the sag``."""
-    if value >= _WHOLE:
-        return "the whole sag"
-    if value < _NOTHING:
-        return "nothing"
-    return f"about {float(f'{100 * value:.1g}'):g} % of the sag"
+def rough_percent(share: float) -> str:
+    """A share of the sag, with the single digit of an estimate."""
+    return f"about {float(f'{100 * share:.1g}'):g} %" if share < _WHOLE else "all"
+
+
+def held_up(share: float) -> float:
+    """Sag without an effect over that with it, where the effect carries this share of the load."""
+    return 1 / (1 - share) if share < 1 else math.inf
+
+
+def let_down(share: float) -> float:
+    """Sag without an effect over that with it, where the effect adds this share to the sag without it."""
+    return 1 / (1 + share)
 
 
 def dispensable(scene: Scene) -> str:

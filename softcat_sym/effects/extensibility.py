@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, held_up, of_large_deflections
 from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
@@ -35,6 +35,7 @@ EXTENSIBILITY = Effect(
         "share of the load that tension carries",
         "(64/3) (H/L)^2 against the stiffness of the beam",
         amplified=True,
+        without=held_up,
     ),
     observable="share of the load that tension would carry at the largest sag",
     example="arrested-overdamped",

@@ -25,7 +25,9 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     nonlinear = flow_nonlinearity(scene, motion.flowing_overstress)
     share = reserve * bending_share(scene, motion) * motion.relaxed * nonlinear
     meaning = "load that fibres yielding one after another carry beyond a linear profile"
-    return Estimate(min(1.0, share), meaning, "M_p/M_Y - 1 of the load in bending, for a nonlinear flow rule")
+    return Estimate(
+        min(1.0, share), meaning, "M_p/M_Y - 1 of the load in bending, for a nonlinear flow rule", 1 + share
+    )
 
 
 FIBRES = Effect(

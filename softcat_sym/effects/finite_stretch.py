@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
 from softcat_sym.scene.dimensions import needed_in_space
 
 FINITE_STRETCH = Effect(
@@ -21,6 +21,7 @@ FINITE_STRETCH = Effect(
         "0.4 of the mean strain",
         amplified=True,
         factor=0.4,
+        without=let_down,
     ),
     needs=("extensibility",),
     observable="mean strain, and ringing of the midpoint",

@@ -20,7 +20,7 @@ GRAVITY_RAMP = Effect(
     contribute=partial(replace, ramped=True),
     applies=_applies,
     without_it="load.ramp is zero: gravity acts at once",
-    estimate=OfMotion("risen", "share of the sag, and of the ringing, that the ramp delays"),
+    estimate=OfMotion("risen", "share of the sag, and of the ringing, that the ramp delays", late=True),
     observable="share of the sag reached by the end of the ramp",
     example="arrested-overdamped",
     derivation="01_balance",

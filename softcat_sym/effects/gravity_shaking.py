@@ -20,9 +20,8 @@ def _indispensable(scene: Scene) -> str:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del motion
-    return Estimate(
-        shaken_share(scene), "oscillation that the shaking adds", "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
-    )
+    share, formula = shaken_share(scene), "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
+    return Estimate(share, "oscillation that the shaking adds", formula, 1 / (1 + share))
 
 
 GRAVITY_SHAKING = Effect(

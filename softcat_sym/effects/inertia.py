@@ -43,7 +43,9 @@ INERTIA = Effect(
     contribute=partial(replace, inertia=True),
     applies=always,
     without_it="",
-    estimate=OfMotion("missed", "lag behind its equilibrium, or ringing", "|y - y balanced| over the largest sag"),
+    estimate=OfMotion(
+        "missed", "lag behind its equilibrium, or ringing", "|y - y balanced| over the largest sag", late=True
+    ),
     observable="lag behind the balanced sag: its jump, its rate against free fall, acceleration over gravity",
     example="maxwell-slow",
     derivation="01_balance",

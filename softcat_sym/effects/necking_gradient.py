@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, held_up
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.scene.scene import Scene, is_held, rest_length
@@ -42,7 +42,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     spread = share * _HINGE * motion.folds**2 / (1 + motion.folds) if turns and yields else 0.0
     formula = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds n, or {_HINGE:g} n^2/(1 + n)"
     formula += " times the share of the hinges"
-    return Estimate(min(1.0, max(grown, spread)), "growth of necks, or spread of the hinges at the clamps", formula)
+    value = min(1.0, max(grown, spread))
+    return Estimate(value, "growth of necks, or spread of the hinges at the clamps", formula, held_up(value))
 
 
 NECKING_GRADIENT = Effect(

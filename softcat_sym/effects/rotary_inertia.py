@@ -24,7 +24,9 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # The relative change of the first frequency is half of that of the kinetic energy by rotation.
     slower = _SLOPE / 2 * section_of(scene).gyration * groups_of(scene).delta ** 2
     share = min(1.0, slower * (_SHAPE if motion.rings_on else motion.missed + motion.swings))
-    return Estimate(share, "decrease of its frequency, if it rings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency")
+    return Estimate(
+        share, "decrease of its frequency, if it rings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency", late=True
+    )
 
 
 def _spared(scene: Scene) -> str:

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
 from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
@@ -71,7 +71,11 @@ SHEAR = Effect(
         f"polymer chains, which stretch only along and across the fibres, or {SMALL_MODEL}"
     ),
     estimate=OfMotion(
-        "sheared", "share of the sag by shear", "of Timoshenko's beam, bent ends and hinges", amplified=True
+        "sheared",
+        "share of the sag by shear",
+        "of Timoshenko's beam, bent ends and hinges",
+        amplified=True,
+        without=let_down,
     ),
     observable="transverse force times shear compliance, and the share of Timoshenko at the largest sag",
     example="arrested-overdamped",

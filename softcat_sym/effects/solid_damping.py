@@ -25,7 +25,7 @@ SOLID_DAMPING = Effect(
     contribute=partial(replace, damped=True),
     applies=_applies,
     without_it=f"the scene states neither material.loss_tangent nor material.solid_viscosity, or {SMALL_MODEL}",
-    estimate=OfMotion("damped", "ringing that the loss below yield damps, or lag of the sag"),
+    estimate=OfMotion("damped", "ringing that the loss below yield damps, or lag of the sag", late=True),
     observable="ringing of the midpoint that it would have damped",
     example="agar-bar",
     derivation="11_rheologies",

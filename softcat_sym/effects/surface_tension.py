@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, Estimate, Motion, held_up
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.scaling_estimates import (
     instant_modulus,
@@ -32,7 +32,7 @@ def _applies(scene: Scene) -> bool:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     starts = "it acts at once" if scene.initial.surface == "fresh" else "it acted before t = 0"
     meaning = f"reduction of the sag by the pull of the surface, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
-    return Estimate(motion.amplified(motion.capillary), meaning)
+    return Estimate(motion.amplified(motion.capillary), meaning, without=held_up(motion.capillary))
 
 
 def unstable_faults(scene: Scene) -> list[Fault]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
 from softcat_sym.scene.dimensions import needed_in_space
 
 THINNING = Effect(
@@ -16,7 +16,12 @@ THINNING = Effect(
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=OfMotion(
-        "strain", "stiffness lost as the section thins", "half the mean strain", amplified=True, factor=0.5
+        "strain",
+        "stiffness lost as the section thins",
+        "half the mean strain",
+        amplified=True,
+        factor=0.5,
+        without=let_down,
     ),
     needs=("extensibility",),
     observable="mean strain, and ringing of the midpoint",

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, OfMotion
+from softcat_sym.effects.effect import Effect, Estimate, Motion, OfMotion
 from softcat_sym.effects.law import law_in
+from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor
+from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
 from softcat_sym.scene.scene import Scene
 
 
@@ -21,6 +23,19 @@ def _applies(scene: Scene) -> bool:
     return law_in(scene).flows
 
 
+_RELAXED = OfMotion(
+    "relaxed", "share of the stress that relaxes during the run", "1 - exp(-t E/eta), beyond yield", amplified=True
+)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    """Estimate of flow; without it the filament sags as its springs let it."""
+    weight, found = weight_stress(scene) * load_factor(scene), _RELAXED(scene, motion)
+    if weight == 0:
+        return found
+    return replace(found, without=min(1.0, elastic_sag_under(scene, weight, instant_modulus(scene)) / motion.sag))
+
+
 VISCOUS_FLOW = Effect(
     name="viscous-flow",
     summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the given rule; chains that relax",
@@ -28,9 +43,7 @@ VISCOUS_FLOW = Effect(
     contribute=partial(replace, flows=True),
     applies=_applies,
     without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
-    estimate=OfMotion(
-        "relaxed", "share of the stress that relaxes during the run", "1 - exp(-t E/eta), beyond yield", amplified=True
-    ),
+    estimate=_estimate,
     observable="largest fibre stress over the yield stress; without one, the forecast relaxation",
     example="continual-descent",
     derivation="11_rheologies",

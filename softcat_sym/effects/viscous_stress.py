@@ -26,7 +26,7 @@ VISCOUS_STRESS = Effect(
     contribute=partial(replace, viscous=True),
     applies=_applies,
     without_it="the law has no stress that depends on the strain rate",
-    estimate=OfMotion("retarded", "lag of the sag behind its load, or damping of its ringing"),
+    estimate=OfMotion("retarded", "lag of the sag behind its load, or damping of its ringing", late=True),
     observable="ringing of the midpoint that it would have damped; otherwise the forecast lag",
     example="cooked-spaghetti",
     derivation="11_rheologies",

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.law import law_in
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.scene.scene import Scene
@@ -22,7 +23,21 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
         flows / max(1.0, motion.flowing_overstress),
         "flow that the yield stress prevents",
         "sigma_Y over the mean stress, times the estimate of flow",
+        _without(scene),
     )
+
+
+def _without(scene: Scene) -> float | None:
+    """Sag of a filament that flows under any stress, over that of this one; None for a rule of its own."""
+    limit, sag = scene.material.yield_stress, expected_sag(scene)
+    if limit is None or not sag > 0:
+        return None
+    fluid = scene.material.model_copy(update={"yield_stress": _FAINT * limit})
+    return expected_sag(scene.model_copy(update={"material": fluid})) / sag
+
+
+_FAINT = 1e-6
+"""Share of the yield stress that holds nothing."""
 
 
 YIELDING = Effect(

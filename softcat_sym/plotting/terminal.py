@@ -242,4 +242,4 @@ def _left_out(summary: Summary) -> tuple[str, str]:
 
 def left_out_words(names: Sequence[str], worth: float) -> str:
     """Effects that are left out, and one number for all of them."""
-    return f"{', '.join(names)}: {'together ' if len(names) > 1 else ''}worth at most {error_percent(worth)} of the sag"
+    return f"{', '.join(names)}: at most {error_percent(worth)} of the sag{' together' if len(names) > 1 else ''}"

@@ -24,8 +24,9 @@ from softcat_sym.solvers.solution import Solution
 
 def measures(scene: Scene, effects: Effects, motion: Motion) -> dict[str, Estimate]:
     """The size of every effect that the scene has and the run left out, from how the filament has moved."""
+    sag = motion.sag * scene.filament.span
     return {
-        decision.effect.name: decision.effect.estimate(scene, motion)
+        decision.effect.name: decision.effect.estimate(scene, motion).seen(sag, lacking=True)
         for decision in effects.decisions
         if not decision.in_force and decision.estimate is not None
     }
@@ -51,7 +52,7 @@ def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate]
         called_for = [e for e in omitted if e.in_paper or e in able]
         return {e.name: "the run without it failed" for e in called_for}
     return {
-        effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
+        effect.name: f"shown by the run without it: {measured[effect.name]}"
         for effect in omitted
         if measured[effect.name].value > scene.run.accuracy and not effect.saved(scene)
     }
@@ -62,7 +63,7 @@ def saved(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> list
     if scene.run.effects != "auto":
         return []
     return [
-        f"{decision.effect.name} is left out ({why}), but may be worth {measured[decision.effect.name]}; "
+        f"{decision.effect.name} is left out ({why}), but may matter: {measured[decision.effect.name]}; "
         "name it in run.effects to have it"
         for decision in effects.decisions
         if decision.effect.name in measured

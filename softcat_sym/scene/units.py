@@ -250,6 +250,15 @@ def with_unit(value: float, dimension: str, unit: str = "") -> str:
     return f"{float(value)!r} {unit or SI_UNITS[dimension]}"
 
 
+def length_text(value: float, digits: int = 3) -> str:
+    """A length [m] with a few digits and the unit that suits it."""
+    factor, unit = next((pair for pair in _LENGTHS if abs(value) >= pair[0]), _LENGTHS[-1])
+    return f"{float(f'{value / factor:.{digits}g}'):g} {unit}"
+
+
+_LENGTHS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "um"))
+
+
 def shown(value: object, longest: int = 60) -> str:
     """Describe a value from a file in a fault, on one line and not too long."""
     if isinstance(value, bool):

@@ -29,6 +29,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.run import Run, run_form
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
+from softcat_sym.scene.units import length_text
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solvers.outcome import Outcome
@@ -157,11 +158,26 @@ class PricingRow:
         changes = [value for value in (self.change, self.own_change) if value is not None]
         return min(changes) if changes and not self.fails else None
 
-    def ratio(self, size: Callable[[PricedRun], float]) -> float | None:
-        """Ratio of a size with the effect to that without it, all else equal."""
+    @property
+    def _with_and_without(self) -> tuple[PricedRun, PricedRun] | None:
+        """Runs with the effect and without it, all else equal; None where one is missing."""
         if self.variant is None or self.reference is None:
             return None
-        having, lacking = (self.reference, self.variant) if self.in_force else (self.variant, self.reference)
+        return (self.reference, self.variant) if self.in_force else (self.variant, self.reference)
+
+    @property
+    def sags(self) -> str:
+        """Name of the effect, and the last depth of the midpoint with it and without it."""
+        if self._with_and_without is None:
+            return self.effect
+        sag, without = (length_text(-float(run.midpoint[-1])) for run in self._with_and_without)
+        return f"{self.effect} (sag {sag}; without it {without})"
+
+    def ratio(self, size: Callable[[PricedRun], float]) -> float | None:
+        """Ratio of a size with the effect to that without it, all else equal."""
+        if self._with_and_without is None:
+            return None
+        having, lacking = self._with_and_without
         return size(having) / size(lacking) if size(lacking) > 0 else None
 
     def to_dict(self) -> dict[str, Any]:
@@ -224,9 +240,9 @@ class Pricing:
         """Text with the effects that move the midpoint by more than the requested accuracy, the largest first."""
         parts = []
         for word, in_force in (("in force", True), ("left out", False)):
-            shares = [(row.share or 0.0, row.effect) for row in self.rows if row.in_force is in_force]
-            large = sorted((pair for pair in shares if pair[0] > self.scene.run.accuracy), reverse=True)
-            parts.append(f"{word}: {', '.join(f'{effect} {percent(share)}' for share, effect in large) or 'none'}")
+            shares = [(row.share or 0.0, row) for row in self.rows if row.in_force is in_force]
+            large = sorted((one for one in shares if one[0] > self.scene.run.accuracy), key=lambda one: -one[0])
+            parts.append(f"{word}: {', '.join(row.sags for _, row in large) or 'none'}")
         trusted = "" if self.base.outcome.is_success else f"not to be trusted ({self.base.outcome.name}); "
         return f"{trusted}beyond the accuracy asked, {'; '.join(parts)}"
 

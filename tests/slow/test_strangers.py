@@ -206,6 +206,19 @@ def test_a_fit_calls_poorly_determined_what_it_knows_to_a_factor_of_seven(says: 
 # --- B8: what explain says an effect is worth
 
 
+def test_an_effect_is_told_by_the_sag_without_it(says: Says) -> None:
+    """What explain foresees of a slowly loaded strand beside what runs without the effect show."""
+    scene = sc.load_scene("no-yield", {"numerics.estimate": False})
+    reasons, names = sc.explain(scene).to_dict()["effects"], list(sc.simulate(scene).summary["effects"])
+    told = {one["effect"]: one["reason"] for one in reasons if one["in_force"]}
+    assert not any("whole sag" in text or "worth" in text for text in told.values())
+    for name, along in {"bending": ("shear",), "inertia": ()}.items():
+        without = sc.simulate(scene.replace({"run.effects": [one for one in names if one not in (name, *along)]}))
+        run = f"a run without it ends at {1e3 * abs(without.summary['midpoint_final_m']):.2g} mm"
+        says("B8", "each of three effects is worth the whole sag", f"{name}: {told[name]}; {run}")
+    assert "without it" in told["bending"] and "swings" in told["inertia"]
+
+
 # --- B9: the error of the slender theory
 
 
