@@ -93,9 +93,10 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         aside = _in_space(scene, run, progress)
         if aside is not None:
             return aside
-        breaks = run.outcome is Outcome.broken
-        if breaks:
-            run = _up_to_its_break(run, effects, clock, progress)
+        ending = run.outcome
+        if ending in (Outcome.broken, Outcome.descends):
+            again = _up_to_its_break if ending is Outcome.broken else _up_to_its_fall
+            run = again(run, effects, clock, progress)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
@@ -105,7 +106,9 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
             answer = run.repeated(repeats).settled(scene, ends)
-            return answer.broken(scene, *break_at_end(scene, answer.fields)) if breaks else answer
+            if ending is Outcome.descends:
+                return answer.descended(scene)
+            return answer.broken(scene, *break_at_end(scene, answer.fields)) if ending is Outcome.broken else answer
         clock.set_aside()
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
@@ -122,6 +125,16 @@ def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
         return None
     progress.stage("again, in three dimensions: it is unstable sideways")
     return _with_all_that_matters(moved, progress).left_its_plane(Sideways(**found))
+
+
+def _up_to_its_fall(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:
+    """Follow a filament that falls for ever again, with its frames spaced evenly up to where its run ended."""
+    from softcat_sym.single_run import run_once
+
+    clock.set_aside()
+    progress.stage("again, up to its fall")
+    brief = run.scene.replace({"run.duration": f"{run.summary['descends']['time_s']!r} s"})
+    return run_once(brief, brief, effects, clock, progress).descended(brief)
 
 
 def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:

@@ -86,6 +86,14 @@ def is_torn(terms: Terms, stretch: Floats) -> bool:
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """Where a run ends as one that falls for ever, in units of the rest length."""
+
+    distance: float  # Largest coordinate of a node, from the middle of the straight filament
+    stretch: float  # Of a cell; infinite where the filament may come to rest
+
+
+@dataclass(frozen=True)
 class Solution:
     """States at the output times that were reached, in columns."""
 
@@ -96,6 +104,7 @@ class Solution:
     outcome: Outcome
     message: str  # Time, worst component and message of the integrator, if it failed
     steps: int
+    ended: float | None = None  # Time at which it was left to fall for ever
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
@@ -109,6 +118,13 @@ class Solution:
             np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in ("time", "x", "z", "quad")
         )
         return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
+
+    def left(self, ended: float, scale: float) -> Solution:
+        """The solution before the time at which the filament was left to fall for ever."""
+        frames = max(1, int(np.count_nonzero(self.time <= ended)))
+        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
+        message = f"it falls for ever: the run ends after {ended * scale:.4g} s"
+        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.descends, message=message, ended=ended)
 
     def every(self, stride: int, time: Floats) -> Solution:
         """The solution at every `stride`-th frame, with the times of `time`."""
