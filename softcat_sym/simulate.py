@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 _REPEATS = 2
 
+_SOMETHING = 2
+"""Frames from which an interrupted run shows something."""
+
 _BREAKS, _BORNE = 6, 1e-4
 """Runs in which the instant of a break is sought, and how close to one its load is to be."""
 
@@ -45,7 +48,8 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     SceneError
         If the scene names effects that it cannot have.
     KeyboardInterrupt
-        If the user stops it, wherever in CasADi that happens.
+        If the user stops it, wherever in CasADi that happens; with a method ``part`` that returns the run as far as it
+        came, where it came so far.
 
     Warns
     -----
@@ -64,16 +68,23 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
 def simulated(scene: Scene, progress: Progress | None = None) -> Run:
     """Run a filament as :func:`simulate` does, with warnings in the summary only."""
     # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.solvers.solution import Silence, watched
+    from softcat_sym.solvers.solution import Interrupted, Silence, watched
 
-    with watched() as interrupts:
-        try:
-            return _with_all_that_matters(scene, progress or Silence())
-        finally:
-            interrupts.check()
+    finished = list["Run"]()
+    try:
+        with watched():
+            return _with_all_that_matters(scene, progress or Silence(), finished)
+    except KeyboardInterrupt as stopped:
+        if not finished and not isinstance(stopped, Interrupted):
+            raise
+        # Judged here, where no interrupt is noted any more.
+        run = finished[-1] if finished else stopped.part()  # type: ignore[attr-defined]
+        if len(run.fields["time"]) < _SOMETHING:
+            raise
+        raise Interrupted(lambda: run.interrupted(scene)) from None
 
 
-def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
+def _with_all_that_matters(scene: Scene, progress: Progress, finished: list[Run]) -> Run:
     """Run, estimate, and repeat with what the finished run calls for."""
     from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
@@ -90,7 +101,8 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
             clock.lap("estimate")
             until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
-        aside = _in_space(scene, run, progress)
+        finished.append(run)
+        aside = _in_space(scene, run, progress, finished)
         if aside is not None:
             return aside
         ending = run.outcome
@@ -100,7 +112,7 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
-            aside = _in_space(scene, run, progress)
+            aside = _in_space(scene, run, progress, finished)
             if aside is not None:
                 return aside
         # A refined run may show more.
@@ -115,7 +127,7 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
         repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
 
 
-def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
+def _in_space(scene: Scene, run: Run, progress: Progress, finished: list[Run]) -> Run | None:
     """The run in three dimensions, where the planar one would not stay in its plane and nobody asked that it does."""
     from softcat_sym.results.sideways import Sideways, seeded
 
@@ -124,7 +136,8 @@ def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
     if moved is None:
         return None
     progress.stage("again, in three dimensions: it is unstable sideways")
-    return _with_all_that_matters(moved, progress).left_its_plane(Sideways(**found))
+    finished.clear()
+    return _with_all_that_matters(moved, progress, finished).left_its_plane(Sideways(**found))
 
 
 def _up_to_its_fall(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:

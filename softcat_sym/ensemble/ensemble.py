@@ -425,11 +425,8 @@ def simulate_many(
         raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
     scene = as_scene(scene)
     threads, rows = worker_count(workers), rows_of(parameters)
-    with watched() as interrupts:
-        try:
-            return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
-        finally:
-            interrupts.check()
+    with watched():
+        return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
 
 
 def _simulated(

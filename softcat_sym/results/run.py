@@ -231,6 +231,11 @@ class Run:
         sound = replace(self, scene=scene, outcome=Outcome.solved)
         return sound._judged_anew(changed, Outcome.descends, message)
 
+    def interrupted(self, scene: Scene) -> Run:
+        """The same run as what there was of the answer to a scene when the user, or a limit, stopped it."""
+        message = "it was interrupted before its error was known"
+        return replace(self._judged_anew({}, Outcome.interrupted, message), scene=scene)
+
     def plot(self, what: str = "midpoint", radius: float = 1.0) -> Figure:
         """Draw one picture of the run.
 

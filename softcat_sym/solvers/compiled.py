@@ -476,7 +476,11 @@ class CompiledIntegration:
             x, z = sites.vectors(room.states[frame : frame + 1])
             return frame > 0 and is_torn(self.graph.terms, self.filament.stretch(times[frame : frame + 1], x, z, p))
 
-        self._watched(run, room, torn, scale, progress)
+        stopped = False
+        try:
+            self._watched(run, room, torn, scale, progress)
+        except KeyboardInterrupt:
+            stopped = True
         refuse(status.code, model.message(status.code))
         frames = _reached(times, status) + 1
         x, z = sites.vectors(room.states[:frames])
@@ -494,8 +498,8 @@ class CompiledIntegration:
         if status.code == BEYOND:
             return found.left(status.reached, scale)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
-        if status.code == STOPPED and found.outcome is Outcome.solved:
-            raise KeyboardInterrupt
+        if stopped or (status.code == STOPPED and found.outcome is Outcome.solved):
+            raise found.interrupted(scale)
         return found
 
     def _bounds(self, bounds: Bounds) -> CBounds:

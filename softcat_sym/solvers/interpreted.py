@@ -131,13 +131,11 @@ class FrameIntegrator:
         self._arguments["z0"][:] = before.z[:, -1]
         self._arguments["p"][:] = (*p, start, interval)
         outcome, message = Outcome.solved, ""
-        with watched() as interrupts:
+        with watched():
             try:
                 self._evaluate()
             except RuntimeError as error:
                 outcome, message = _failure(error)
-            finally:
-                interrupts.check()
         stats = self._buffer.stats()
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
@@ -221,8 +219,15 @@ class Integration:
         progress : Progress
             Called after every chunk.
         """
-        last, interval = self._frames - 1, duration / (self._frames - 1)
-        parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.powers))], 0, self._chunk
+        parts = [Solution.at(start.x, start.z, len(self._graph.powers))]
+        try:
+            return self._run(parts, p, duration / (self._frames - 1), scale, progress)
+        except KeyboardInterrupt:
+            raise self._whole(parts, duration / (self._frames - 1)).interrupted(scale) from None
+
+    def _run(self, parts: list[Solution], p: Floats, interval: float, scale: float, progress: Progress) -> Solution:
+        """Integrate, and put every part that was computed beside the others."""
+        last, reached, integrator = self._frames - 1, 0, self._chunk
         while reached < last:
             if len(self._kinks):
                 # A piece starts just after a kink and ends just before the next.

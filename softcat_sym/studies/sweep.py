@@ -540,7 +540,7 @@ def run_sweep(
     begun = time.perf_counter()
     _refuse_plan(plan)
     # A file without a name vanishes however the program ends.
-    with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched() as interrupts:
+    with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched():
         blocks, centre = _Blocks(plan, passing), _centre(plan)
         for number in range(plan.blocks):
             content = store.recall(plan.key(number, centre))
@@ -549,13 +549,10 @@ def run_sweep(
         missing = [number for number in range(plan.blocks) if number not in blocks]
         before = plan.members - sum(len(plan.block(number)) for number in missing)
         place = "nothing left to run"
-        try:
-            if missing:
-                with executor(*where, members=plan.members - before) as pool:
-                    place = str(pool)
-                    _run_blocks(plan, blocks, missing, (pool, centre), before, progress)
-        finally:
-            interrupts.check()
+        if missing:
+            with watched(), executor(*where, members=plan.members - before) as pool:
+                place = str(pool)
+                _run_blocks(plan, blocks, missing, (pool, centre), before, progress)
         with written_together():
             counts = _write_store(plan, blocks, directory, centre)
             _write_table(plan, blocks, directory)
