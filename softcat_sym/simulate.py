@@ -6,6 +6,8 @@ import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from softcat_sym.effects.choosing import Effects
     from softcat_sym.progress import Clock
     from softcat_sym.results.run import Run
@@ -54,25 +56,33 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     Warns
     -----
     SoftcatWarning
-        Of what speaks against the answer, as ``.summary["warnings"]`` has it.
+        Before it begins, if it is going to take more than a minute of the processor; and of what speaks against the
+        answer, as ``.summary["warnings"]`` has it.
     """
     from softcat_sym.errors import SoftcatWarning
     from softcat_sym.scene.reading import as_scene
 
-    run = simulated(as_scene(scene), progress)
+    def warn(text: str) -> None:
+        warnings.warn(text, SoftcatWarning, stacklevel=3)
+
+    run = simulated(as_scene(scene), progress, warn)
     for text in run.summary["warnings"]:
         warnings.warn(text, SoftcatWarning, stacklevel=2)
     return run
 
 
-def simulated(scene: Scene, progress: Progress | None = None) -> Run:
-    """Run a filament as :func:`simulate` does, with warnings in the summary only."""
+def simulated(scene: Scene, progress: Progress | None = None, announce: Callable[[str], None] | None = None) -> Run:
+    """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
     # Imported here, so that `import softcat_sym` stays light.
+    from softcat_sym.effects.choosing import choose_effects
+    from softcat_sym.solvers.price import price_of
     from softcat_sym.solvers.solution import Interrupted, Silence, watched
 
     finished = list["Run"]()
     try:
         with watched():
+            if announce is not None and (price := price_of(scene, choose_effects(scene))).is_announced:
+                announce(f"this run takes long: it {price.text}")
             return _with_all_that_matters(scene, progress or Silence(), finished)
     except KeyboardInterrupt as stopped:
         if not finished and not isinstance(stopped, Interrupted):

@@ -95,7 +95,7 @@ def run(
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             try:
-                trajectory = simulated(asked, progress)
+                trajectory = simulated(asked, progress, print_error)
             except Interrupted as stopped:
                 # What there is, at once: pictures can be drawn of it later.
                 trajectory, no_pictures, order = stopped.part(), True, None
