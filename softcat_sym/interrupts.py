@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import _thread
 import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from types import FrameType
 
 _SHELL = 128
@@ -27,15 +29,36 @@ def interrupts_go_to(note: Callable[[int, FrameType | None], None]) -> Iterator[
 
 
 class Ending:
-    """Which signal has ended the program, if one has."""
+    """What has ended the program before it was done: a signal, or a time limit."""
 
     def __init__(self) -> None:
         self.number: int | None = None
+        self._clock: threading.Timer | None = None
+        self._limit = 0.0  # [s], once it is over
 
     @property
     def status(self) -> int:
-        """Exit status of the interrupted program, as a shell gives it: 130, 143 or 129."""
-        return _SHELL + (self.number or signal.SIGINT)
+        """Exit status of the interrupted program: 1 at a limit, or as a shell gives it, 130, 143 or 129."""
+        return 1 if self._limit else _SHELL + (self.number or signal.SIGINT)
+
+    def __str__(self) -> str:
+        return f"the time limit of {self._limit:g} s is over" if self._limit else "interrupted"
+
+    def limit(self, seconds: float) -> None:
+        """Interrupt the main thread after so many seconds as Ctrl-C does."""
+
+        def over() -> None:
+            self._limit = seconds
+            interrupt_main_thread()
+
+        self._clock = threading.Timer(seconds, over)
+        self._clock.daemon = True
+        self._clock.start()
+
+    def no_limit(self) -> None:
+        """Take back a limit that is not over: what is left to do is brief."""
+        if self._clock is not None:
+            self._clock.cancel()
 
     def note(self, number: int, frame: FrameType | None) -> None:
         """Handle the signal: do what Ctrl-C does at this moment."""
@@ -46,6 +69,23 @@ class Ending:
         handler(signal.SIGINT, frame)
 
 
+def interrupt_main_thread() -> None:
+    """Do from another thread what Ctrl-C does, if the main thread hears it; a real signal wakes it where it waits."""
+    ident = threading.main_thread().ident
+    if ident is None or not hasattr(signal, "pthread_kill") or signal.SIGINT in signal.pthread_sigmask(0, ()):
+        _thread.interrupt_main()
+    else:
+        signal.pthread_kill(ident, signal.SIGINT)
+
+
+_NOW: ContextVar[Ending] = ContextVar("ending")
+
+
+def ending() -> Ending:
+    """What has ended the program that runs now; of a library, what Ctrl-C would."""
+    return _NOW.get(Ending())
+
+
 @contextmanager
 def ended_like_ctrl_c() -> Iterator[Ending]:
     """Let SIGTERM and SIGHUP end the program as Ctrl-C does: children are ended, temporary files removed.
@@ -54,6 +94,7 @@ def ended_like_ctrl_c() -> Iterator[Ending]:
     another way stays so, and nothing is done outside the main thread.
     """
     ending = Ending()
+    _NOW.set(ending)
     if threading.current_thread() is not threading.main_thread():
         yield ending
         return
@@ -65,6 +106,7 @@ def ended_like_ctrl_c() -> Iterator[Ending]:
         try:
             yield ending
         finally:
+            ending.no_limit()
             for number in ours:
                 signal.signal(number, signal.SIG_DFL)
 

@@ -7,6 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from softcat_sym.effects.choosing import Effects
     from softcat_sym.progress import Clock
     from softcat_sym.results.breaking import Break
@@ -16,6 +18,9 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
 
 _REPEATS = 2
+
+_SOMETHING = 2
+"""Frames from which an interrupted run shows something."""
 
 _BREAKS, _BORNE = 6, 1e-4
 """Runs in which the instant of a break is sought, and how close to one its load is to be."""
@@ -50,40 +55,55 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     SceneError
         If the scene names effects that it cannot have.
     KeyboardInterrupt
-        If the user stops it, wherever in CasADi that happens.
+        If the user stops it, wherever in CasADi that happens; with a method ``part`` that returns the run as far as it
+        came, where it came so far.
 
     Warns
     -----
     SoftcatWarning
-        Of what speaks against the answer, as ``.summary["warnings"]`` has it.
+        Before it begins, if it is going to take more than a minute of the processor; and of what speaks against the
+        answer, as ``.summary["warnings"]`` has it.
     """
     from softcat_sym.errors import SoftcatWarning
     from softcat_sym.scene.reading import as_scene
 
-    run = simulated(as_scene(scene), progress)
+    def warn(text: str) -> None:
+        warnings.warn(text, SoftcatWarning, stacklevel=3)
+
+    run = simulated(as_scene(scene), progress, warn)
     for text in run.summary["warnings"]:
         warnings.warn(text, SoftcatWarning, stacklevel=2)
     return run
 
 
-def simulated(scene: Scene, progress: Progress | None = None) -> Run:
-    """Run a filament as :func:`simulate` does, with warnings in the summary only."""
+def simulated(scene: Scene, progress: Progress | None = None, announce: Callable[[str], None] | None = None) -> Run:
+    """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
     # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.solvers.solution import Silence, watched
+    from softcat_sym.effects.choosing import choose_effects
+    from softcat_sym.solvers.price import price_of
+    from softcat_sym.solvers.solution import Interrupted, Silence, watched
 
-    with watched() as interrupts:
-        try:
-            return _with_all_that_matters(scene, progress or Silence())
-        finally:
-            interrupts.check()
+    finished = list["Run"]()
+    try:
+        with watched():
+            if announce is not None and (price := price_of(scene, choose_effects(scene))).is_announced:
+                announce(f"this run takes long: it {price.text}")
+            return _with_all_that_matters(scene, progress or Silence(), finished)
+    except KeyboardInterrupt as stopped:
+        if not finished and not isinstance(stopped, Interrupted):
+            raise
+        # Judged here, where no interrupt is noted any more.
+        run = finished[-1] if finished else stopped.part()  # type: ignore[attr-defined]
+        if len(run.fields["time"]) < _SOMETHING:
+            raise
+        raise Interrupted(lambda: run.interrupted(scene)) from None
 
 
-def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
+def _with_all_that_matters(scene: Scene, progress: Progress, finished: list[Run]) -> Run:
     """Run, estimate, and repeat with what the finished run calls for."""
     from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
     from softcat_sym.progress import Clock
-    from softcat_sym.results.breaking import break_at_end
     from softcat_sym.single_run import rest_of, run_once
     from softcat_sym.solvers.outcome import Outcome
 
@@ -95,32 +115,35 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
             clock.lap("estimate")
             until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
-        aside = _in_space(scene, run, progress)
+        finished.append(run)
+        aside = _in_space(scene, run, progress, finished)
         if aside is not None:
             return aside
         end = None
         if run.outcome is Outcome.broken:
             run, end = _up_to_its_break(run, effects, clock, progress)
+        falls = run.outcome is Outcome.descends
+        if falls:
+            run = _up_to_its_fall(run, effects, clock, progress)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
-            aside = _in_space(scene, run, progress)
+            aside = _in_space(scene, run, progress, finished)
             if aside is not None:
                 return aside
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
             answer = run.repeated(repeats).settled(scene, ends)
-            if end is None:
-                return answer
-            end, load = break_at_end(scene, answer.fields, end.rate_per_s)
-            return answer.broken(scene, replace(end, time_error_s=_time_error(answer, until, end, effects)), load)
+            if falls:
+                return answer.descended(scene)
+            return answer if end is None else _broken(answer, scene, until, end, effects)
         clock.set_aside()
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
         repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
 
 
-def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
+def _in_space(scene: Scene, run: Run, progress: Progress, finished: list[Run]) -> Run | None:
     """The run in three dimensions, where the planar one would not stay in its plane and nobody asked that it does."""
     from softcat_sym.results.sideways import Sideways, seeded
 
@@ -129,7 +152,18 @@ def _in_space(scene: Scene, run: Run, progress: Progress) -> Run | None:
     if moved is None:
         return None
     progress.stage("again, in three dimensions: it is unstable sideways")
-    return _with_all_that_matters(moved, progress).left_its_plane(Sideways(**found))
+    finished.clear()
+    return _with_all_that_matters(moved, progress, finished).left_its_plane(Sideways(**found))
+
+
+def _up_to_its_fall(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:
+    """Follow a filament that falls for ever again, with its frames spaced evenly up to where its run ended."""
+    from softcat_sym.single_run import run_once
+
+    clock.set_aside()
+    progress.stage("again, up to its fall")
+    brief = run.scene.replace({"run.duration": f"{run.summary['descends']['time_s']!r} s"})
+    return run_once(brief, brief, effects, clock, progress).descended(brief)
 
 
 def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> tuple[Run, Break]:
@@ -155,6 +189,14 @@ def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progres
         if abs(load - 1) <= _BORNE:
             break
     return run, end
+
+
+def _broken(answer: Run, scene: Scene, until: Scene, end: Break, effects: Effects) -> Run:
+    """The answer of a filament that breaks, with the error of the instant."""
+    from softcat_sym.results.breaking import break_at_end
+
+    end, load = break_at_end(scene, answer.fields, end.rate_per_s)
+    return answer.broken(scene, replace(end, time_error_s=_time_error(answer, until, end, effects)), load)
 
 
 def _time_error(answer: Run, until: Scene, end: Break, effects: Effects) -> float | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
-from softcat_sym.solvers.solution import Progress, Silence, Solution
+from softcat_sym.solvers.solution import Interrupted, Progress, Silence, Solution
 
 _MIN_CELLS = 8
 
@@ -54,12 +55,16 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         prepared = build(tried, effects, clock, progress)
         clock.lap("build")
         progress.doing("solving" if left == TRIES - 1 else "solving again, in shorter steps")
-        solution = prepared.solve(progress)
+        try:
+            solution = prepared.solve(progress)
+        except Interrupted as stopped:
+            part = _thinned(stopped.part(), prepared, stride)
+            raise Interrupted(partial(judge, scene, effects, prepared, part, clock.laps())) from None
         clock.lap("solve")
         heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
         # What rings may break between two frames.
         if stride > 1 and not _breaks(scene, prepared, solution):
-            solution = solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), scene.run.frames))
+            solution = _thinned(solution, prepared, stride)
         progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
         # CasADi's Rosenbrock method does not say whether a stage was undefined.
@@ -80,6 +85,14 @@ def _breaks(scene: Scene, prepared: Prepared, solution: Solution) -> bool:
         break_frame(scene, whole_span_fields(scene, prepared, solution) | {"X_node": nodes, "X_cell": cells})
         is not None
     )
+
+
+def _thinned(solution: Solution, prepared: Prepared, stride: int) -> Solution:
+    """The solution at the frames that the scene asks for."""
+    if stride == 1:
+        return solution
+    frames = (len(prepared.times) - 1) // stride + 1
+    return solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), frames))
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

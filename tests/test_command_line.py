@@ -294,16 +294,19 @@ def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat
 
 
 @pytest.mark.slow
-def test_an_interrupted_run_writes_nothing(tmp_path: Path) -> None:
+def test_an_interrupted_run_writes_what_there_is(tmp_path: Path) -> None:
     output = tmp_path / "out"
-    hard = sets("numerics.cells=1000", "numerics.rtol=1e-10")
+    hard = sets("numerics.cells=1000", "numerics.rtol=1e-10", "run.frames=5001")
     with subprocess.Popen([PROGRAM, "run", "no-yield", "-o", output, *hard], stderr=subprocess.PIPE) as process:
         time.sleep(6)
         process.send_signal(signal.SIGINT)
         message = process.communicate(timeout=60)[1].decode()
-    assert process.returncode == 130
-    assert "interrupted" in message and "Traceback" not in message
-    assert not output.exists()
+    assert process.returncode == 1
+    assert f"softcat: interrupted; what was computed is in {output}" in message and "Traceback" not in message
+    run = sc.open_run(output)
+    assert run.outcome is sc.Outcome.interrupted and run.summary["message"].startswith("it was interrupted after")
+    assert 0 < run.fields["time"][-1] < run.scene.run.duration
+    assert {path.name for path in output.iterdir()} == FILES - PICTURES
 
 
 def test_whoever_stops_it_while_it_draws_has_the_numbers(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -311,7 +311,7 @@ def test_failures_are_rows_and_the_others_continue(monkeypatch: pytest.MonkeyPat
     scene = sc.load_scene("continual-descent", SHORT)
     rupture = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
     ensemble = sc.simulate_many(scene, rupture)
-    assert [outcome.name for outcome in ensemble.outcomes] == ["solved", "localised"]
+    assert [outcome.name for outcome in ensemble.outcomes] == ["solved", "descends"]
     monkeypatch.setattr(compiled, "_MAX_STEPS", 1)
     monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", 20)
     table = {"groups.G": [0.4, 8.0, 0.4], "groups.V": [30.0, 0.3, 20.0], "run.duration": [0.05, 0.4, 0.06]}

@@ -17,7 +17,17 @@ from softcat_sym.ensemble import executor, lane_pool
 from softcat_sym.ensemble.ensemble import Workshop
 from softcat_sym.ensemble.members import members_of, rows_of
 from softcat_sym.errors import SoftcatError
-from softcat_sym.solvers.compiled import NON_FINITE, SOLVED, STEP_LIMIT, STOPPED, Answer, CModel, RunInput, Status
+from softcat_sym.solvers.compiled import (
+    BEYOND,
+    NON_FINITE,
+    SOLVED,
+    STEP_LIMIT,
+    STOPPED,
+    Answer,
+    CModel,
+    RunInput,
+    Status,
+)
 from softcat_sym.solvers.lanes import LanesModel, can_be_compiled, lanes_of
 from softcat_sym.solvers.solution import Silence
 
@@ -62,6 +72,17 @@ def in_lanes(
 
 def alone(model: CModel, run: RunInput) -> Answer:
     return model.integrate(run, Status())
+
+
+@pytest.mark.slow
+def test_a_lane_ends_where_its_filament_falls_for_ever() -> None:
+    """At the time of the scalar code; five share four lanes, so that one begins where another has ended."""
+    model, runs = runs_of({**PAPER, "run.duration": "60 s"}, [0.1, 0.11, 0.12, 0.13, 0.14])
+    for run, found in zip(runs, in_lanes(lanes_of(model), model, runs), strict=True):
+        exact = alone(model, run)
+        assert found.status.code == exact.status.code == BEYOND
+        assert found.status.reached == pytest.approx(exact.status.reached, rel=0.01)
+        assert found.status.reached < run.times[-1]
 
 
 @pytest.mark.parametrize(

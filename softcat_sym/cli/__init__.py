@@ -2,7 +2,7 @@
 
 Exit status: 0 for a sound answer, 1 for an answer not to be trusted, 2 for bad input, a folder that cannot be written
 or too little memory, 130 after Ctrl-C, 143 after SIGTERM, 129 after the terminal was closed, 141 (without a message)
-if the output is no longer read, as in ``softcat scenes | head -1``.
+if the output is no longer read, as in ``softcat scenes | head -1``. A time limit ends a command as Ctrl-C does, with 1.
 """
 
 from __future__ import annotations
@@ -16,9 +16,12 @@ import sys
 import unicodedata
 import warnings
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from softcat_sym.cli.overview import HELP, overview
+
+if TYPE_CHECKING:
+    from softcat_sym.interrupts import Ending
 
 __all__ = ["main"]
 
@@ -45,7 +48,7 @@ def main() -> NoReturn:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.showwarning = _show_warning
     with ended_like_ctrl_c() as ending:
-        status = _status()
+        status = _status(ending)
     sys.exit(ending.status if status == INTERRUPTED else status)
 
 
@@ -56,9 +59,9 @@ def _show_warning(message: Warning | str, category: type[Warning], *where: Any) 
     print_error(str(message) if issubclass(category, UserWarning) else f"{category.__name__}: {message} ({where[0]})")
 
 
-def _status() -> int | str | None:
+def _status(ending: Ending) -> int | str | None:
     """Run the command, and return its exit status."""
-    from softcat_sym.cli.application import BAD_INPUT, app, print_error
+    from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, print_error
     from softcat_sym.errors import SoftcatError
 
     try:
@@ -66,7 +69,8 @@ def _status() -> int | str | None:
     except SystemExit as left:
         # If a command does not handle Ctrl-C, typer exits without a message.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
-            print_error("interrupted; every file is whole, the old one or the new")
+            print_error(f"{ending}; every file is whole, the old one or the new")
+            return INTERRUPTED
         # Typer and rich exit with 1 if the output is no longer read.
         unread = isinstance(left.__context__, OSError) and left.__context__.errno == errno.EPIPE
         return _BROKEN_PIPE if unread else left.code

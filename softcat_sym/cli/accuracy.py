@@ -7,13 +7,12 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     commands,
-    print_error,
+    interrupted,
     scene_and_directory,
 )
 
@@ -54,8 +53,7 @@ def accuracy(
             progress.stage("accuracy")
             found = study(scene, asked, programs, limit or usual, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
-        print_error("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
+        raise interrupted("nothing was written") from None
     written = write_accuracy(found, output)
     if not quiet:
         print_accuracy(found)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
+import threading
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -15,7 +16,8 @@ import typer.main
 from typer.core import TyperGroup
 
 from softcat_sym.cli.completing import complete_change, complete_scene
-from softcat_sym.cli.overview import COMMANDS, HELP, SUMMARY, home_of, overview
+from softcat_sym.cli.overview import COMMANDS, HELP, INSTANT, SUMMARY, home_of, overview
+from softcat_sym.interrupts import ending
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -51,7 +53,9 @@ class _LazyCommands(Mapping[str, Any]):
             alone = typer.Typer(add_completion=False, **_LOOK)
             named = {info.name or getattr(info.callback, "__name__", ""): info for info in commands.registered_commands}
             alone.registered_commands.append(named[name])
-            self._made[name] = typer.main.get_command(alone)
+            command = self._made[name] = typer.main.get_command(alone)
+            if name not in INSTANT and not any(one.name == "time_limit" for one in command.params):
+                command.params.extend(typer.main.get_command(_limit).params)
         return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -79,6 +83,36 @@ class _Softcat(TyperGroup):
 
     def get_help(self, ctx: Any) -> str:
         return overview(ctx.command_path)
+
+
+def _begin_limit(ctx: typer.Context, seconds: float | None) -> None:
+    if checked_limit(seconds) and not ctx.resilient_parsing:
+        ending().limit(float(seconds or 0.0))
+
+
+def checked_limit(seconds: float | None) -> float | None:
+    """Refuse what is no time limit [s]."""
+    if seconds is not None and not 0 < seconds < threading.TIMEOUT_MAX:
+        raise typer.BadParameter(f"{seconds:g} s is no limit; accepted: a positive number", param_hint="--time-limit")
+    return seconds
+
+
+_TimeLimit = Annotated[
+    float | None,
+    typer.Option(
+        "--time-limit",
+        metavar="SECONDS",
+        help="Time after which the command stops, with what it has and status 1.",
+        callback=_begin_limit,
+        expose_value=False,
+    ),
+]
+_limit = typer.Typer(add_completion=False)
+
+
+@_limit.command()
+def _limited(time_limit: _TimeLimit = None) -> None:
+    """Have the option of every command that computes: at the limit it ends as by Ctrl-C."""
 
 
 app = typer.Typer(name="softcat", cls=_Softcat, help=SUMMARY, no_args_is_help=True, **_LOOK)
@@ -195,6 +229,12 @@ def check_directory(directory: Path) -> None:
         raise PermissionError(f"{parent} cannot be written")
 
 
+def interrupted(left: str) -> typer.Exit:
+    """Print what is left of an interrupted command, and return its exit."""
+    print_error(f"{ending()}; {left}")
+    return typer.Exit(INTERRUPTED)
+
+
 @contextlib.contextmanager
 def study(output: Path, *, fresh: bool) -> Iterator[None]:
     """Make DIR, and use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
@@ -205,8 +245,7 @@ def study(output: Path, *, fresh: bool) -> Iterator[None]:
         try:
             yield
         except KeyboardInterrupt:
-            print_error("interrupted; the same command resumes from what was finished")
-            raise typer.Exit(INTERRUPTED) from None
+            raise interrupted("the same command resumes from what was finished") from None
 
 
 def read_pair(text: str) -> tuple[str, str] | None:

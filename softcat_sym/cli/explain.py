@@ -191,7 +191,7 @@ def _regime_rows(explanation: Explanation) -> Rows:
         ("because", regime.reason),
         ("largest sag", sag),
         ("damping", explanation.damping),
-        ("ringing", explanation.ringing),
+        ("cost", explanation.ringing),
         ("thresholds of G", "; ".join(f"{name} {G:.4g}" for name, G in thresholds.items() if yields and G is not None)),
         ("stopping depth", "; ".join([*listed, *_remarks(regime)]) if yields else ""),
     ]

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     FreshOption,
     OutputOption,
     QuietOption,
     commands,
+    interrupted,
     output_directory,
-    print_error,
 )
 
 if TYPE_CHECKING:
@@ -64,8 +63,7 @@ def figures(
             done = " and ".join(number for number in asked if number not in waiting)
             again = " ".join(f"--only {number}" for number in waiting)
             text = f"figure {done} is written; softcat figures -o {output} {again} resumes from {output}"
-        print_error(f"interrupted; {text}")
-        raise typer.Exit(INTERRUPTED) from None
+        raise interrupted(text) from None
 
 
 def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> tuple[dict[str, bytes], str]:

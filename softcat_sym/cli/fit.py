@@ -15,6 +15,7 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
+    checked_limit,
     commands,
     print_error,
     read_pair,
@@ -114,7 +115,12 @@ NoDiscrepancyOption = Annotated[
 ]
 TimeLimitOption = Annotated[
     float | None,
-    typer.Option("--time-limit", metavar="SECONDS", help="Time after which the fit ends with the best result so far."),
+    typer.Option(
+        "--time-limit",
+        metavar="SECONDS",
+        help="Time after which the fit ends with the best result so far.",
+        callback=checked_limit,
+    ),
 ]
 PosteriorOption = Annotated[
     bool, typer.Option("--posterior", help="Also draw from the posterior; this needs the extra bayes.")

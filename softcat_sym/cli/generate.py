@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     commands,
+    interrupted,
     output_directory,
-    print_error,
     scene_and_directory,
 )
 
@@ -87,8 +86,7 @@ def generate(
                 with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
                     written = generation.generate(asked, output, rhs, name, progress)
     except KeyboardInterrupt:
-        print_error("interrupted; nothing was written; finished C texts are kept in the cache")
-        raise typer.Exit(INTERRUPTED) from None
+        raise interrupted("nothing was written; finished C texts are kept in the cache") from None
     if quiet:
         return
     size = sum(path.stat().st_size for path in written)

@@ -51,6 +51,9 @@ COMMANDS: Final = {
 }
 """First lines of the commands' docstrings by their names, in the groups and the order of the help."""
 
+INSTANT: Final = ("new", "samples", "scenes", "show", "keys", "cache")
+"""Commands that compute nothing, and need no time limit."""
+
 _SHARED: Final = {"samples": "new", "draw": "run", "show": "scenes", "keys": "scenes"}
 
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OutputOption,
     QuietOption,
     SceneArgument,
@@ -16,11 +15,13 @@ from softcat_sym.cli.application import (
     VerboseOption,
     commands,
     directory,
+    interrupted,
     judge,
     output_directory,
     print_error,
     scene_and_directory,
 )
+from softcat_sym.interrupts import ending
 
 if TYPE_CHECKING:
     from softcat_sym.plotting.animation import FilmOrder
@@ -86,13 +87,20 @@ def run(
     asked, output = scene_and_directory(scene, changes, output, "run")
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
+    from softcat_sym.solvers.solution import Interrupted
 
     written = None
     again = f"softcat draw {output} -o {output}"
     try:
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
-            trajectory = simulated(asked, progress)
+            try:
+                trajectory = simulated(asked, progress, print_error)
+            except Interrupted as stopped:
+                # What there is, at once: pictures can be drawn of it later.
+                trajectory, no_pictures, order = stopped.part(), True, None
+                print_error(f"{ending()}; what was computed is in {output}, its pictures are not: {again}")
+            ending().no_limit()
             progress.stage("writing")
             # The numbers are written first, so that they remain after Ctrl-C during the drawing.
             written = trajectory.written(output)
@@ -103,15 +111,14 @@ def run(
                 written = draw_beside(written, trajectory, output, drawn, radius)
     except KeyboardInterrupt:
         left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
-        print_error(f"interrupted; {left}")
-        raise typer.Exit(INTERRUPTED) from None
+        raise interrupted(left) from None
     films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
         except KeyboardInterrupt:
-            print_error(f"interrupted; the run is in {output}, its film is not: {again} --animate {order.name}")
-            raise typer.Exit(INTERRUPTED) from None
+            left = f"the run is in {output}, its film is not: {again} --animate {order.name}"
+            raise interrupted(left) from None
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 
@@ -156,8 +163,7 @@ def draw(
             files += [] if order is None else [_film(order, output, run, quiet=quiet)]
             files += write_run_vtk(run, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
-        print_error("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
+        raise interrupted("nothing was written") from None
     if not quiet:
         typer.echo(f"wrote {', '.join(path.name for path in files)} to {output}")
 

@@ -59,6 +59,7 @@ if TYPE_CHECKING:
 
 _VERSIONS = ("softcat_sym", "casadi", "sympy", "numpy")
 _MAX_STRUCTURES = 16
+_ROUNDING = 1e-9
 """Structures whose graphs a study remembers: they are what takes memory."""
 
 
@@ -236,8 +237,11 @@ def _estimated(member: Member) -> Record:
     """A member as :func:`softcat_sym.simulate` runs it with these effects, its error estimated."""
     begun = time.perf_counter()
     run = simulated(member.scene.replace({"run.effects": list(member.effects.names)}))
-    midpoint, summary = np.full(member.scene.run.frames, np.nan), run.summary
-    midpoint[: len(run.fields["midpoint"])] = run.fields["midpoint"]
+    summary, lasts = run.summary, member.scene.run
+    # What breaks or falls for ever has frames of its own up to then.
+    midpoint, times = np.full(lasts.frames, np.nan), np.linspace(0.0, lasts.duration, lasts.frames)
+    seen = times <= (1 + _ROUNDING) * summary["time_final_s"]
+    midpoint[seen] = np.interp(times[seen], run.fields["time"], run.fields["midpoint"])
     reached, residual, wall = summary["time_final_s"], summary["energy_residual"], time.perf_counter() - begun
     return Record(midpoint, run.outcome, summary["message"], reached, residual, summary["steps"], wall, used_by(run))
 
@@ -421,11 +425,8 @@ def simulate_many(
         raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
     scene = as_scene(scene)
     threads, rows = worker_count(workers), rows_of(parameters)
-    with watched() as interrupts:
-        try:
-            return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
-        finally:
-            interrupts.check()
+    with watched():
+        return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
 
 
 def _simulated(

@@ -205,9 +205,8 @@ class StoredEvaluations:
         begun = None if near is None else [near.x, near.z]
 
         def evaluated() -> Arrays:
-            with watched() as interrupts:
+            with watched():
                 arrays, near = compute(), self._filament.near
-                interrupts.check()
             return arrays if near is None else {**arrays, _X: near.x, _Z: near.z}
 
         found = stored(key_of("evaluation", self._model, begun, what), evaluated, _FORM)

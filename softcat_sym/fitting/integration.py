@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes as ct
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 from typing import Any, TypeVar
@@ -235,11 +236,8 @@ class InterpretedForward:
         values = _called(self._function(*key), *inputs)
         if values is None:
             return np.full(len(begin.d_parameters), np.nan)
-        with watched() as interrupts:
-            try:
-                pulled = self._reverse(key)(*inputs, values, weights.T)
-            finally:
-                interrupts.check()
+        with watched():
+            pulled = self._reverse(key)(*inputs, values, weights.T)
         x, z, p = (np.asarray(part, dtype=float).ravel() for part in pulled[:3])
         return np.asarray(begin.d_x @ x + begin.d_z @ z + begin.d_parameters @ p, dtype=float)
 
@@ -297,14 +295,10 @@ def _inputs(begin: Begin) -> tuple[Floats, Floats, Floats, float]:
 
 def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
     """The only output of a function; None where the evaluation fails."""
-    with watched() as interrupts:
-        try:
-            found = function(*inputs)
-        except RuntimeError:
-            return None
-        finally:
-            interrupts.check()
-    return found if np.all(np.isfinite(np.asarray(found))) else None
+    found = None
+    with watched(), suppress(RuntimeError):
+        found = function(*inputs)
+    return found if found is not None and np.all(np.isfinite(np.asarray(found))) else None
 
 
 _LOOK = 0.1  # s between two checks for an interrupt

@@ -218,6 +218,24 @@ class Run:
             outcome, message = Outcome.inaccurate, f"{end.text}, but bears {load:.3g} of its limit then"
         return replace(self._judged_anew(changed, outcome, message), scene=scene)
 
+    def descended(self, scene: Scene) -> Run:
+        """The same run as the answer to a scene whose filament falls for ever: up to when, how far and how fast."""
+        time, midpoint = self.fields["time"], self.fields["midpoint"]
+        rate = float(np.gradient(midpoint, time, edge_order=2)[-1])
+        end = {"time_s": float(time[-1]), "midpoint_m": float(midpoint[-1]), "rate_m_per_s": rate}
+        message = (
+            f"it falls for ever: the run ends after {time[-1]:.4g} s, with the midpoint at {midpoint[-1]:.4g} m, "
+            f"moving at {rate:.4g} m/s"
+        )
+        changed = {"descends": end, "midpoint_settled_m": None, "midpoint_settled_why": "it falls for ever"}
+        sound = replace(self, scene=scene, outcome=Outcome.solved)
+        return sound._judged_anew(changed, Outcome.descends, message)
+
+    def interrupted(self, scene: Scene) -> Run:
+        """The same run as what there was of the answer to a scene when the user, or a limit, stopped it."""
+        message = "it was interrupted before its error was known"
+        return replace(self._judged_anew({}, Outcome.interrupted, message), scene=scene)
+
     def plot(self, what: str = "midpoint", radius: float = 1.0) -> Figure:
         """Draw one picture of the run.
 
@@ -337,6 +355,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "time_final_s": float(time[-1]),
         "settled_s": None,
         "broken": None,
+        "descends": None if solution.ended is None else {"time_s": solution.ended * prepared.scale},
         "error_estimate": None,
         "next_digit": None,
         "resolution": None,

@@ -42,8 +42,8 @@ def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate]
     if scene.run.effects != "auto" or scene.run.closure == "printed" or scene.model == "small-deflection":
         return {}
     omitted = [decision.effect for decision in effects.decisions if decision.effect.name in measured]
-    if outcome is Outcome.broken:
-        return {}  # It is run again up to there, which shows more.
+    if outcome in (Outcome.broken, Outcome.descends, Outcome.interrupted):
+        return {}  # It is run again up to there, which shows more, or not at all.
     if outcome is Outcome.localised:
         return {e.name: "without it a neck has no width" for e in omitted if e.cures == outcome.name}
     if not outcome.is_success and outcome is not Outcome.energy_drift:
@@ -316,6 +316,8 @@ def verdict(
     places = {"time": time, "X_node": nodes, "X_cell": (nodes[1:] + nodes[:-1]) / 2}
     if breakable(scene) and (end := first_break(scene, {**fields, **places})) is not None:
         return Outcome.broken, end.text
+    if solution.outcome in (Outcome.descends, Outcome.interrupted):
+        return solution.outcome, solution.message
     # The gradient bounds necks of what yields: a liquid is drawn out where the filament is.
     neck = neck_length(scene) if terms.necking_gradient and terms.yields else None
     # An elastic filament is as uneven as its load: only flow gathers strain.

@@ -24,7 +24,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import version
 
@@ -35,7 +35,7 @@ _VERSIONS = {"casadi": version("casadi")}
 _MODEL, _OBSERVE = "softcat_filament_model", "softcat_filament_observe"
 _SHOWN = ("-O2",)
 
-SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
+SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE, BEYOND = range(10)
 OUTCOMES = {
     STEP_LIMIT: Outcome.step_limit,
     STEP_TOO_SMALL: Outcome.no_convergence,
@@ -72,6 +72,13 @@ class Physics(ct.Structure):
     )
 
 
+class CBounds(ct.Structure):
+    """softcat_bounds."""
+
+    _fields_ = (("slots", ct.c_int * 3), ("farthest", ct.c_double), ("longest", Doubles))
+    kept: Floats  # The array of `longest`, which ctypes does not keep alive
+
+
 class Options(ct.Structure):
     """softcat_options."""
 
@@ -84,7 +91,9 @@ class Options(ct.Structure):
         ("kinks", Doubles),
         ("kink_count", ct.c_int),
         ("stop", Integers),
+        ("bounds", ct.POINTER(CBounds)),
     )
+    kept: Floats  # The array of `absolute`, which ctypes does not keep alive
 
 
 class Status(ct.Structure):
@@ -129,6 +138,27 @@ class RunInput:
     max_steps: int
     max_step: float = 0.0  # Longest step; 0 for no limit
     method: int = RODAS5P  # Number of the method in softcat_rosenbrock.h
+    bounds: CBounds | None = None  # Where it ends before its last time
+
+    def options(self, stop: ct.c_int | None = None) -> Options:
+        """Options of the C runtime."""
+        absolute = np.full(self.state.shape[1], self.absolute)
+        found = Options(
+            relative=self.relative,
+            absolute=doubles(absolute),
+            work_absolute=self.work_absolute,
+            largest_step=self.max_step,
+            max_steps=self.max_steps,
+            method=self.method,
+        )
+        found.kept = absolute
+        if len(self.kinks):
+            found.kinks, found.kink_count = doubles(self.kinks), len(self.kinks)
+        if stop is not None:
+            found.stop = ct.pointer(stop)
+        if self.bounds is not None:
+            found.bounds = ct.pointer(self.bounds)
+        return found
 
 
 @dataclass(frozen=True)
@@ -283,9 +313,9 @@ class CModel:
 
     def consistent(self, run: RunInput, status: Status) -> Floats:
         """The initial state of a run, with its algebraic unknowns in balance."""
-        state, absolute = run.state.copy(), np.full(run.state.shape[1], run.absolute)
+        state = run.state.copy()
         filament = self._filament(len(state), run.parameters, run.places)
-        options = Options(relative=run.relative, absolute=doubles(absolute), method=run.method)
+        options = run.options()
         found = [ct.byref(part) for part in (filament, options)]
         self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
         return state
@@ -299,15 +329,8 @@ class CModel:
         status: Status,
         stop: ct.c_int | None,
     ) -> None:
-        sites, slots = run.state.shape
-        state, absolute = run.state.copy(), np.full(slots, run.absolute)
-        filament = self._filament(sites, run.parameters, run.places)
-        options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
-        options.work_absolute, options.method, options.largest_step = run.work_absolute, run.method, run.max_step
-        if len(run.kinks):
-            options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
-        if stop is not None:
-            options.stop = ct.pointer(stop)
+        state, options = run.state.copy(), run.options(stop)
+        filament = self._filament(len(state), run.parameters, run.places)
         self._runtime.softcat_sensitivities(
             self._address,
             ct.byref(filament),
@@ -416,6 +439,7 @@ class CompiledIntegration:
     filament: CompiledFilament
     frames: int  # Output times, t = 0 included
     kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
+    bounds: Bounds | None = None  # Where the filament falls for ever
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
@@ -443,6 +467,7 @@ class CompiledIntegration:
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
             method=self.settings.method,
+            bounds=None if self.bounds is None else self._bounds(self.bounds),
         )
         room = model.room(run, status)
 
@@ -451,7 +476,11 @@ class CompiledIntegration:
             x, z = sites.vectors(room.states[frame : frame + 1])
             return frame > 0 and is_torn(self.graph.terms, self.filament.stretch(times[frame : frame + 1], x, z, p))
 
-        self._watched(run, room, torn, scale, progress)
+        stopped = False
+        try:
+            self._watched(run, room, torn, scale, progress)
+        except KeyboardInterrupt:
+            stopped = True
         refuse(status.code, model.message(status.code))
         frames = _reached(times, status) + 1
         x, z = sites.vectors(room.states[:frames])
@@ -459,16 +488,30 @@ class CompiledIntegration:
         quad = np.zeros((len(self.graph.powers), frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
-        if status.code not in (SOLVED, STOPPED):
+        if status.code not in (SOLVED, STOPPED, BEYOND):
             outcome, worst = OUTCOMES[status.code], ""
             if status.worst_slot >= 0:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
+        if status.code == BEYOND:
+            return found.left(status.reached, scale)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
-        if status.code == STOPPED and found.outcome is Outcome.solved:
-            raise KeyboardInterrupt
+        if stopped or (status.code == STOPPED and found.outcome is Outcome.solved):
+            raise found.interrupted(scale)
+        return found
+
+    def _bounds(self, bounds: Bounds) -> CBounds:
+        """The bounds of the nodes and cells whose positions are unknown."""
+        sites, names = self.filament.sites, [slot.name for slot in self.filament.model.model.slots]
+        slots = [names.index(axis) if axis in names else -1 for axis in "xyz"]
+        unknown = np.zeros(sites.shape, bool)
+        unknown.flat[[*sites.x, *sites.z]] = True
+        moves = np.all(unknown[:, [slot for slot in slots if slot >= 0]], axis=1)
+        longest = np.where(moves[1:] & moves[:-1], bounds.stretch * np.diff(self.graph.grid.nodes), np.inf)
+        found = CBounds((ct.c_int * 3)(*slots), bounds.distance, doubles(longest))
+        found.kept = longest
         return found
 
     def _watched(self, run: RunInput, room: Answer, torn: Callable[[], bool], scale: float, progress: Progress) -> None:

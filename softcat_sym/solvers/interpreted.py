@@ -19,13 +19,14 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 
 # Flags for identical numbers on all machines of this kind: no -march=native, no -ffast-math, no fused operations.
 PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
 
 _LARGE = 1000
+_LATEST, _LOOKS = 1e12, 900  # Times at which a fall that may not end is looked at, each by 3 % later than the last
 _BESIDE = 8 * float(np.finfo(float).eps)
 
 _OUTCOMES = {
@@ -130,13 +131,11 @@ class FrameIntegrator:
         self._arguments["z0"][:] = before.z[:, -1]
         self._arguments["p"][:] = (*p, start, interval)
         outcome, message = Outcome.solved, ""
-        with watched() as interrupts:
+        with watched():
             try:
                 self._evaluate()
             except RuntimeError as error:
                 outcome, message = _failure(error)
-            finally:
-                interrupts.check()
         stats = self._buffer.stats()
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
@@ -174,16 +173,27 @@ class Integration:
         Times, in units of the time scale, at which a support changes its rate, and at which steps must end.
     external : External
         The compiled right-hand side, if there is one.
+    bounds : Bounds
+        Where the filament falls for ever, if it may.
     """
 
     def __init__(
-        self, graph: Graph, settings: Settings, frames: int, kinks: Floats, external: External | None = None
+        self,
+        graph: Graph,
+        settings: Settings,
+        frames: int,
+        kinks: Floats,
+        external: External | None = None,
+        bounds: Bounds | None = None,
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
-        self._external = external
+        self._external, self._bounds = external, bounds
+        if bounds is not None and bounds.stretch < np.inf:
+            # What falls for ever is looked at between frames, too.
+            self._kinks = np.union1d(kinks, np.geomspace(1.0, _LATEST, _LOOKS))
         # A multistep method restarts in each chunk, so that a short run has one chunk.
         chunks = 40 if len(graph.start) > _LARGE else 8 if settings.solver == "rosenbrock" else 1
-        self._chunk = self._integrator(1 if len(kinks) else max(1, -(-(frames - 1) // chunks)))
+        self._chunk = self._integrator(1 if len(self._kinks) else max(1, -(-(frames - 1) // chunks)))
         self._samples: FrameIntegrator | None = None
 
     def _integrator(self, intervals: int) -> FrameIntegrator:
@@ -209,8 +219,15 @@ class Integration:
         progress : Progress
             Called after every chunk.
         """
-        last, interval = self._frames - 1, duration / (self._frames - 1)
-        parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.powers))], 0, self._chunk
+        parts = [Solution.at(start.x, start.z, len(self._graph.powers))]
+        try:
+            return self._run(parts, p, duration / (self._frames - 1), scale, progress)
+        except KeyboardInterrupt:
+            raise self._whole(parts, duration / (self._frames - 1)).interrupted(scale) from None
+
+    def _run(self, parts: list[Solution], p: Floats, interval: float, scale: float, progress: Progress) -> Solution:
+        """Integrate, and put every part that was computed beside the others."""
+        last, reached, integrator = self._frames - 1, 0, self._chunk
         while reached < last:
             if len(self._kinks):
                 # A piece starts just after a kink and ends just before the next.
@@ -224,6 +241,8 @@ class Integration:
                 reached += len(part.time)
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
+                if (ended := self._ended(part, p)) is not None:
+                    return self._whole(parts, interval).left(ended, scale)
                 if is_torn(self._graph.terms, self._stretch(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
@@ -235,6 +254,16 @@ class Integration:
 
     def _stretch(self, time: Floats, x: Floats, z: Floats, p: Floats) -> Floats:
         return self._graph.observe(time, x, z, p)["stretch"]
+
+    def _ended(self, part: Solution, p: Floats) -> float | None:
+        """The time of the first of these frames in which the filament falls for ever; None without one."""
+        bounds, kinds = self._bounds, [*self._graph.x_kinds, *self._graph.z_kinds]
+        if bounds is None:
+            return None
+        places = np.abs(np.concatenate([part.x, part.z])[[kind in ("x", "y", "z") for kind in kinds]])
+        stretch = self._stretch(part.time, part.x, part.z, p)
+        beyond = (np.max(places, axis=0) > bounds.distance) | (np.max(stretch, axis=1) > bounds.stretch)
+        return float(part.time[np.argmax(beyond)]) if np.any(beyond) else None
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
         """All parts joined, without frames of the last chunk beyond the end."""
@@ -272,7 +301,7 @@ class Integration:
         for start, length in spans:
             here = self._single.advance(here, p, start, length)
             steps += here.steps
-            if here.outcome is not Outcome.solved:
+            if here.outcome is not Outcome.solved or self._ended(here, p) is not None:
                 break
         return replace(here, steps=steps)
 

@@ -14,6 +14,7 @@ from softcat_sym.codegen.lanes import SYMBOL, lanes_sources, lanes_text
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import (
+    BEYOND,
     SOLVED,
     STOPPED,
     Answer,
@@ -85,20 +86,14 @@ class LanesModel:
 
     def integrate(self, runs: Sequence[RunInput], rooms: Sequence[Answer], stop: ct.c_int | None = None) -> None:
         """Integrate runs with the same number of sites and the same method, as :meth:`CModel.integrate` does."""
-        members, kept = (Member * len(runs))(), []
+        members, kept = (Member * len(runs))(), list[object]()
         for member, run, room in zip(members, runs, rooms, strict=True):
-            absolute = np.full(run.state.shape[1], run.absolute)
             arrays = [np.ascontiguousarray(array) for array in (run.parameters, run.places, run.state, run.times)]
-            kept += [absolute, *arrays]
+            options = run.options(stop)
+            kept += [options, *arrays]
             parameters, places, state, times = (doubles(array) for array in arrays)
             member.filament = Filament(len(run.state), parameters, places)
-            member.options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
-            member.options.work_absolute, member.options.method = run.work_absolute, run.method
-            member.options.largest_step = run.max_step
-            if len(run.kinks):
-                member.options.kinks, member.options.kink_count = doubles(run.kinks), len(run.kinks)
-            if stop is not None:
-                member.options.stop = ct.pointer(stop)
+            member.options = options
             member.state, member.times, member.count = state, times, len(run.times)
             member.states = doubles(room.states)
             member.work = doubles(room.work) if self._one.model.powers else None
@@ -106,7 +101,7 @@ class LanesModel:
         if code != SOLVED:
             raise SoftcatError(f"the lanes of the compiled solver refused to begin: {self._one.message(code)}")
         for member, run, room in zip(members, runs, rooms, strict=True):
-            if member.status.code in (SOLVED, STOPPED):
+            if member.status.code in (SOLVED, STOPPED, BEYOND):
                 ct.pointer(room.status)[0] = member.status
             else:
                 room.states[...], room.work[...] = np.nan, 0.0

@@ -28,6 +28,15 @@ class Outcome(Enum):
         "the filament is drawn out beyond what its material can bear: the run ends there; it is too heavy or too weak, "
         "or its supports go too far: lower gravity, shorten run.duration, thicken the filament or stiffen the material"
     )
+    descends = (
+        "nothing holds the filament and it falls for ever: the run ends there, what it shows up to then holds, and no "
+        "later time shows more; for a filament that stops, raise the yield stress, thicken it or shorten the span, and "
+        "for its fall alone shorten run.duration"
+    )
+    interrupted = (
+        "the run was stopped before it was finished, by Ctrl-C or a time limit: what there is was computed as asked, "
+        "but not checked; run it again, with more time, a shorter run.duration or a larger run.accuracy"
+    )
     compressed = (
         "a string that does not bend is pushed together: it would fold at every length, and the answer changes with "
         "the grid; take in the effect bending, or keep the supports apart"

@@ -81,23 +81,30 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     # External work: by the load, and by a material that shrinks.
     works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.powers])
     work = [np.zeros(len(works))]
-    for before, time in itertools.pairwise(times.tolist()):
-        instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]
-        passed: list[Floats] = []
-        while len(passed) < len(instants) and (z := path.to(instants[len(passed)])) is not None:
-            passed.append(z)
-        if len(passed) < len(instants):
-            outcome, message = Outcome.no_equilibrium, f"no equilibrium at t = {instants[len(passed)] * scale:.6g} s"
-            break
-        powers = [power(instant, [], z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
-        done = sum(np.where(works, np.asarray(found, dtype=float).ravel(), 0.0) for found in powers)
-        work.append(work[-1] + (time - before) * done / len(_GAUSS))
-        shapes.append(path.last)
-        progress.update(time * scale, None)
+    stopped = False
+    try:
+        for before, time in itertools.pairwise(times.tolist()):
+            instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]
+            passed: list[Floats] = []
+            while len(passed) < len(instants) and (z := path.to(instants[len(passed)])) is not None:
+                passed.append(z)
+            if len(passed) < len(instants):
+                outcome = Outcome.no_equilibrium
+                message = f"no equilibrium at t = {instants[len(passed)] * scale:.6g} s"
+                break
+            powers = [power(instant, [], z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
+            done = sum(np.where(works, np.asarray(found, dtype=float).ravel(), 0.0) for found in powers)
+            work.append(work[-1] + (time - before) * done / len(_GAUSS))
+            shapes.append(path.last)
+            progress.update(time * scale, None)
+    except KeyboardInterrupt:
+        stopped = True
     frames = len(shapes)
-    return Solution(
-        times[:frames], np.zeros((0, frames)), np.array(shapes).T, np.array(work).T, outcome, message, frames - 1
-    )
+    x, z, quad = np.zeros((0, frames)), np.array(shapes).T, np.array(work[:frames]).T
+    found = Solution(times[:frames], x, z, quad, outcome, message, frames - 1)
+    if stopped:
+        raise found.interrupted(scale)
+    return found
 
 
 class _Path:

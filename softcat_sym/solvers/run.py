@@ -29,6 +29,7 @@ from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
+from softcat_sym.solvers.descent import bounds_of
 from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend
@@ -202,14 +203,15 @@ def prepare(
     newton = None
     if isinstance(code, CompiledFilament) and code_at_rest is not None:
         newton = CompiledNewton(graph, code, code_at_rest, settings)
+    bounds = bounds_of(scene, graph.terms)
     start = starting_state(scene, graph, p, statics, newton)
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):
-        integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks)
+        integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks, bounds)
     elif len(graph.start) and start is not None:
         # Imported here, as compiled runs do not need CasADi.
         from softcat_sym.solvers.interpreted import Integration
 
-        integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code)
+        integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code, bounds)
     whole = code if isinstance(code, CompiledFilament) else None
     return Prepared(graph, settings, p, times, scale, start, integration, backend, whole)

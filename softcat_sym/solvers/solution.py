@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from types import FrameType
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -86,6 +86,14 @@ def is_torn(terms: Terms, stretch: Floats) -> bool:
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """Where a run ends as one that falls for ever, in units of the rest length."""
+
+    distance: float  # Largest coordinate of a node, from the middle of the straight filament
+    stretch: float  # Of a cell; infinite where the filament may come to rest
+
+
+@dataclass(frozen=True)
 class Solution:
     """States at the output times that were reached, in columns."""
 
@@ -96,6 +104,7 @@ class Solution:
     outcome: Outcome
     message: str  # Time, worst component and message of the integrator, if it failed
     steps: int
+    ended: float | None = None  # Time at which it was left to fall for ever
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
@@ -109,6 +118,19 @@ class Solution:
             np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in ("time", "x", "z", "quad")
         )
         return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
+
+    def left(self, ended: float, scale: float) -> Solution:
+        """The solution before the time at which the filament was left to fall for ever."""
+        frames = max(1, int(np.count_nonzero(self.time <= ended)))
+        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
+        message = f"it falls for ever: the run ends after {ended * scale:.4g} s"
+        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.descends, message=message, ended=ended)
+
+    def interrupted(self, scale: float) -> Interrupted:
+        """What to raise after Ctrl-C, with the solution up to then."""
+        message = f"it was interrupted after {self.time[-1] * scale:.4g} s"
+        part = replace(self, outcome=Outcome.interrupted, message=message)
+        return Interrupted(lambda: part)
 
     def every(self, stride: int, time: Floats) -> Solution:
         """The solution at every `stride`-th frame, with the times of `time`."""
@@ -152,16 +174,29 @@ class Interrupts:
             raise KeyboardInterrupt
 
 
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a computation; `part` returns what was computed until then."""
+
+    def __init__(self, part: Callable[[], Any]) -> None:
+        super().__init__()
+        self.part = part
+
+
 @contextmanager
 def watched() -> Iterator[Interrupts]:
     """Watch for SIGINT, unless the program has its own handler or this is not its main thread.
 
-    A nested watch is the outer one.
+    At the end KeyboardInterrupt is raised if it was swallowed. A nested watch is the outer one.
     """
     around = getattr(signal.getsignal(signal.SIGINT), "__self__", None)
-    if isinstance(around, Interrupts):
-        yield around
-        return
-    interrupts = Interrupts()
-    with interrupts_go_to(interrupts.note):
-        yield interrupts
+    nested = isinstance(around, Interrupts)
+    interrupts = around if isinstance(around, Interrupts) else Interrupts()
+    with nullcontext() if nested else interrupts_go_to(interrupts.note):
+        try:
+            yield interrupts
+        except KeyboardInterrupt:
+            raise
+        except BaseException:
+            interrupts.check()
+            raise
+        interrupts.check()

@@ -10,39 +10,20 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.free_vibration import damping_note, ringing
+from softcat_sym.effects.free_vibration import damping_note
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import SceneLike, as_scene
-from softcat_sym.scene.scene import Scene, groups_of
+from softcat_sym.scene.scene import groups_of
+from softcat_sym.solvers.price import price_of
 from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.settings import choose_backend, settings_for
 
 if TYPE_CHECKING:
     from softcat_sym.physics.equation import Stated
-
-STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "damped": (20.0, 1.0, 0.35)}
-"""Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of
-periods with which they grow, and that of 0.01/accuracy (tests/slow/test_costs.py).
-
-A sudden load excites all modes, and a finer accuracy resolves more of them. Measured at 0.01 and 0.001: elastic strands
-of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to 187, 390 to 630; with a
-ramp 60, 132 (no-yield); damped 15, 33 (rubber-strand) and 44, 73 (cooked-spaghetti).
-Time steps that do not resolve the higher modes damp them, so that the steps become longer: users' inks take 4900,
-19 000 and 54 000 steps for 73, 927 and 4316 periods, agar 48 000 for 619.
-"""
-
-SECONDS_PER_UNKNOWN = 0.35e-6
-"""Processor time for each step and unknown of compiled models; 0.29 to 0.45 us were measured."""
-
-BESIDE = 3.0
-"""Duration of a run together with the runs that estimate its error, over that of the run alone."""
-
-LONG = 5.0
-"""Duration in seconds above which a text advises how to shorten the run."""
 
 GROUP_MEANINGS = {
     "delta": "thickness over span, h0/L [3.9]",
@@ -113,6 +94,8 @@ class Explanation:
         Settings of the integrator: `solver`, `backend`, `rtol`, `atol`, `reason`.
     damping, ringing : str
         First natural frequency with the loss below yield; duration and cost of the ringing. Empty if there is none.
+    seconds : float
+        What the run costs [s of the processor].
     warnings : tuple of str
         Sentences on limits of the theory.
     """
@@ -135,6 +118,7 @@ class Explanation:
     integrator: dict[str, Any]
     damping: str
     ringing: str
+    seconds: float
     warnings: tuple[str, ...]
 
     @property
@@ -204,6 +188,7 @@ def explain(scene: SceneLike) -> Explanation:
     }
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
+    price = price_of(scene, effects)
     return Explanation(
         title=scene.title,
         law=scene.material.law,
@@ -230,26 +215,7 @@ def explain(scene: SceneLike) -> Explanation:
             **{key: getattr(settings, key) for key in ("rtol", "atol", "reason")},
         },
         damping=damping_note(scene),
-        ringing=_ringing(scene, effects, size["differential"] + size["algebraic"]),
+        ringing=price.text,
+        seconds=price.seconds,
         warnings=theory_limits(scene, regime),
     )
-
-
-def _ringing(scene: Scene, effects: Effects, unknowns: int) -> str:
-    """Number of periods for which the filament rings in its first mode, and the processor time of the run.
-
-    The time of compiled runs is accurate to a factor of two or three; see :data:`STEPS_PER_PERIOD`.
-    """
-    rings = ringing(scene)
-    if not effects.terms().inertia or rings.amplitude < scene.run.accuracy * expected_sag(scene):
-        return ""
-    frequency = rings.frequency / (2 * math.pi)
-    damped = rings.decay > 0
-    lasts = min(scene.run.duration, -math.log(scene.run.accuracy) / rings.decay if damped else math.inf)
-    at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
-    steps = at_first * (frequency * lasts) ** growth * (0.01 / scene.run.accuracy) ** power
-    runs = BESIDE if scene.numerics.estimate else 1.0
-    seconds = steps * unknowns * SECONDS_PER_UNKNOWN * runs
-    about = float(f"{seconds:.1g}")
-    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {about:g} s of the processor"
-    return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"

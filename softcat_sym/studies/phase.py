@@ -463,12 +463,9 @@ def phase_diagram(
     refuse_scene(scene)
     # Estimate: refinement along the boundaries runs some nodes in every column.
     members = 4 * cells * len(chosen)
-    with watched() as interrupts, executor(workers, scheduler, local_cluster, members) as pool:
-        try:
-            sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
-            return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
-        finally:
-            interrupts.check()
+    with watched(), executor(workers, scheduler, local_cluster, members) as pool:
+        sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
+        return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
 
 
 def descent_run(scene: Scene, pool: Executor) -> PhaseRun:

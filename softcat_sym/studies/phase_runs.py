@@ -344,8 +344,7 @@ class PlaceWork:
         if first.regime is not None or not np.any(sag > PASSED):
             return first
         short = first.duration * float(np.argmax(sag > PASSED)) / (member.scene.run.frames - 1)
-        run = member.scene.run.model_copy(update={"duration": short})
-        second, _ = self._run(place, replace(member, scene=member.scene.model_copy(update={"run": run})))
+        second, _ = self._run(place, _lasting(member, short))
         steps = first.steps + second.steps
         if second.regime != DESCENDING:
             return replace(first, runs=2, steps=steps)
@@ -353,7 +352,13 @@ class PlaceWork:
 
     def _run(self, place: Place, member: Member) -> tuple[PhaseRun, Floats]:
         """A run, and its sag over the span, shape (frames,)."""
-        run = judged(member, *study_of(self.scene).workshop.run(member, self.stop))
+        workshop = study_of(self.scene).workshop
+        prepared, solution = workshop.run(member, self.stop)
+        if solution.ended is not None:
+            # It falls for ever, perhaps before its second frame: again, with its frames up to then.
+            member = _lasting(member, solution.ended * prepared.scale)
+            prepared, solution = workshop.run(member, self.stop)
+        run = judged(member, prepared, solution)
         sag = -run.midpoint / rest_length(member.scene)
         rate, span_rate = _rates(run)
         result = PhaseRun(
@@ -370,6 +375,12 @@ class PlaceWork:
             steps=run.solution.steps,
         )
         return result, sag
+
+
+def _lasting(member: Member, duration: float) -> Member:
+    """The member with another duration [s]."""
+    run = member.scene.run.model_copy(update={"duration": duration})
+    return replace(member, scene=member.scene.model_copy(update={"run": run}))
 
 
 def _rates(run: MemberRun) -> tuple[float, float]:

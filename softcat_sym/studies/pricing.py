@@ -84,17 +84,14 @@ def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> Pric
         seconds.append(float(found.summary["wall_s"]["solve"]))
         return found
 
-    with watched() as interrupts:
-        try:
-            once = without_estimate(scene)
-            run = run or stored(key_of("run", identity_of(once)), solve, run_form(once))
-            prepared = build(scene, choose_effects(scene))
-            while not seconds or (seconds[0] < _SHORT and len(seconds) < _REPEATS):
-                start = time.perf_counter()
-                prepared.solve(progress)
-                seconds.append(time.perf_counter() - start)
-        finally:
-            interrupts.check()
+    with watched():
+        once = without_estimate(scene)
+        run = run or stored(key_of("run", identity_of(once)), solve, run_form(once))
+        prepared = build(scene, choose_effects(scene))
+        while not seconds or (seconds[0] < _SHORT and len(seconds) < _REPEATS):
+            start = time.perf_counter()
+            prepared.solve(progress)
+            seconds.append(time.perf_counter() - start)
     graph, summary = prepared.graph, run.summary
     return PricedRun(
         effects=tuple(summary["effects"]),

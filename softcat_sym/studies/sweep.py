@@ -543,7 +543,7 @@ def run_sweep(
         made(directory),
         named(directory / STORE),
         tempfile.TemporaryFile(dir=directory) as passing,  # without a name it vanishes however the program ends
-        watched() as interrupts,
+        watched(),
     ):
         blocks, centre = _Blocks(plan, passing), _centre(plan)
         for number in range(plan.blocks):
@@ -553,13 +553,10 @@ def run_sweep(
         missing = [number for number in range(plan.blocks) if number not in blocks]
         before = plan.members - sum(len(plan.block(number)) for number in missing)
         place = "nothing left to run"
-        try:
-            if missing:
-                with executor(*where, members=plan.members - before) as pool:
-                    place = str(pool)
-                    _run_blocks(plan, blocks, missing, (pool, centre), before, progress)
-        finally:
-            interrupts.check()
+        if missing:
+            with watched(), executor(*where, members=plan.members - before) as pool:
+                place = str(pool)
+                _run_blocks(plan, blocks, missing, (pool, centre), before, progress)
         with written_together():
             counts = _write_store(plan, blocks, directory, centre)
             _write_table(plan, blocks, directory)

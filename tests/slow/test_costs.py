@@ -22,8 +22,8 @@ import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.single_run import build
+from softcat_sym.solvers.price import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies.explanation import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow

@@ -243,6 +243,10 @@ static void accept(lanes_run *run, int l, double error)
     r->rejected = 0;
     r->t = r->member->status.reached = r->end;
     if (!(r->t < r->last)) finish(r, SOFTCAT_SOLVED);
+    else if (r->member->options.bounds
+             && softcat_beyond(r->member->options.bounds, (const double *)run->step.y + l,
+                               run->step.model->one->slots, r->member->filament.sites, LANES))
+        finish(r, SOFTCAT_BEYOND);
 }
 
 static void reject(lanes_run *run, int l, int bad, double error)

@@ -89,6 +89,7 @@ const char *softcat_message(int code)
     case SOFTCAT_ARGUMENT: return "an argument contradicts the documentation of the call";
     case SOFTCAT_STOPPED: return "stopped from outside";
     case SOFTCAT_NO_CONVERGENCE: return "no consistent algebraic unknowns were found";
+    case SOFTCAT_BEYOND: return "a node or a cell is beyond its bounds";
     default: return "unknown code";
     }
 }

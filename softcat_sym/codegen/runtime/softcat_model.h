@@ -20,7 +20,8 @@ enum {
     SOFTCAT_MEMORY,         /* the workspace could not be allocated */
     SOFTCAT_ARGUMENT,       /* an argument contradicts what the header asks for */
     SOFTCAT_STOPPED,        /* stopped from outside through softcat_options.stop */
-    SOFTCAT_NO_CONVERGENCE  /* Newton's method found no consistent algebraic unknowns */
+    SOFTCAT_NO_CONVERGENCE, /* Newton's method found no consistent algebraic unknowns */
+    SOFTCAT_BEYOND          /* a node or a cell is beyond softcat_options.bounds */
 };
 
 /* What a run is given. */

@@ -194,6 +194,24 @@ static int begin_anew(softcat_run *r)
     return code ? code : softcat_copies_correct(r, inner_start(r));
 }
 
+int softcat_beyond(const softcat_bounds *bounds, const double *state, int slots, int sites,
+                   int stride)
+{
+    for (int i = 0; i < sites; i++) {
+        const double *here = state + (size_t)i * (size_t)(slots * stride);
+        double length = 0.0;
+        for (int axis = 0; axis < 3; axis++) {
+            int slot = bounds->slots[axis] * stride;
+            if (slot < 0) continue;
+            double along = i ? here[slot] - here[slot - slots * stride] : 0.0;
+            if (fabs(here[slot]) > bounds->farthest) return 1;
+            length += along * along;
+        }
+        if (i && length > bounds->longest[i - 1] * bounds->longest[i - 1]) return 1;
+    }
+    return 0;
+}
+
 static int integrate(softcat_run *r)
 {
     double next = r->options->first_step;
@@ -209,6 +227,10 @@ static int integrate(softcat_run *r)
     r->status->worst_site = r->status->worst_slot = -1;
     while (!code && r->t < r->last) {
         code = advance(r, &next);
+        if (!code && r->options->bounds && r->t < r->last
+            && softcat_beyond(r->options->bounds, r->copies[0].state, r->model->slots,
+                              r->copies[0].filament.sites, 1))
+            code = SOFTCAT_BEYOND;
         if (!code && r->after_kink && r->t < r->last) code = begin_anew(r);
     }
     return code;

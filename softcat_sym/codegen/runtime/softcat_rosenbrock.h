@@ -19,6 +19,16 @@ enum {
     SOFTCAT_RODAS3P      /* order 3, 5 stages, dense output of order 3 */
 };
 
+/* Where a run ends before its last time. */
+typedef struct softcat_bounds {
+    int slots[3];              /* of the positions of a node, -1: none */
+    double farthest;           /* largest coordinate of a node */
+    const double *longest;     /* [sites - 1] length of a cell */
+} softcat_bounds;
+
+/* Whether a state, whose numbers stand `stride` apart, is beyond its bounds. */
+int softcat_beyond(const softcat_bounds *, const double *state, int slots, int sites, int stride);
+
 /* Set all to zero first ({0}), then what is wanted. */
 typedef struct softcat_options {
     double relative;           /* relative error a step may make, > 0 */
@@ -33,6 +43,7 @@ typedef struct softcat_options {
     const double *kinks;       /* [kink_count] increasing times at which f is not smooth: */
     int kink_count;            /*              no step runs over one of them */
     const volatile int *stop;  /* or NULL: set non-zero from outside (a signal, a thread) to stop */
+    const softcat_bounds *bounds; /* or NULL; looked at after every step */
 } softcat_options;
 
 /* What a run did, also if it failed. */
