@@ -24,7 +24,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import laws, reissner, symbols
+from softcat_sym.physics import bulk, laws, reissner, symbols
 from softcat_sym.physics.closures import material as closure
 from softcat_sym.physics.kinematics import TRUE_STRAIN
 from softcat_sym.physics.section_response import Shape, natural_strains, respond, shrunk
@@ -160,7 +160,7 @@ nu, zeta, along = sp.symbols("nu zeta epsilon_x")
 n_0, n_1 = symbols.n_0, symbols.n_1
 natural = n_0 + n_1 * zeta
 biaxial = symbols.E / (1 - nu**2) * ((along - natural) + nu * (n_0 - natural))
-mean, more = (one.subs(laws_nu, nu) for laws_nu in [reissner.nu] for one in natural_strains(SECTIONS["sheet"]))
+mean, more = (one.subs(bulk.nu, nu) for one in natural_strains(SECTIONS["sheet"]))
 prove_equal(biaxial, symbols.E / (1 - nu**2) * (along - mean - more * zeta))
 
 # %% [markdown]

@@ -16,7 +16,7 @@ from softcat_sym.discretization.assembly import Theory, assemble, choose_body, c
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, whole_span
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
+from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.spatial import cell_strains
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
@@ -44,6 +44,13 @@ MATERIALS: dict[str, dict[str, Any]] = {
         "modes": [{"youngs_modulus": 3e6, "viscosity": 1e4}, {"youngs_modulus": 1e6, "viscosity": 1e5}]
     },
 }
+
+
+def chord_rule(zeta: Floats, weight: Floats) -> PointRule:
+    """Points of a circle on chords at given heights, two a chord: what bends in the plane has its fibres there."""
+    half = np.sqrt(np.maximum(1 - zeta**2, 0.0) / 3)
+    Y, Z = np.repeat(zeta, 2), np.column_stack([-half, half]).ravel()
+    return PointRule(Y, Z, -Z, Y, np.repeat(weight / 2, 2))
 
 
 def strand(law: str, section: str = "circle", **changes: object) -> sc.Scene:

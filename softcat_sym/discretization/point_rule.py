@@ -76,13 +76,6 @@ def ring_rule(rings: int, angles: int) -> PointRule:
     return PointRule(Y.ravel(), Z.ravel(), -Z.ravel(), Y.ravel(), weight)
 
 
-def chord_rule(zeta: Floats, weight: Floats) -> PointRule:
-    """Points of a circle on chords at given heights, two a chord: what bends in the plane has its fibres there."""
-    half = np.sqrt(np.maximum(1 - zeta**2, 0.0) / 3)
-    Y, Z = np.repeat(zeta, 2), np.column_stack([-half, half]).ravel()
-    return PointRule(Y, Z, -Z, Y, np.repeat(weight / 2, 2))
-
-
 @lru_cache(maxsize=64)
 def warping_rule(across: int, beside: int, aspect: float) -> PointRule:
     """Gauss points of a rectangle of width over thickness `aspect`, which warps freely where it twists (Saint-Venant).

@@ -58,7 +58,6 @@ _INDEX = (0.02, 5.0)
 _POISSON = (-0.99, 0.495)
 _ANGLE = 0.999 * math.pi
 _ANY_SIGN = 10.0
-_LENGTHS = ("span", "thickness", "width", "rest_length")
 _SIGNED = (("filament", "curvature"), ("ends", "drop"), ("ends", "left_angle"), ("ends", "right_angle"))
 _OF_SHAPE = ("span", "rest_length", "curvature", "twist", "drop", "left_angle", "right_angle", "stretch")
 

@@ -17,9 +17,6 @@ phi = enter("phi", r"\phi", ONE, "factor of the parabola, four times the sag", "
 TOLERANCE = Rational(1, 15)
 """The paper's alpha."""
 
-MIDPOINT = -phi / 4
-"""y(0) of the parabola."""
-
 FREE_FALL = -(t_star**2) / 2
 """Midpoint before the supports are felt."""
 
