@@ -10,9 +10,11 @@ import math
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
@@ -57,6 +59,53 @@ def says(request: pytest.FixtureRequest) -> Iterator[Says]:
 
 
 # --- A: checks on random draws
+
+
+STATISTICAL = ("inference", "priors", "closed_forms")
+"""Files of tests on draws that take seconds; `.ci/matrix seeds` runs all of them, with twenty seeds."""
+
+
+def tested(*options: str, heard: bool = True, **variables: str) -> str:
+    """The last line of pytest's; an interrupt may go unheard, as in the background of a script."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
+    deaf = None if heard else partial(signal.signal, signal.SIGINT, signal.SIG_IGN)
+    environment, root = {**os.environ, **variables}, Path(__file__).parents[2]
+    done = subprocess.run(
+        command, cwd=root, env=environment, capture_output=True, text=True, check=False, preexec_fn=deaf
+    )
+    assert done.returncode == 0, done.stdout
+    return done.stdout.strip().splitlines()[-1]
+
+
+def test_statistical_tests_pass_with_other_draws(says: Says) -> None:
+    files = [f"tests/test_{name}.py" for name in STATISTICAL]
+    met = "test_the_band_...: 0.8476 for 1 +- 0.15 on another processor, a chance of one in fifty"
+    found = tested("-m", "statistical and not slow", *files, SOFTCAT_TEST_SEED="101")
+    says("A1", met, f"from the covariance, not drawn; with other draws {found}")
+
+
+def test_tests_hear_interrupts_in_the_background_of_a_script(says: Says) -> None:
+    found = tested("tests/test_least_squares.py", "-k", "raises", heard=False)
+    says("A1", "started by a script in the background, tests of Ctrl-C fail", found)
+
+
+def test_the_matrix_has_a_row_for_each_machine(says: Says) -> None:
+    text = (Path(__file__).parents[2] / ".ci" / "matrix").read_text(encoding="utf-8")
+    rows = re.findall(r'^    "([\w.]+)": Row\(', text, re.MULTILINE)
+    assert {*rows} >= {
+        "gcc",
+        "clang",
+        "zig",
+        "none",
+        "native",
+        "O0",
+        "oldest",
+        "newest",
+        "python3.11",
+        "python",
+        "seeds",
+    }
+    says("A2", "one kind of machine", f".ci/matrix: {', '.join(rows)}")
 
 
 # --- B1: the regime does not depend on the frames
