@@ -179,9 +179,8 @@ class CombinedEstimate:
     """Constants from all features together."""
 
     constants: Constants  # E and eta
-    covariance: (
-        Floats  # shape (2, 2); Of log E and log eta, from the errors of reading and the tolerance for the theory
-    )
+    # shape (2, 2); Of log E and log eta, from the errors of reading and the tolerance for the theory
+    covariance: Floats
     misfit: float  # Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance
     freedom: int  # Features used less two
     residuals: dict[str, float]  # (theory - measured)/measured of every feature used, as logarithms
