@@ -52,11 +52,18 @@ def main() -> NoReturn:
     sys.exit(ending.status if status == INTERRUPTED else status)
 
 
-def _show_warning(message: Warning | str, category: type[Warning], *where: Any) -> None:
-    """Print what a user can do something about as one line, without the line of the program."""
+def _show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: object = None,
+    line: object = None,
+) -> None:
+    """Print a warning as one line; only of those that are not for users, where in the program it arose."""
     from softcat_sym.cli.application import print_error
 
-    print_error(str(message) if issubclass(category, UserWarning) else f"{category.__name__}: {message} ({where[0]})")
+    print_error(str(message) if issubclass(category, UserWarning) else f"{message} ({filename}, line {lineno})")
 
 
 def _status(ending: Ending) -> int | str | None:

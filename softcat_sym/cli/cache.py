@@ -40,8 +40,10 @@ def cache(
     folder = cache.cache_folder()
     if clear:
         for kind, entries in cache.clear(*cache.KINDS).items():
-            freed = size_text(sum(entry.size for entry in entries))
-            typer.echo(f"deleted {len(entries)} {_NAMES[kind][len(entries) != 1]} from {folder / kind}: {freed} freed")
+            freed = sum(entry.size for entry in entries)
+            if freed or kind in _HEADINGS:
+                found = f"{len(entries)} {_NAMES[kind][len(entries) != 1]}"
+                typer.echo(f"deleted {found} from {folder / kind}: {size_text(freed)} freed")
     else:
         limits = {cache.LIBRARIES: cache_limit(), cache.RESULTS: store.LIMIT}
         typer.echo(f"folder     {folder}")

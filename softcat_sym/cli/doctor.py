@@ -130,7 +130,7 @@ def _compiler() -> Finding:
             text = f"CC is {named!r}, which is no C compiler that runs" if named else "none: runs are interpreted"
             return Finding("compiler", text, TO_INSTALL, bool(named))
         check_compiler(found)
-    except SoftcatError as error:
+    except (SoftcatError, OSError) as error:
         return Finding("compiler", str(error), "set CC to a compiler that works, or look at SOFTCAT_CFLAGS", True)
     return Finding("compiler", f"{found.name}, which compiles ({' '.join(found.command)})")
 

@@ -18,6 +18,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
@@ -53,51 +54,27 @@ def run(
             start_new_session=True,
         ) as process,
     ):
+        began, stop = time.monotonic(), _stop.get()
         try:
-            if (processes := _processes.get()) is not None:
-                processes.add(process)
             interrupt.pass_on()
-            out, err = process.communicate(timeout=seconds)
+            while process.returncode is None:
+                try:
+                    out, err = process.communicate(timeout=_LOOK)
+                except subprocess.TimeoutExpired:
+                    if stop is not None and stop.is_set():
+                        raise KeyboardInterrupt from None
+                    if time.monotonic() - began > seconds:
+                        raise
         except BaseException:
             _kill_group(process)
             raise
     return subprocess.CompletedProcess(command, process.returncode, out, err)
 
 
-class Processes:
-    """Those that a thread runs, which another thread may kill."""
+_LOOK = 0.1  # s, between two looks at whether to go on waiting for a process
 
-    def __init__(self) -> None:
-        self._killed, self._lock = False, threading.Lock()
-        self._running: list[subprocess.Popen[str]] = []
-
-    def add(self, process: subprocess.Popen[str]) -> None:
-        """One that was started just now: it is killed at once if the others have been."""
-        with self._lock:
-            self._running.append(process)
-            if self._killed:
-                _kill_group(process)
-
-    def kill(self) -> None:
-        """End all, with what they have started, and whatever is added later."""
-        with self._lock:
-            self._killed = True
-            for process in self._running:
-                if process.returncode is None:
-                    _kill_group(process)
-
-
-_processes: ContextVar[Processes | None] = ContextVar("processes", default=None)
-
-
-@contextlib.contextmanager
-def kill_on(processes: Processes) -> Iterator[None]:
-    """Add what :func:`run` starts in this thread meanwhile, so that it can be killed from another."""
-    before = _processes.set(processes)
-    try:
-        yield
-    finally:
-        _processes.reset(before)
+_stop: ContextVar[threading.Event | None] = ContextVar("stop", default=None)
+"""Set by another thread where what :func:`run` runs in this one is to end."""
 
 
 class _Interrupt:
@@ -262,24 +239,17 @@ def _output(*command: str) -> str | None:
 @contextlib.contextmanager
 def beside(work: Callable[[], object]) -> Iterator[None]:
     """Do some work while the block does its own; both are done at its end."""
-    raised: list[BaseException] = []
-    processes = Processes()
+    stop = threading.Event()
 
     def whole() -> None:
-        with kill_on(processes):
-            try:
-                work()
-            except BaseException as error:  # noqa: BLE001 - it is raised where somebody waits for it
-                raised.append(error)
+        _stop.set(stop)
+        work()
 
-    thread = threading.Thread(target=whole, name="softcat beside", daemon=True)
-    thread.start()
-    try:
-        yield
-        thread.join()
-    except BaseException:
-        processes.kill()
-        thread.join()
-        raise
-    if raised:
-        raise raised[0]
+    with ThreadPoolExecutor(1, "softcat beside") as pool:
+        done = pool.submit(whole)
+        try:
+            yield
+            done.result()
+        except BaseException:
+            stop.set()
+            raise

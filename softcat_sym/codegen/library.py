@@ -53,9 +53,11 @@ _ZIG = hashlib.sha256(b"zig").hexdigest()
 
 
 def about(entry: Path) -> tuple[str, str]:
-    """Digest of a library of the cache, and what it was compiled from, and by what."""
-    lines = cache.content_of(entry / _ABOUT).decode(errors="replace").splitlines()
-    return lines[0] if lines else "", " ".join(lines[1:])
+    """Digest of a library of the cache, and what it was compiled from, and by what; empty where that is not there."""
+    lines = [""]
+    with contextlib.suppress(OSError):
+        lines += cache.content_of(entry / _ABOUT).decode(errors="replace").splitlines()
+    return lines[1] if len(lines) > 1 else "", " ".join(lines[2:])
 
 
 def find(key: str) -> Path | None:
@@ -207,8 +209,7 @@ def _build(
         (folder / name).write_text(text, encoding="utf-8")
     command = [*compiler.command, *flags, "-o", LIBRARY, *units, "-lm"]
     try:
-        is_of_zig = any("zig" in Path(word).name for word in compiler.command)
-        done = run(command, _PATIENCE, folder, _zig() if is_of_zig else None)
+        done = run(command, _PATIENCE, folder, _zig())
     except subprocess.TimeoutExpired as error:
         raise SoftcatError(
             f"{compiler.path} ({compiler.version}) did not finish within {_PATIENCE:.0f} s and was stopped"
