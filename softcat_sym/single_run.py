@@ -9,10 +9,10 @@ import numpy as np
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.progress import Clock
-from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import settling_time
+from softcat_sym.results.observed import Watched
 from softcat_sym.results.run import Run, judge
-from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
@@ -44,8 +44,16 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
 
 
-def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0) -> Run:
-    """Integrate once, and judge the answer."""
+def run_once(
+    scene: Scene,
+    resolved: Scene,
+    effects: Effects,
+    clock: Clock,
+    progress: Progress,
+    times: int = 0,
+    watched: Watched | None = None,
+) -> Run:
+    """Integrate once, and judge the answer; what is to be compared of it is `watched`, or what it shows is largest."""
     times = max(times, scene.run.frames)
     stride = (times - 1) // (scene.run.frames - 1)
     tried = resolved if stride == 1 else resolved.replace({"run.frames": times})
@@ -53,11 +61,12 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         prepared = build(tried, effects, clock, progress)
         clock.lap("build")
         progress.doing("solving" if left == TRIES - 1 else "solving again, in shorter steps")
-        solution = prepared.solve(progress)
+        every = solution = prepared.solve(progress)
         clock.lap("solve")
-        heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
         if stride > 1:
-            solution = solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), scene.run.frames))
+            time = np.linspace(0.0, float(prepared.times[-1]), scene.run.frames)
+            solution = solution.only(slice(None, None, stride))
+            solution = replace(solution, time=time[: len(solution.time)])
         progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
         # CasADi's Rosenbrock method does not say whether a stage was undefined.
@@ -68,7 +77,9 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
-    return replace(trajectory, heights=heights)
+    watched = watched or trajectory.watched
+    series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
+    return replace(trajectory, watched=watched, series=series)
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

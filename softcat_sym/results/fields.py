@@ -9,10 +9,10 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
-from softcat_sym.discretization.unknowns import TURN, WORK_OF_AGEING, Floats
+from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
-from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
+from softcat_sym.scene.natural_curve import has_shape
+from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
 
@@ -144,13 +144,54 @@ def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
     """Height of X = 0 over the rest length, negative down."""
-    middle = int(np.argmin(np.abs(graph.grid.nodes)))
-    kinds, places = (*graph.x_kinds, *graph.z_kinds), (*graph.x_places, *graph.z_places)
-    for row, (kind, place) in enumerate(zip(kinds, places, strict=True)):
-        if kind == "y" and place == middle:
-            values = solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
-            return np.asarray(values, dtype=float)
-    raise SoftcatError("the filament has no node at midspan")
+    return unknown_at(graph, solution, "y", 0.0)
+
+
+def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Floats:
+    """An unknown of the nodes at X/L_0, shape (frames,); between nodes as a cubic through the four nearest has it."""
+    kinds = np.array((*graph.x_kinds, *graph.z_kinds))
+    rows = np.flatnonzero(kinds == name)
+    places = np.concatenate([graph.x_where, graph.z_where])[rows]
+    order = np.argsort(places)
+    near, weights = cubic_weights(places[order], where)
+    states = (
+        solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
+        for row in rows[order][near]
+    )
+    return np.asarray(sum(weight * state for weight, state in zip(weights, states, strict=True) if weight), dtype=float)
+
+
+def cubic_weights(places: Floats, where: float) -> tuple[slice, Floats]:
+    """Which of increasing places are the four nearest, and their weights in Lagrange's polynomial; one at a place."""
+    first = int(np.clip(np.searchsorted(places, where) - 2, 0, max(0, len(places) - 4)))
+    near = places[first : first + 4]
+    apart = near[:, None] - near + np.eye(len(near))
+    return slice(first, first + 4), np.prod((where - near + np.diag(near - where + 1)) / apart, axis=1)
+
+
+def displacements(scene: Scene, graph: Graph, fields: Mapping[str, Floats], nodes: Floats) -> Floats:
+    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes).
+
+    Of a filament held at both ends it is counted from there as its supports carry it along, so that what is straight
+    moves from the line between its supports, also if it hangs slack from them at the start.
+    """
+    places = np.stack([fields[name] for name in PLACES if name in fields], axis=-1)
+    if not is_held(scene) or has_shape(scene) or scene.initial.centreline:
+        places = places - (_unloaded(scene, graph) if graph.positions_are_algebraic else places[:1])
+    if not is_held(scene):
+        return places
+    left, right = places[:, :1], places[:, -1:]
+    return places - left - (right - left) * ((nodes - nodes[0]) / (nodes[-1] - nodes[0]))[:, None]
+
+
+def _unloaded(scene: Scene, graph: Graph) -> Floats:
+    """Places of the nodes of a filament that is in equilibrium from the start, if it bore no load [m]."""
+    # Imported here, as a run in a plane does not need SciPy, which takes half a second to load.
+    from softcat_sym.solvers.spatial_start import natural_shape
+
+    shape, axes = natural_shape(scene, graph), PLACES if "z" in graph.z_kinds else PLACES[:2]
+    nodes = range(len(graph.grid.nodes))
+    return np.array([[shape[axis, node] for axis in axes] for node in nodes]) * rest_length(scene)
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:

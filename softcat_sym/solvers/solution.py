@@ -110,10 +110,10 @@ class Solution:
         )
         return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
 
-    def every(self, stride: int, time: Floats) -> Solution:
-        """The solution at every `stride`-th frame, with the times of `time`."""
-        x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
-        return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
+    def only(self, frames: slice | list[int]) -> Solution:
+        """The solution at some of its frames."""
+        time, x, z, quad = (part[..., frames] for part in (self.time, self.x, self.z, self.quad))
+        return replace(self, time=time, x=x, z=z, quad=quad)
 
     def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:
         """The solution up to the first frame with a section stretched to a thread, if the last frame has one."""
@@ -127,11 +127,11 @@ class Solution:
             return self
         while torn(frames - 2):
             frames -= 1
-        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
         message = (
-            f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {thread_of(terms):g} times its length"
+            f"stopped after t = {self.time[frames - 1] * scale:.6g} s: a cell is drawn to {thread_of(terms):g} times "
+            "its length"
         )
-        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
+        return replace(self.only(slice(frames)), outcome=Outcome.ruptured, message=message)
 
 
 class Interrupts:

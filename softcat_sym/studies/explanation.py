@@ -231,7 +231,7 @@ def explain(scene: SceneLike) -> Explanation:
         },
         damping=damping_note(scene),
         ringing=_ringing(scene, effects, size["differential"] + size["algebraic"]),
-        warnings=theory_limits(scene, regime),
+        warnings=theory_limits(scene, effects.names, effects.terms()),
     )
 
 
