@@ -77,7 +77,7 @@ def run_once(
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
-    watched = watched or trajectory.watched
+    watched = trajectory.watched.where(watched)
     series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
     return replace(trajectory, watched=watched, series=series)
 

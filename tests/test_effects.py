@@ -31,6 +31,7 @@ from softcat_sym.effects.free_vibration import (
     solid_viscosity,
 )
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
+from softcat_sym.effects.lists import terms_of
 from softcat_sym.effects.quasi_static import flow_sag, quasi_static_history
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (

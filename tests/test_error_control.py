@@ -25,6 +25,7 @@ from softcat_sym.error_control.estimate import (
 from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import ROUNDS, Controlled, controlled
 from softcat_sym.plotting.terminal import answer_rows
+from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.compiled import CompiledIntegration
@@ -47,21 +48,28 @@ class Known:
     def parts(self, at: Resolution) -> tuple[float, float, float]:
         return self.space / at.cells**self.order, self.time * at.rtol, self.section / at.fibres**2 if at.fibres else 0.0
 
-    def __call__(self, at: Resolution) -> Floats | None:
+    def __call__(self, at: Resolution) -> Series | None:
         self.asked.append(at)
-        return None if at.cells < self.fails_below or at.rtol > self.fails_above else EXACT * (1 + sum(self.parts(at)))
+        if at.cells < self.fails_below or at.rtol > self.fails_above:
+            return None
+        return {DISPLACEMENT: (EXACT * (1 + sum(self.parts(at))))[:, None]}
 
     def judged(self, at: Resolution, before: Before | None = None) -> Differences:
         """What is found of an answer at this resolution; `asked` holds its companions."""
         answer = self(at)
         assert answer is not None
         self.asked.clear()
-        return differences(answer, at, self, Judge(answer, ()), ACCURACY, before)
+        return differences(answer, at, self, judged(answer), ACCURACY, before)
 
 
 ACCURACY = 1e-3
 FIRST = Resolution(cells=40, grading=10.0, fibres=8, order=None, rtol=1e-4)
 LINEAR = replace(FIRST, fibres=None)
+
+
+def judged(answer: Series) -> Judge:
+    """Judge by an answer instant by instant."""
+    return Judge({name: float(np.max(np.abs(values))) for name, values in answer.items()}, ())
 
 
 def scene_of(accuracy: float = 1e-3, **numerics: object) -> Scene:
@@ -100,13 +108,13 @@ def test_what_steps_take_from_a_ringing_is_found_though_looser_ones_can_take_lit
     """Of a higher mode nearly all is lost in the end at this tolerance, and all of it at once at a looser one."""
     time, asked = np.linspace(0.0, 1.0, 2001), []
 
-    def run(at: Resolution) -> Floats:
+    def run(at: Resolution) -> Series:
         asked.append(at)
         lost = 10 * (at.rtol / FIRST.rtol) ** 2
-        return np.asarray(np.cos(400 * np.pi * time) - 1 + 0.03 * np.exp(-lost * time) * np.cos(2160 * np.pi * time))
+        return seen(np.cos(400 * np.pi * time) - 1 + 0.03 * np.exp(-lost * time) * np.cos(2160 * np.pi * time))
 
     answer, exact = run(FIRST), run(replace(FIRST, rtol=1e-9))
-    judge = Judge.of(answer, 200.0, ACCURACY)
+    judge = judge_of(answer, 200.0, ACCURACY)
     found = differences(answer, FIRST, run, judge, ACCURACY)
     assert found.time == pytest.approx(judge.between(answer, exact).size, rel=0.3)
     assert min(at.rtol for at in asked[2:]) > 0.1 * FIRST.rtol
@@ -149,7 +157,7 @@ def test_what_falls_short_is_refined_and_nothing_else() -> None:
     }
     for name, (known, touched, accuracies) in cases.items():
         for accuracy in accuracies:
-            found = controlled(scene_of(accuracy), FIRST, known, known, lambda cells: FIRST.grading)
+            found = controlled(scene_of(accuracy), FIRST, known, known, lambda cells: FIRST.grading, judged)
             assert sum(known.parts(found.resolution)) <= accuracy, name
             changed = {
                 key for key in ("cells", "rtol", "fibres") if getattr(found.resolution, key) != getattr(FIRST, key)
@@ -159,7 +167,7 @@ def test_what_falls_short_is_refined_and_nothing_else() -> None:
 
 def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
     def run(known: Known, scene: Scene) -> Controlled:
-        return controlled(scene, FIRST, known, known, lambda cells: 400 / cells)
+        return controlled(scene, FIRST, known, known, lambda cells: 400 / cells, judged)
 
     for known, scene in (
         (Known(space=0.8), scene_of()),
@@ -171,7 +179,7 @@ def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
     assert hopeless.found is not None and hopeless.found.space is not None and hopeless.found.space > 1e-5
     assert len(hopeless.refinements) < ROUNDS
     known = Known(space=1.0)
-    assert controlled(scene_of(), FIRST, lambda at: None, known, lambda cells: 10.0).found is None
+    assert controlled(scene_of(), FIRST, lambda at: None, known, lambda cells: 10.0, judged).found is None
     assert known.asked == [], "a run that is not to be trusted is not refined"
     # Finer grids are graded anew: at a hinge no cell may become much shorter than the thickness.
     finer = run(Known(space=5.0), scene_of(1e-4)).resolution
@@ -189,7 +197,7 @@ def test_the_next_digit_costs_what_was_foretold(accuracy: float) -> None:
     def loop(scene: Scene) -> tuple[Controlled, list[Timed]]:
         known, beside = (Known(space=5.0, time=20.0, section=0.01, order=1.6) for _ in range(2))
         first = resolution_of(scene, effects, compiled=True)
-        ended = controlled(scene, first, known, beside, lambda cells: first.grading)
+        ended = controlled(scene, first, known, beside, lambda cells: first.grading, judged)
         made = [timed(at, answer=False) for at in dict.fromkeys(beside.asked)]
         return ended, made + [timed(at, answer=True) for at in known.asked]
 
@@ -212,19 +220,31 @@ PERIODS = 200.0
 TIME = np.linspace(0.0, 1.0, 2001)
 
 
-def ringing(height: float = 1.0, amplitude: float = 1.0, frequency: float = PERIODS, decay: float = 0.0) -> Floats:
+def seen(midpoint: Floats) -> Series:
+    """All that is compared of a run that moves up and down."""
+    return {DISPLACEMENT: np.asarray(midpoint)[:, None]}
+
+
+def judge_of(answer: Series, periods: float, accuracy: float) -> Judge:
+    """Judge by an answer that begins on the line between its supports."""
+    watched = Watched({DISPLACEMENT: 0.0}, {DISPLACEMENT: float(np.max(np.abs(answer[DISPLACEMENT])))})
+    return Judge.of(answer, watched, periods, accuracy)
+
+
+def ringing(height: float = 1.0, amplitude: float = 1.0, frequency: float = PERIODS, decay: float = 0.0) -> Series:
     """A midpoint that rings about a height, with a higher mode a tenth as large."""
     turn = 2 * np.pi * frequency * TIME
     swing = np.cos(turn) + 0.1 * np.cos(5.4 * turn + 1.0)
-    return np.asarray(-height + amplitude * np.exp(-decay * TIME) * swing)
+    return seen(-height + amplitude * np.exp(-decay * TIME) * swing)
 
 
 def test_of_a_long_ringing_height_and_amplitude_are_compared_and_the_phase_beside() -> None:
     answer = ringing()
-    largest, judge = float(np.max(np.abs(answer))), Judge.of(answer, PERIODS, 1e-2)
+    judge = judge_of(answer, PERIODS, 1e-2)
+    largest = judge.scale[DISPLACEMENT]
     late = ringing(frequency=1.003 * PERIODS)
     found = judge.between(answer, late)
-    assert np.max(np.abs(answer - late)) > 1.5
+    assert np.max(np.abs(answer[DISPLACEMENT] - late[DISPLACEMENT])) > 1.5
     assert found.size < 1e-3
     assert found.phase == pytest.approx(0.6, abs=0.02)
     for changed in ({"height": 1.02}, {"amplitude": 1.02}, {"height": 0.98, "frequency": 200.7}):
@@ -233,9 +253,10 @@ def test_of_a_long_ringing_height_and_amplitude_are_compared_and_the_phase_besid
     assert fading.size == pytest.approx((1 - np.exp(-0.05)) / largest, rel=0.1)
     # What comes to rest or hardly rings is compared instant by instant.
     for answer, periods in ((ringing(frequency=8.0), 8.0), (ringing(decay=20.0), PERIODS), (ringing(), 0.0)):
-        other = np.roll(answer, 1)
-        found = Judge.of(answer, periods, 1e-2).between(answer, other)
-        assert found.size == pytest.approx(np.max(np.abs(answer - other)) / np.max(np.abs(answer)))
+        one = answer[DISPLACEMENT]
+        other = np.roll(one, 1)
+        found = judge_of(answer, periods, 1e-2).between(answer, {DISPLACEMENT: other})
+        assert found.size == pytest.approx(np.max(np.abs(one - other)) / np.max(np.abs(one)))
         assert found.phase is None
 
 

@@ -160,7 +160,7 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
     assert [row in answer_rows({**summary, "accuracy": limit}, scene) for limit in (0.05, 0.01)] == [False, True]
     estimate = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
     details = dict(detail_rows(summary | {"error_estimate": estimate}))
-    assert details["error"] == "0.08 % of the largest midpoint (grid 0.06 %, time steps 0.01 %)"
+    assert details["error"] == "0.08 % of the largest displacement (grid 0.06 %, time steps 0.01 %)"
 
 
 def test_a_refused_summary_is_stamped_and_no_line_longer_than_the_screen(summary, scene):

@@ -52,7 +52,7 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
     start = replace(guess, rtol=first.summary["rtol"])
 
     def judged(seen: Series) -> Judge:
-        return Judge.of(seen, runs.watched.scale, periods, scene.run.accuracy)
+        return Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
 
     found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")

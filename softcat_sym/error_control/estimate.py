@@ -13,7 +13,7 @@ from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.results.motion import MIN_PERIODS
-from softcat_sym.results.observed import DISPLACEMENT, OWN, Series
+from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import settings_for
 
@@ -87,9 +87,9 @@ class Judge:
     windows: tuple[slice, ...]
 
     @classmethod
-    def of(cls, answer: Series, scale: Mapping[str, float], periods: float, accuracy: float) -> Judge:
-        """Judge by an answer, whose largest displacement and so on are the `scale`."""
-        moved = answer[DISPLACEMENT]
+    def of(cls, answer: Series, watched: Watched, periods: float, accuracy: float) -> Judge:
+        """Judge by an answer, and by how large it is."""
+        moved, scale = answer[DISPLACEMENT], {name: watched.scale[name] for name in watched.at}
         frames = len(moved)
         number = int(min(periods / WINDOW_PERIODS, frames / WINDOW_FRAMES))
         if periods < MIN_PERIODS or number < 2:

@@ -77,9 +77,13 @@ def next_digit(
     first = resolution_of(asked, in_force, compiled=compiled)
     # Such that the same is estimated of the answer, where its grid's error falls as it is expected to.
     space = None if found.space is None else found.space * (2**ORDER - 1) / (2**EXPECTED_ORDER - 1)
+
+    def judged(seen: Series) -> Judge:
+        return _Known({DISPLACEMENT: float(seen[DISPLACEMENT][0, 0])}, windows)
+
     foretold = _Foretold(at, replace(found, space=space), made)
-    judge = _Known({DISPLACEMENT: 1.0}, () if found.phase is None else (slice(0),))
-    ended = controlled(asked, first, foretold.answer, foretold.companion, lambda cells: at.grading, lambda _: judge)
+    windows = () if found.phase is None else (slice(0),)
+    ended = controlled(asked, first, foretold.answer, foretold.companion, lambda cells: at.grading, judged)
     percent = f"{100 * accuracy:.3g} %"
     if ended.found is None or ended.found.total > accuracy:
         limits = f"N = {ended.resolution.cells}"

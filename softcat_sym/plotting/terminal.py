@@ -224,7 +224,7 @@ midpoint does not tell what has happened."""
 
 _OWN = ("sideways", "turn", "torque")
 
-_WAYS = (("left", "right"), ("down", "up"), ("to the back", "to the front"))
+_WAYS = (("to the left", "to the right"), ("down", "up"), ("to the back", "to the front"))
 
 
 def _displacement(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:

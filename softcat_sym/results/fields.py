@@ -12,6 +12,7 @@ from softcat_sym.discretization.parameters import energy_scale, heat_unit
 from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.scene.natural_curve import has_shape
+from softcat_sym.scene.parts import right_places
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
@@ -169,23 +170,29 @@ def cubic_weights(places: Floats, where: float) -> tuple[slice, Floats]:
     return slice(first, first + 4), np.prod((where - near + np.diag(near - where + 1)) / apart, axis=1)
 
 
-def displacements(scene: Scene, graph: Graph, fields: Mapping[str, Floats], nodes: Floats) -> Floats:
-    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes).
+def displacements(
+    scene: Scene, time: Floats, fields: Mapping[str, Floats], nodes: Floats, unloaded: Floats | None = None
+) -> Floats:
+    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes), by default at the start.
 
-    Of a filament held at both ends it is counted from there as its supports carry it along, so that what is straight
-    moves from the line between its supports, also if it hangs slack from them at the start.
+    A filament that is straight between two supports stands on the line between them, wherever the right one is moved
+    to, also if it hangs slack from them at the start; any other one is carried along by that motion.
     """
-    places = np.stack([fields[name] for name in PLACES if name in fields], axis=-1)
-    if not is_held(scene) or has_shape(scene) or scene.initial.centreline:
-        places = places - (_unloaded(scene, graph) if graph.positions_are_algebraic else places[:1])
-    if not is_held(scene):
-        return places
-    left, right = places[:, :1], places[:, -1:]
-    return places - left - (right - left) * ((nodes - nodes[0]) / (nodes[-1] - nodes[0]))[:, None]
+    names = [name for name in PLACES if name in fields]
+    places, share = np.stack([fields[name] for name in names], axis=-1), (nodes - nodes[0]) / (nodes[-1] - nodes[0])
+    stands = places[:1] if unloaded is None else unloaded
+    right = np.array([(*place, 0.0)[: len(names)] for place in right_places(scene)])
+    if is_held(scene) and not has_shape(scene) and not scene.initial.centreline:
+        stands = share[:, None] * right[0] - np.eye(len(names))[0] * scene.filament.span / 2
+    when = [0.0, *(row[0] for row in scene.ends.motion)]
+    moved = np.stack([np.interp(time, when, path - path[0]) for path in right.T], axis=-1)
+    return places - stands - share[:, None] * moved[:, None, :]
 
 
-def _unloaded(scene: Scene, graph: Graph) -> Floats:
-    """Places of the nodes of a filament that is in equilibrium from the start, if it bore no load [m]."""
+def unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
+    """Places of the nodes without load [m]; None of a filament that starts there, and of one on its chord."""
+    if not graph.positions_are_algebraic or (is_held(scene) and not has_shape(scene)):
+        return None
     # Imported here, as a run in a plane does not need SciPy, which takes half a second to load.
     from softcat_sym.solvers.spatial_start import natural_shape
 

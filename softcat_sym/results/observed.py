@@ -22,6 +22,9 @@ OWN: Final = ("sideways", "turn", "torque")
 NOTHING = 1e-6
 """Share of the largest displacement, and of what it goes with in turns and moments, below which a quantity is none."""
 
+_AS_FAR = 0.999
+"""Of the largest displacement: so far a node moves as far."""
+
 _AT_ONCE = 500
 """Frames of which the fields are computed together: a long ringing has thousands."""
 
@@ -59,15 +62,21 @@ class Watched:
         at, scale = dict[str, float](), dict[str, float]()
         for name, size in sizes.items():
             most = np.max(size, axis=0)
-            where = int(np.argmax(most))
+            # Where several move as far, the midpoint or an end is named.
+            named = (len(most) // 2, -1, 0) if name == DISPLACEMENT else ()
+            as_far = (node for node in named if most[node] > _AS_FAR * largest)
+            where = int(next(as_far, np.argmax(most)))
             if most[where] > least[name] or name == DISPLACEMENT:
                 at[name] = float(places[int(name == "torque")][where]) / length
                 scale[name] = max(float(most[where]), least[name])
         return cls(at, scale)
 
+    def where(self, other: Watched | None) -> Watched:
+        """The sizes of this run where another one is watched."""
+        return self if other is None else Watched(other.at, {**other.scale, **self.scale})
+
     def told(self, time: Floats, moved: Floats, nodes: Floats) -> dict[str, object]:
-        """What a summary says of displacement: the largest [m], where (X/L_0), what becomes of it there, and the
-        largest change of the midpoint's height."""
+        """What a summary says of the largest displacement [m], where it is (X/L_0), and of the midpoint's height."""
         where = self.at[DISPLACEMENT]
         there = moved[:, int(np.argmin(np.abs(nodes / (nodes[-1] - nodes[0]) - where)))]
         before = [np.interp(0.8 * time[-1], time, each) for each in there.T]
