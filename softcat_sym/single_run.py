@@ -10,7 +10,7 @@ from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.progress import Clock
 from softcat_sym.results.motion import settling_time
-from softcat_sym.results.observed import Watched
+from softcat_sym.results.observed import DISPLACEMENT, Watched
 from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -79,7 +79,9 @@ def run_once(
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
     watched = trajectory.watched.where(watched)
     series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
-    return replace(trajectory, watched=watched, series=series)
+    watched = watched.between_frames(series, stride)
+    told = trajectory.summary["displacement"] | {"largest_m": watched.scale[DISPLACEMENT]}
+    return replace(trajectory, watched=watched, series=series, summary=trajectory.summary | {"displacement": told})
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

@@ -75,6 +75,15 @@ class Watched:
         """The sizes of this run where another one is watched."""
         return self if other is None else Watched(other.at, {**other.scale, **self.scale})
 
+    def between_frames(self, series: Series, stride: int) -> Watched:
+        """The sizes with what every `stride`-th time, a frame, does not show of the series."""
+
+        def reach(values: Floats) -> float:
+            return float(np.max(np.linalg.norm(values - values[0], axis=-1)))
+
+        more = {name: reach(values) - reach(values[::stride]) for name, values in series.items()}
+        return Watched(self.at, {name: size + more.get(name, 0.0) for name, size in self.scale.items()})
+
     def told(self, time: Floats, moved: Floats, nodes: Floats) -> dict[str, object]:
         """What a summary says of the largest displacement [m], where it is (X/L_0), and of the midpoint's height."""
         where = self.at[DISPLACEMENT]
