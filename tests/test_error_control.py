@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.codegen.compiler import find_compiler
@@ -25,7 +27,8 @@ from softcat_sym.error_control.estimate import (
 from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import ROUNDS, Controlled, controlled
 from softcat_sym.plotting.terminal import answer_rows
-from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
+from softcat_sym.results.fields import cubic_weights, displacements
+from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.compiled import CompiledIntegration
@@ -52,7 +55,8 @@ class Known:
         self.asked.append(at)
         if at.cells < self.fails_below or at.rtol > self.fails_above:
             return None
-        return {DISPLACEMENT: (EXACT * (1 + sum(self.parts(at))))[:, None]}
+        error = sum(self.parts(at))
+        return {DISPLACEMENT: EXACT[:, None] * (1 + error), "turn": 50 * EXACT[:, None] * (1 + 3 * error)}
 
     def judged(self, at: Resolution, before: Before | None = None) -> Differences:
         """What is found of an answer at this resolution; `asked` holds its companions."""
@@ -84,6 +88,10 @@ def test_each_error_is_found_in_its_place() -> None:
         assert (found.space, found.time, found.section) == pytest.approx(known.parts(FIRST), rel=1e-2, abs=1e-12)
         assert found.failed == ()
         assert {at.grading for at in known.asked} == {FIRST.grading}, "companions lie on one map"
+    # The turn errs by three times as much of its own largest value, in every part of it.
+    told, largest = found.to_dict(effects=0.0), np.array([1.0, 3.0]) / (1 + np.array([1, 3]) * sum(known.parts(FIRST)))
+    assert told["total"] is not None and told["turn"] is not None and told["torque"] is None
+    assert told["turn"] / told["total"] == pytest.approx(largest[1] / largest[0], rel=1e-9)
     known = Known(space=2.0)
     assert known.judged(LINEAR).section is None
     assert len(known.asked) == 2, "what has nothing to resolve is not run"
@@ -260,6 +268,7 @@ def test_of_a_long_ringing_height_and_amplitude_are_compared_and_the_phase_besid
         assert found.phase is None
 
 
+CASES = Path(__file__).parent / "cases"
 HONEY = {"run.frames": 21}
 SAG = 1e-4
 
@@ -317,6 +326,56 @@ def test_a_run_is_as_near_a_finer_one_as_its_estimate_says(accuracy: float) -> N
     assert accuracy / 200 < digit["accuracy"] < run.summary["error_estimate"]["total"] and digit["seconds"] > 0
     assert ("next digit", digit["text"]) in answer_rows(run.summary, run.scene)
     assert best.summary["next_digit"] is None
+
+
+def test_a_rod_pulled_along_its_axis_is_judged_and_told_by_its_extension() -> None:
+    """A viscous thread under a dead force F, eta A_0/s d(log s)/dt = F: s = 1/(1 - F t/(eta A_0))."""
+    run = simulate(CASES / "pulled-rod-newtonian.toml")
+    summary, scene = run.summary, run.scene
+    drawn = 1.0 * scene.run.duration / (3.08e12 * np.pi * 5e-3**2 / 4)
+    extension = 0.1 / (1 - drawn) - 0.1
+    assert extension == pytest.approx(1.0102e-3, rel=1e-4)
+    assert (summary["outcome"], summary["refinements"], summary["cells"]) == ("solved", [], 40)
+    assert summary["displacement"]["final_m"][0] == pytest.approx(extension, rel=1e-5)
+    assert summary["error_estimate"]["total"] < 1e-5
+    # What does not turn, twist or leave its plane has no error of that, however large it is beside its rounding.
+    assert [summary["error_estimate"][name] for name in OWN] == [None, None, None]
+    assert "moved 1.01 mm to the right ± " in dict(answer_rows(summary, scene))["right end"]
+    assert dict(answer_rows(summary, scene))["settled"].startswith("no: it moved by 2")
+    assert all(worth < 1e-6 for worth in summary["checked"].values())
+
+
+def test_a_hanging_fibre_is_judged_by_its_elongation() -> None:
+    """Of a fibre of incompressible rubber with log s/s = rho g (L - X)/E."""
+    run = simulate(CASES / "hanging-fibre.toml")
+    strain = 1000 * 9.81 * np.linspace(0, 0.1, 2001) / 1e6
+    elongation = float(np.trapezoid(-np.real(lambertw(-strain)[1:]) / strain[1:] - 1, dx=0.1 / 2000))
+    displacement, error = run.summary["displacement"], run.summary["error_estimate"]["total"]
+    assert displacement["where"] == 0.5 and displacement["largest_m"] == pytest.approx(elongation, rel=1e-3)
+    # Half of the cells and looser steps by themselves: the elongation over the run moves by some such share of it.
+    finer = simulate(without_estimate(run.scene.replace({"numerics.cells": 80, "numerics.rtol": 1e-6})))
+    apart = run.fields["y"][:, -1] - finer.fields["y"][:, -1]
+    assert 0.3 < float(np.max(np.abs(apart))) / displacement["largest_m"] / error < 3
+    assert "moved 49.1 µm down ± 0." in dict(answer_rows(run.summary, run.scene))["right end"]
+
+
+def test_displacement_counts_from_where_supports_hold_a_straight_filament() -> None:
+    """It is none of what is carried along, and a slack one's is its depth; four nodes have any cubic between them."""
+    nodes, time = np.linspace(-0.5, 0.5, 11), np.array([0.0, 1.0])
+    pinned = {"ends.left": "pinned", "ends.right": "pinned"}
+    scene = load_scene("cold-honey", {"filament.span": "1 m", "ends.drop": "0.2 m", **pinned})
+    moving = scene.replace({"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0.5 m", "0.1 m"]], "run.duration": "1 s"})
+    line = {"x": np.stack([nodes, nodes * 1.5 + 0.25]), "y": np.stack([-0.2 * (nodes + 0.5), -0.1 * (nodes + 0.5)])}
+    assert np.max(np.abs(displacements(moving, time, line, nodes))) < 1e-15
+    bent = line | {"y": line["y"] - 0.3 * (1 - 4 * nodes**2)}
+    assert displacements(moving, time, bent, nodes)[:, 5] == pytest.approx(np.array([[0, -0.3], [0, -0.3]]))
+    free = load_scene("modelling-clay")
+    assert np.max(np.abs(displacements(free, time, bent, nodes)[0])) == 0
+    places = np.array([0.0, 0.1, 0.3, 0.35, 0.7, 1.0])
+    for where in (-0.05, 0.05, 0.3, 0.62, 1.0):
+        near, weights = cubic_weights(places, where)
+        assert weights @ places[near] ** 3 == pytest.approx(where**3, rel=1e-12, abs=1e-15)
+    assert list(cubic_weights(places, 0.3)[1]) == [0.0, 0.0, 1.0, 0.0]
 
 
 def test_what_the_user_fixed_stays_and_is_told() -> None:

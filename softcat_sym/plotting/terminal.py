@@ -100,7 +100,7 @@ def detail_rows(summary: Summary) -> Rows:
         total = estimate.get("total")
         text = f"{error_percent(total)} of the largest displacement" if total is not None else "not estimated in full"
         text += f" ({', '.join(parts)})" if parts else ""
-        own = [f"of the largest {k} {error_percent(estimate[k])}" for k in _OWN if estimate.get(k) is not None]
+        own = [f"{error_percent(estimate[k])} of the largest {_OWN[k]}" for k in _OWN if estimate.get(k) is not None]
         text = "; ".join([text, *own])
     rows = [("error", text)]
     if summary.get("energy_residual") is not None:
@@ -222,7 +222,7 @@ _HARDLY, _FAR = 0.1, 0.5
 """Rise or fall of the midpoint over the largest displacement, and the latter over the midpoint's depth, below which the
 midpoint does not tell what has happened."""
 
-_OWN = ("sideways", "turn", "torque")
+_OWN = {"sideways": "way aside", "turn": "turn", "torque": "torque"}
 
 _WAYS = (("to the left", "to the right"), ("down", "up"), ("to the back", "to the front"))
 

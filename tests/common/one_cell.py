@@ -60,14 +60,12 @@ def sheared_cell(material: Mapping[str, object]) -> OneCell:
 
     Without bending all fibres are alike: there is one.
     """
-    asked = Scene.model_validate(
+    effects = [*GEOMETRY, "inertia", "viscous-flow", "yielding", "shear", "fibres"]
+    asked = Scene.from_dict(
         {
-            "filament": {"span": "10 m", "thickness": "1 m", "density": "1000 kg/m^3"},
+            "filament": {"span": 10.0, "thickness": UNIT, "density": 1000.0},
             "material": material,
-            "run": {
-                "duration": "1 s",
-                "effects": [*GEOMETRY, "inertia", "viscous-flow", "yielding", "shear", "fibres"],
-            },
+            "run": {"duration": 1.0, "effects": effects},
         }
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], asked.run.closure)
