@@ -260,9 +260,9 @@ def differences(
         ratio = (other.fibres or 1) / (coarser.fibres or 1) if other.order is None else MORE
         section = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
     phases = [part.phase for part in (space, time) if part is not None and part.phase is not None]
-    sizes = (None if part is None else part.size for part in (space, time, section))
     own = {name: part.sizes for name, part in zip(PARTS, (space, time, section), strict=True) if part is not None}
-    return Differences(*sizes, sum(phases) if phases else None, tuple(failed), own)
+    a, b, c = (None if part is None else part.size for part in (space, time, section))
+    return Differences(a, b, c, sum(phases) if phases else None, tuple(failed), own)
 
 
 def _time_known(at: Resolution, before: Before | None, accuracy: float) -> Deviation | None:

@@ -268,7 +268,7 @@ def _settled(summary: Summary) -> str:
     if when is not None:
         return f"from {time_unit(when).text(when)} on"
     farthest = summary.get("displacement") or {}
-    largest = float(farthest.get("largest_m", summary.get("midpoint_largest_m", 0.0)))
+    largest = float(farthest.get("largest_m") or summary.get("midpoint_largest_m") or 0.0)
     least = float(summary.get("accuracy", 0.0)) * largest
     moved = max(abs(float(summary.get("midpoint_last_fifth_m", 0.0))), farthest.get("last_fifth_m", 0.0))
     if rest is not None and rest["amplitude"] > least:

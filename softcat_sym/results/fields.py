@@ -171,25 +171,27 @@ def cubic_weights(places: Floats, where: float) -> tuple[slice, Floats]:
 
 
 def displacements(
-    scene: Scene, time: Floats, fields: Mapping[str, Floats], nodes: Floats, unloaded: Floats | None = None
+    scene: Scene, time: Floats, fields: Mapping[str, Floats], nodes: Floats, graph: Graph | None = None
 ) -> Floats:
-    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes), by default at the start.
+    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes).
 
     A filament that is straight between two supports stands on the line between them, wherever the right one is moved
-    to, also if it hangs slack from them at the start; any other one is carried along by that motion.
+    to, also if it hangs slack from them at the start; any other one is carried along by that motion. Without a graph
+    it is loaded only after the start.
     """
     names = [name for name in PLACES if name in fields]
     places, share = np.stack([fields[name] for name in names], axis=-1), (nodes - nodes[0]) / (nodes[-1] - nodes[0])
+    unloaded = None if graph is None else _unloaded_places(scene, graph)
     stands = places[:1] if unloaded is None else unloaded
     right = np.array([(*place, 0.0)[: len(names)] for place in right_places(scene)])
     if is_held(scene) and not has_shape(scene) and not scene.initial.centreline:
         stands = share[:, None] * right[0] - np.eye(len(names))[0] * scene.filament.span / 2
     when = [0.0, *(row[0] for row in scene.ends.motion)]
     moved = np.stack([np.interp(time, when, path - path[0]) for path in right.T], axis=-1)
-    return places - stands - share[:, None] * moved[:, None, :]
+    return np.asarray(places - stands - share[:, None] * moved[:, None, :])
 
 
-def unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
+def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
     """Places of the nodes without load [m]; None of a filament that starts there, and of one on its chord."""
     if not graph.positions_are_algebraic or (is_held(scene) and not has_shape(scene)):
         return None

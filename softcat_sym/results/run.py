@@ -28,7 +28,6 @@ from softcat_sym.results.fields import (
     energy_residual,
     min_energy,
     node_positions,
-    unloaded_places,
     variables_of,
     whole_span_fields,
 )
@@ -312,7 +311,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         sound = len(time)
     time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    moved = displacements(scene, time, fields, places[0], unloaded_places(scene, prepared.graph))
+    moved = displacements(scene, time, fields, places[0], prepared.graph)
     watched = Watched.of(scene, fields, moved, places)
     largest, most = float(np.max(np.abs(midpoint))), watched.scale[DISPLACEMENT]
     rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
