@@ -378,7 +378,7 @@ class RunSettings(Part):
     frames: Annotated[int, Whole(2, 1_000_000)] = 201
     """Number of evenly spaced output times, t = 0 included."""
     accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
-    """Largest error of the midpoint over the largest midpoint."""
+    """Largest error of midpoint or farthest-moving node over the largest displacement of any node."""
     until: Annotated[Until, Choice(Until)] = "duration"
     """Whether the run ends with its duration, or before when nothing moves any more by the accuracy asked."""
     effects: Annotated[str | tuple[str, ...], Names("auto", "paper")] = "auto"
