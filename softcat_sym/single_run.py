@@ -80,7 +80,8 @@ def run_once(
     watched = trajectory.watched.where(watched)
     series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
     watched = watched.between_frames(series, stride)
-    told = trajectory.summary["displacement"] | {"largest_m": watched.scale[DISPLACEMENT]}
+    told, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
+    told = told | {"scale_m": scale, "largest_m": told["largest_m"] + scale - told["scale_m"]}
     return replace(trajectory, watched=watched, series=series, summary=trajectory.summary | {"displacement": told})
 
 

@@ -359,6 +359,22 @@ def test_a_hanging_fibre_is_judged_by_its_elongation() -> None:
     assert "moved 49.1 µm down ± 0." in dict(answer_rows(run.summary, run.scene))["right end"]
 
 
+def test_what_is_only_pulled_straight_or_turned_about_itself_is_not_refined() -> None:
+    """What it is displaced by is rounding, or a thousandth of how far its end or its surface is carried."""
+    loaded = {"load.gravity": "0 m/s^2", "ends.right": "clamped"}
+    for changes in (
+        {"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0.02 m", "0 m"]]},
+        {"ends.right_twist": [["0 s", "0 deg"], ["1 s", "40 deg"]]},
+        {},
+    ):
+        run = simulate(load_scene(str(CASES / "hanging-fibre.toml"), loaded | {"ends.left_angle": "0 deg"} | changes))
+        rows = dict(answer_rows(run.summary, run.scene))
+        assert (run.outcome.name, run.summary["refinements"]) == ("solved", []), changes
+        assert rows["displacement"].startswith("as good as none: at most ") and "sag" not in rows
+        assert run.summary["error_estimate"]["sideways"] is None
+        assert ("right_twist" in str(changes)) == (run.summary["error_estimate"]["turn"] is not None)
+
+
 def test_displacement_counts_from_where_supports_hold_a_straight_filament() -> None:
     """It is none of what is carried along, and a slack one's is its depth; four nodes have any cubic between them."""
     nodes, time = np.linspace(-0.5, 0.5, 11), np.array([0.0, 1.0])

@@ -149,7 +149,14 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
         found = {"midpoint_final_m": final, "midpoint_largest_m": largest, "error_estimate": {"total": 0.0112}}
         assert row in answer_rows(summary | found, held)
     # The error of the theory stands beside that of the numbers; where the midpoint tells nothing, another node does.
-    moved = {"largest_m": 0.1, "where": 0.5, "final_m": [0.08, -0.06], "last_fifth_m": 0.01, "midpoint_m": 0.05}
+    moved = {
+        "scale_m": 0.1,
+        "largest_m": 0.1,
+        "where": 0.5,
+        "final_m": [0.08, -0.06],
+        "last_fifth_m": 0.01,
+        "midpoint_m": 0.05,
+    }
     told = {"midpoint_final_m": -0.05, "midpoint_largest_m": 0.05, "error_estimate": {"total": 5e-4}}
     both = summary | told | {"theory_error": 0.012, "displacement": moved}
     row = ("sag", "50.0 mm ± 0.1 % (numbers), about 1.2 % (slender theory), 25 % of the span")

@@ -204,7 +204,7 @@ def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     total = (summary.get("error_estimate") or {}).get("total")
     place = float(summary["midpoint_final_m"] if rest.get("mean") is None else rest["mean"])
     largest, moved = float(summary.get("midpoint_largest_m", abs(place))), summary.get("displacement")
-    if moved and (moved["midpoint_m"] < _HARDLY * moved["largest_m"] or largest > moved["largest_m"] / _FAR):
+    if moved and (moved["midpoint_m"] < _HARDLY * moved["scale_m"] or largest > moved["largest_m"] / _FAR):
         return _displacement(summary, scene, refused=refused)
     sags = place <= 0 and "free" not in (ends.left, ends.right) and ends.drop == 0 and not ends.motion
     ruler = length_unit(abs(place), scene.filament.span)
@@ -230,6 +230,9 @@ _WAYS = (("to the left", "to the right"), ("down", "up"), ("to the back", "to th
 def _displacement(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     """How far the node that moves farthest has moved in the end."""
     moved = summary["displacement"]
+    if moved["largest_m"] < moved["scale_m"]:
+        most = length_unit(moved["largest_m"], scene.filament.span).text(moved["largest_m"])
+        return "displacement", f"as good as none: at most {most}"
     where, size = float(moved["where"]), math.hypot(*moved["final_m"])
     names = {-0.5: "left end", 0.0: "midpoint", 0.5: "right end"}
     name = names.get(round(where, 6), f"point at X/L = {where:.2g}")
@@ -254,7 +257,7 @@ def _error(summary: Summary, size: float, largest: float) -> str:
     total = (summary.get("error_estimate") or {}).get("total")
     if total is None:
         return " (error not estimated)"
-    error = total * float((summary.get("displacement") or {}).get("largest_m", largest))
+    error = total * float((summary.get("displacement") or {}).get("scale_m", largest))
     # What swings, or has come back: a share of nearly nothing would mislead.
     share = size >= largest / 2 and size > 0
     numbers = error_percent(error / size) if share else length_unit(error).text(error)
@@ -268,7 +271,7 @@ def _settled(summary: Summary) -> str:
     if when is not None:
         return f"from {time_unit(when).text(when)} on"
     farthest = summary.get("displacement") or {}
-    largest = float(farthest.get("largest_m") or summary.get("midpoint_largest_m") or 0.0)
+    largest = float(farthest.get("scale_m") or summary.get("midpoint_largest_m") or 0.0)
     least = float(summary.get("accuracy", 0.0)) * largest
     moved = max(abs(float(summary.get("midpoint_last_fifth_m", 0.0))), farthest.get("last_fifth_m", 0.0))
     if rest is not None and rest["amplitude"] > least:

@@ -191,6 +191,24 @@ def displacements(
     return np.asarray(places - stands - share[:, None] * moved[:, None, :])
 
 
+_LITTLE, _ROUNDED = 1e-3, 1e-12
+"""Of how far a node or the surface beside it travels, whatever carries it along, and of a span."""
+
+
+def least_displacement(scene: Scene, fields: Mapping[str, Floats]) -> float:
+    """Displacement [m] that is as good as none, of what is only carried along, or turned about itself."""
+    places = [fields[name] for name in PLACES if name in fields]
+    travelled = float(np.sqrt(np.max(sum((each - each[0]) ** 2 for each in places))))
+    turned = float(np.max(turn_of(fields))) * scene.filament.thickness / 2 if "quaternion" in fields else 0.0
+    return max(_ROUNDED * scene.filament.span, _LITTLE * max(travelled, turned))
+
+
+def turn_of(fields: Mapping[str, Floats]) -> Floats:
+    """How far sections have turned since the start: 2 |q - q_0|, the angle if it is small, and 4 after a whole turn."""
+    q = fields["quaternion"]
+    return np.asarray(2 * np.sqrt(np.sum((q - q[:1]) ** 2, axis=-1)))
+
+
 def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
     """Places of the nodes without load [m]; None of a filament that starts there, and of one on its chord."""
     if not graph.positions_are_algebraic or (is_held(scene) and not has_shape(scene)):

@@ -33,7 +33,7 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
 )
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
-from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
@@ -112,8 +112,8 @@ def observed_motion(
     # The way of the node that moves farthest, in the direction in which it does.
     distance = np.sum(moved**2, axis=-1)
     frame, node = np.unravel_index(int(np.argmax(distance)), distance.shape)
-    largest = math.sqrt(distance[frame, node])
-    path = moved[:, node] @ moved[frame, node] / (largest or 1.0)
+    path = moved[:, node] @ moved[frame, node] / (math.sqrt(distance[frame, node]) or 1.0)
+    largest = max(math.sqrt(distance[frame, node]), least_displacement(scene, fields))
     sag = max(float(np.max(depth)), _NO_SAG)
     # A filament with a free end hangs by where it is, and not by how far it has moved.
     hanging = sag if is_held(scene) else max(float(np.max(np.abs(midpoint))) / span, _NO_SAG)
@@ -135,11 +135,11 @@ def observed_motion(
     motion = replace(
         expected,
         sag=sag,
-        scale=max(largest / span, _NO_SAG),
+        scale=largest / span,
         strain=strain,
         slope=slope,
         tension_share=shared,
-        swings=np.pi / 2 * max(0.0, travelled) / largest if largest else 0.0,
+        swings=np.pi / 2 * max(0.0, travelled) / largest,
         relaxed=max(expected.relaxed, relaxed),
         overstress=overstress,
         flowing_overstress=flowing_overstress(scene, hanging),
@@ -169,7 +169,8 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, path: Float
         return float(-swing * np.expm1(-decay * scene.run.duration))
 
     if not terms.inertia:
-        shown["missed"] = missed_by(scene, time, path)
+        # Of what is as good as none nothing is missed.
+        shown["missed"] = missed_by(scene, time, path) * min(1.0, np.ptp(path) / scene.filament.span / motion.scale)
     if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)

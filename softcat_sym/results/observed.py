@@ -9,8 +9,7 @@ from typing import Final
 import numpy as np
 
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
-from softcat_sym.results.fields import cubic_weights, unknown_at
-from softcat_sym.results.motion import ROUNDED
+from softcat_sym.results.fields import cubic_weights, least_displacement, turn_of, unknown_at
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
@@ -41,22 +40,20 @@ class Watched:
 
     @classmethod
     def of(cls, scene: Scene, fields: Mapping[str, Floats], moved: Floats, places: tuple[Floats, Floats]) -> Watched:
-        """What to watch of a run with these fields, displacements (frames, nodes, axes) and places of nodes and cells.
-
-        A turn is 2 |q - q_0| of its quaternion, the angle if it is small, and 4 after a whole one.
-        """
+        """What to watch of a run; displacements are (frames, nodes, axes), places are those of nodes and cells."""
         distance, length = np.sqrt(np.sum(moved**2, axis=-1)), rest_length(scene)
         sizes = {DISPLACEMENT: distance}
-        least = {DISPLACEMENT: ROUNDED * scene.filament.span}
-        largest = float(np.max(distance))
+        least = {DISPLACEMENT: least_displacement(scene, fields)}
+        largest = max(float(np.max(distance)), least[DISPLACEMENT])
         if "quaternion" in fields:
-            q = fields["quaternion"]
             moments = (np.max(np.abs(fields[name])) for name in ("torque", "moment", "moment_2"))
             pull = scene.filament.thickness * float(np.max(np.abs(fields["tension"])))
-            sizes |= {"sideways": np.abs(moved[..., 2]), "torque": np.abs(fields["torque"])}
+            sizes["torque"] = np.abs(fields["torque"])
+            if largest > least[DISPLACEMENT]:
+                sizes["sideways"] = np.abs(moved[..., 2])
             # A clamp holds its section, and is no unknown.
-            free = [scene.ends.left != "clamped", *[True] * (q.shape[1] - 2), scene.ends.right != "clamped"]
-            sizes["turn"] = 2 * np.sqrt(np.sum((q - q[:1]) ** 2, axis=-1)) * free
+            free = [scene.ends.left != "clamped", *[True] * (len(places[0]) - 2), scene.ends.right != "clamped"]
+            sizes["turn"] = turn_of(fields) * free
             bounds = {"sideways": largest, "turn": largest / length, "torque": max(pull, *map(float, moments))}
             least |= {name: NOTHING * bound for name, bound in bounds.items()}
         at, scale = dict[str, float](), dict[str, float]()
@@ -90,7 +87,8 @@ class Watched:
         there = moved[:, int(np.argmin(np.abs(nodes / (nodes[-1] - nodes[0]) - where)))]
         before = [np.interp(0.8 * time[-1], time, each) for each in there.T]
         return {
-            "largest_m": self.scale[DISPLACEMENT],
+            "scale_m": self.scale[DISPLACEMENT],
+            "largest_m": float(np.max(np.linalg.norm(there, axis=-1))),
             "where": where,
             "final_m": [float(each) + 0.0 for each in there[-1]],
             "last_fifth_m": float(np.linalg.norm(there[-1] - before)),
