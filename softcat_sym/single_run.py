@@ -11,8 +11,9 @@ from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.progress import Clock
 from softcat_sym.results.breaking import break_frame, breakable
-from softcat_sym.results.fields import midpoint_heights, node_positions, whole_span_fields
+from softcat_sym.results.fields import node_positions, whole_span_fields
 from softcat_sym.results.motion import settling_time
+from softcat_sym.results.observed import DISPLACEMENT, Watched
 from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
@@ -46,8 +47,16 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
 
 
-def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0) -> Run:
-    """Integrate once, and judge the answer."""
+def run_once(
+    scene: Scene,
+    resolved: Scene,
+    effects: Effects,
+    clock: Clock,
+    progress: Progress,
+    times: int = 0,
+    watched: Watched | None = None,
+) -> Run:
+    """Integrate once, and judge the answer; what is to be compared of it is `watched`, or what it shows is largest."""
     times = max(times, scene.run.frames)
     stride = (times - 1) // (scene.run.frames - 1)
     tried = resolved if stride == 1 else resolved.replace({"run.frames": times})
@@ -56,12 +65,11 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         clock.lap("build")
         progress.doing("solving" if left == TRIES - 1 else "solving again, in shorter steps")
         try:
-            solution = prepared.solve(progress)
+            every = solution = prepared.solve(progress)
         except Interrupted as stopped:
             part = _thinned(stopped.part(), prepared, stride)
             raise Interrupted(partial(judge, scene, effects, prepared, part, clock.laps())) from None
         clock.lap("solve")
-        heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
         # What rings may break between two frames.
         if stride > 1 and not _breaks(scene, prepared, solution):
             solution = _thinned(solution, prepared, stride)
@@ -75,7 +83,12 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
-    return replace(trajectory, heights=heights)
+    watched = trajectory.watched.where(watched)
+    series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
+    watched = watched.between_frames(series, stride)
+    told, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
+    told = told | {"scale_m": scale, "largest_m": told["largest_m"] + scale - told["scale_m"]}
+    return replace(trajectory, watched=watched, series=series, summary=trajectory.summary | {"displacement": told})
 
 
 def _breaks(scene: Scene, prepared: Prepared, solution: Solution) -> bool:
@@ -91,8 +104,9 @@ def _thinned(solution: Solution, prepared: Prepared, stride: int) -> Solution:
     """The solution at the frames that the scene asks for."""
     if stride == 1:
         return solution
-    frames = (len(prepared.times) - 1) // stride + 1
-    return solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), frames))
+    kept = solution.only(slice(None, None, stride))
+    time = np.linspace(0.0, float(prepared.times[-1]), (len(prepared.times) - 1) // stride + 1)
+    return replace(kept, time=time[: len(kept.time)])
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

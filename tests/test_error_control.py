@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.codegen.compiler import find_compiler
@@ -25,6 +27,8 @@ from softcat_sym.error_control.estimate import (
 from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import ROUNDS, Controlled, controlled
 from softcat_sym.plotting.terminal import answer_rows
+from softcat_sym.results.fields import cubic_weights, displacements
+from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.compiled import CompiledIntegration
@@ -47,21 +51,29 @@ class Known:
     def parts(self, at: Resolution) -> tuple[float, float, float]:
         return self.space / at.cells**self.order, self.time * at.rtol, self.section / at.fibres**2 if at.fibres else 0.0
 
-    def __call__(self, at: Resolution) -> Floats | None:
+    def __call__(self, at: Resolution) -> Series | None:
         self.asked.append(at)
-        return None if at.cells < self.fails_below or at.rtol > self.fails_above else EXACT * (1 + sum(self.parts(at)))
+        if at.cells < self.fails_below or at.rtol > self.fails_above:
+            return None
+        error = sum(self.parts(at))
+        return {DISPLACEMENT: EXACT[:, None] * (1 + error), "turn": 50 * EXACT[:, None] * (1 + 3 * error)}
 
     def judged(self, at: Resolution, before: Before | None = None) -> Differences:
         """What is found of an answer at this resolution; `asked` holds its companions."""
         answer = self(at)
         assert answer is not None
         self.asked.clear()
-        return differences(answer, at, self, Judge(answer, ()), ACCURACY, before)
+        return differences(answer, at, self, judged(answer), ACCURACY, before)
 
 
 ACCURACY = 1e-3
 FIRST = Resolution(cells=40, grading=10.0, fibres=8, order=None, rtol=1e-4)
 LINEAR = replace(FIRST, fibres=None)
+
+
+def judged(answer: Series) -> Judge:
+    """Judge by an answer instant by instant."""
+    return Judge({name: float(np.max(np.abs(values))) for name, values in answer.items()}, ())
 
 
 def scene_of(accuracy: float = 1e-3, **numerics: object) -> Scene:
@@ -76,6 +88,10 @@ def test_each_error_is_found_in_its_place() -> None:
         assert (found.space, found.time, found.section) == pytest.approx(known.parts(FIRST), rel=1e-2, abs=1e-12)
         assert found.failed == ()
         assert {at.grading for at in known.asked} == {FIRST.grading}, "companions lie on one map"
+    # The turn errs by three times as much of its own largest value, in every part of it.
+    told, largest = found.to_dict(effects=0.0), np.array([1.0, 3.0]) / (1 + np.array([1, 3]) * sum(known.parts(FIRST)))
+    assert told["total"] is not None and told["turn"] is not None and told["torque"] is None
+    assert told["turn"] / told["total"] == pytest.approx(largest[1] / largest[0], rel=1e-9)
     known = Known(space=2.0)
     assert known.judged(LINEAR).section is None
     assert len(known.asked) == 2, "what has nothing to resolve is not run"
@@ -100,13 +116,13 @@ def test_what_steps_take_from_a_ringing_is_found_though_looser_ones_can_take_lit
     """Of a higher mode nearly all is lost in the end at this tolerance, and all of it at once at a looser one."""
     time, asked = np.linspace(0.0, 1.0, 2001), []
 
-    def run(at: Resolution) -> Floats:
+    def run(at: Resolution) -> Series:
         asked.append(at)
         lost = 10 * (at.rtol / FIRST.rtol) ** 2
-        return np.asarray(np.cos(400 * np.pi * time) - 1 + 0.03 * np.exp(-lost * time) * np.cos(2160 * np.pi * time))
+        return seen(np.cos(400 * np.pi * time) - 1 + 0.03 * np.exp(-lost * time) * np.cos(2160 * np.pi * time))
 
     answer, exact = run(FIRST), run(replace(FIRST, rtol=1e-9))
-    judge = Judge.of(answer, 200.0, ACCURACY)
+    judge = judge_of(answer, 200.0, ACCURACY)
     found = differences(answer, FIRST, run, judge, ACCURACY)
     assert found.time == pytest.approx(judge.between(answer, exact).size, rel=0.3)
     assert min(at.rtol for at in asked[2:]) > 0.1 * FIRST.rtol
@@ -149,7 +165,7 @@ def test_what_falls_short_is_refined_and_nothing_else() -> None:
     }
     for name, (known, touched, accuracies) in cases.items():
         for accuracy in accuracies:
-            found = controlled(scene_of(accuracy), FIRST, known, known, lambda cells: FIRST.grading)
+            found = controlled(scene_of(accuracy), FIRST, known, known, lambda cells: FIRST.grading, judged)
             assert sum(known.parts(found.resolution)) <= accuracy, name
             changed = {
                 key for key in ("cells", "rtol", "fibres") if getattr(found.resolution, key) != getattr(FIRST, key)
@@ -159,7 +175,7 @@ def test_what_falls_short_is_refined_and_nothing_else() -> None:
 
 def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
     def run(known: Known, scene: Scene) -> Controlled:
-        return controlled(scene, FIRST, known, known, lambda cells: 400 / cells)
+        return controlled(scene, FIRST, known, known, lambda cells: 400 / cells, judged)
 
     for known, scene in (
         (Known(space=0.8), scene_of()),
@@ -171,7 +187,7 @@ def test_what_will_do_is_fixed_or_hopeless_is_left_alone() -> None:
     assert hopeless.found is not None and hopeless.found.space is not None and hopeless.found.space > 1e-5
     assert len(hopeless.refinements) < ROUNDS
     known = Known(space=1.0)
-    assert controlled(scene_of(), FIRST, lambda at: None, known, lambda cells: 10.0).found is None
+    assert controlled(scene_of(), FIRST, lambda at: None, known, lambda cells: 10.0, judged).found is None
     assert known.asked == [], "a run that is not to be trusted is not refined"
     # Finer grids are graded anew: at a hinge no cell may become much shorter than the thickness.
     finer = run(Known(space=5.0), scene_of(1e-4)).resolution
@@ -189,7 +205,7 @@ def test_the_next_digit_costs_what_was_foretold(accuracy: float) -> None:
     def loop(scene: Scene) -> tuple[Controlled, list[Timed]]:
         known, beside = (Known(space=5.0, time=20.0, section=0.01, order=1.6) for _ in range(2))
         first = resolution_of(scene, effects, compiled=True)
-        ended = controlled(scene, first, known, beside, lambda cells: first.grading)
+        ended = controlled(scene, first, known, beside, lambda cells: first.grading, judged)
         made = [timed(at, answer=False) for at in dict.fromkeys(beside.asked)]
         return ended, made + [timed(at, answer=True) for at in known.asked]
 
@@ -212,19 +228,31 @@ PERIODS = 200.0
 TIME = np.linspace(0.0, 1.0, 2001)
 
 
-def ringing(height: float = 1.0, amplitude: float = 1.0, frequency: float = PERIODS, decay: float = 0.0) -> Floats:
+def seen(midpoint: Floats) -> Series:
+    """All that is compared of a run that moves up and down."""
+    return {DISPLACEMENT: np.asarray(midpoint)[:, None]}
+
+
+def judge_of(answer: Series, periods: float, accuracy: float) -> Judge:
+    """Judge by an answer that begins on the line between its supports."""
+    watched = Watched({DISPLACEMENT: 0.0}, {DISPLACEMENT: float(np.max(np.abs(answer[DISPLACEMENT])))})
+    return Judge.of(answer, watched, periods, accuracy)
+
+
+def ringing(height: float = 1.0, amplitude: float = 1.0, frequency: float = PERIODS, decay: float = 0.0) -> Series:
     """A midpoint that rings about a height, with a higher mode a tenth as large."""
     turn = 2 * np.pi * frequency * TIME
     swing = np.cos(turn) + 0.1 * np.cos(5.4 * turn + 1.0)
-    return np.asarray(-height + amplitude * np.exp(-decay * TIME) * swing)
+    return seen(-height + amplitude * np.exp(-decay * TIME) * swing)
 
 
 def test_of_a_long_ringing_height_and_amplitude_are_compared_and_the_phase_beside() -> None:
     answer = ringing()
-    largest, judge = float(np.max(np.abs(answer))), Judge.of(answer, PERIODS, 1e-2)
+    judge = judge_of(answer, PERIODS, 1e-2)
+    largest = judge.scale[DISPLACEMENT]
     late = ringing(frequency=1.003 * PERIODS)
     found = judge.between(answer, late)
-    assert np.max(np.abs(answer - late)) > 1.5
+    assert np.max(np.abs(answer[DISPLACEMENT] - late[DISPLACEMENT])) > 1.5
     assert found.size < 1e-3
     assert found.phase == pytest.approx(0.6, abs=0.02)
     for changed in ({"height": 1.02}, {"amplitude": 1.02}, {"height": 0.98, "frequency": 200.7}):
@@ -233,12 +261,14 @@ def test_of_a_long_ringing_height_and_amplitude_are_compared_and_the_phase_besid
     assert fading.size == pytest.approx((1 - np.exp(-0.05)) / largest, rel=0.1)
     # What comes to rest or hardly rings is compared instant by instant.
     for answer, periods in ((ringing(frequency=8.0), 8.0), (ringing(decay=20.0), PERIODS), (ringing(), 0.0)):
-        other = np.roll(answer, 1)
-        found = Judge.of(answer, periods, 1e-2).between(answer, other)
-        assert found.size == pytest.approx(np.max(np.abs(answer - other)) / np.max(np.abs(answer)))
+        one = answer[DISPLACEMENT]
+        other = np.roll(one, 1)
+        found = judge_of(answer, periods, 1e-2).between(answer, {DISPLACEMENT: other})
+        assert found.size == pytest.approx(np.max(np.abs(one - other)) / np.max(np.abs(one)))
         assert found.phase is None
 
 
+CASES = Path(__file__).parent / "cases"
 HONEY = {"run.frames": 21}
 SAG = 1e-4
 
@@ -296,6 +326,72 @@ def test_a_run_is_as_near_a_finer_one_as_its_estimate_says(accuracy: float) -> N
     assert accuracy / 200 < digit["accuracy"] < run.summary["error_estimate"]["total"] and digit["seconds"] > 0
     assert ("next digit", digit["text"]) in answer_rows(run.summary, run.scene)
     assert best.summary["next_digit"] is None
+
+
+def test_a_rod_pulled_along_its_axis_is_judged_and_told_by_its_extension() -> None:
+    """A viscous thread under a dead force F, eta A_0/s d(log s)/dt = F: s = 1/(1 - F t/(eta A_0))."""
+    run = simulate(CASES / "pulled-rod-newtonian.toml")
+    summary, scene = run.summary, run.scene
+    drawn = 1.0 * scene.run.duration / (3.08e12 * np.pi * 5e-3**2 / 4)
+    extension = 0.1 / (1 - drawn) - 0.1
+    assert extension == pytest.approx(1.0102e-3, rel=1e-4)
+    assert (summary["outcome"], summary["refinements"], summary["cells"]) == ("solved", [], 40)
+    assert summary["displacement"]["final_m"][0] == pytest.approx(extension, rel=1e-5)
+    assert summary["error_estimate"]["total"] < 1e-5
+    # What does not turn, twist or leave its plane has no error of that, however large it is beside its rounding.
+    assert [summary["error_estimate"][name] for name in OWN] == [None, None, None]
+    assert "moved 1.01 mm to the right ± " in dict(answer_rows(summary, scene))["right end"]
+    assert dict(answer_rows(summary, scene))["settled"].startswith("no: it moved by 2")
+    assert all(worth < 1e-6 for worth in summary["checked"].values())
+
+
+def test_a_hanging_fibre_is_judged_by_its_elongation() -> None:
+    """Of a fibre of incompressible rubber with log s/s = rho g (L - X)/E."""
+    run = simulate(CASES / "hanging-fibre.toml")
+    strain = 1000 * 9.81 * np.linspace(0, 0.1, 2001) / 1e6
+    elongation = float(np.trapezoid(-np.real(lambertw(-strain)[1:]) / strain[1:] - 1, dx=0.1 / 2000))
+    displacement, error = run.summary["displacement"], run.summary["error_estimate"]["total"]
+    assert displacement["where"] == 0.5 and displacement["largest_m"] == pytest.approx(elongation, rel=1e-3)
+    # Half of the cells and looser steps by themselves: the elongation over the run moves by some such share of it.
+    finer = simulate(without_estimate(run.scene.replace({"numerics.cells": 80, "numerics.rtol": 1e-6})))
+    apart = run.fields["y"][:, -1] - finer.fields["y"][:, -1]
+    assert 0.3 < float(np.max(np.abs(apart))) / displacement["largest_m"] / error < 3
+    assert "moved 49.1 µm down ± 0." in dict(answer_rows(run.summary, run.scene))["right end"]
+
+
+def test_what_is_only_pulled_straight_or_turned_about_itself_is_not_refined() -> None:
+    """What it is displaced by is rounding, or a thousandth of how far its end or its surface is carried."""
+    loaded = {"load.gravity": "0 m/s^2", "ends.right": "clamped"}
+    for changes in (
+        {"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0.02 m", "0 m"]]},
+        {"ends.right_twist": [["0 s", "0 deg"], ["1 s", "40 deg"]]},
+        {},
+    ):
+        run = simulate(load_scene(str(CASES / "hanging-fibre.toml"), loaded | {"ends.left_angle": "0 deg"} | changes))
+        rows = dict(answer_rows(run.summary, run.scene))
+        assert (run.outcome.name, run.summary["refinements"]) == ("solved", []), changes
+        assert rows["displacement"].startswith("as good as none: at most ") and "sag" not in rows
+        assert run.summary["error_estimate"]["sideways"] is None
+        assert ("right_twist" in str(changes)) == (run.summary["error_estimate"]["turn"] is not None)
+
+
+def test_displacement_counts_from_where_supports_hold_a_straight_filament() -> None:
+    """It is none of what is carried along, and a slack one's is its depth; four nodes have any cubic between them."""
+    nodes, time = np.linspace(-0.5, 0.5, 11), np.array([0.0, 1.0])
+    pinned = {"ends.left": "pinned", "ends.right": "pinned"}
+    scene = load_scene("cold-honey", {"filament.span": "1 m", "ends.drop": "0.2 m", **pinned})
+    moving = scene.replace({"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0.5 m", "0.1 m"]], "run.duration": "1 s"})
+    line = {"x": np.stack([nodes, nodes * 1.5 + 0.25]), "y": np.stack([-0.2 * (nodes + 0.5), -0.1 * (nodes + 0.5)])}
+    assert np.max(np.abs(displacements(moving, time, line, nodes))) < 1e-15
+    bent = line | {"y": line["y"] - 0.3 * (1 - 4 * nodes**2)}
+    assert displacements(moving, time, bent, nodes)[:, 5] == pytest.approx(np.array([[0, -0.3], [0, -0.3]]))
+    free = load_scene("modelling-clay")
+    assert np.max(np.abs(displacements(free, time, bent, nodes)[0])) == 0
+    places = np.array([0.0, 0.1, 0.3, 0.35, 0.7, 1.0])
+    for where in (-0.05, 0.05, 0.3, 0.62, 1.0):
+        near, weights = cubic_weights(places, where)
+        assert weights @ places[near] ** 3 == pytest.approx(where**3, rel=1e-12, abs=1e-15)
+    assert list(cubic_weights(places, 0.3)[1]) == [0.0, 0.0, 1.0, 0.0]
 
 
 def test_what_the_user_fixed_stays_and_is_told() -> None:

@@ -310,10 +310,9 @@ def test_forecasts_of_every_scene_are_numbers(changes: dict[str, Any], gravity: 
     found = scene({**changes, "load.gravity": gravity})
     motion = forecast(found)
     assert math.isfinite(motion.sag) and math.isfinite(motion.missed)
-    names = choose_effects(found).names
-    regime = expected_regime(found, names)
-    assert regime.name
-    assert isinstance(theory_limits(found, regime), tuple)
+    effects = choose_effects(found)
+    assert expected_regime(found, effects.names).name
+    assert isinstance(theory_limits(found, effects.names, effects.terms()), tuple)
 
 
 def test_inertia_is_taken_in_where_an_end_is_pulled_or_turned() -> None:

@@ -52,7 +52,6 @@ import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.solvers.settings import choose_backend, settings_for
 scenes = [sc.load_scene(name) for name in {SCENES}]
@@ -60,7 +59,7 @@ for scene in [*scenes, sc.Scene.from_dict(tomllib.loads({OWN_LAW!r}))]:
     effects = choose_effects(scene)
     hash((effects.terms(), effects.at_rest()))
     settings_for(scene, effects, compiled=choose_backend(scene, effects).compiled)
-    theory_limits(scene, expected_regime(scene, effects.names))
+    theory_limits(scene, effects.names, effects.terms())
     choose_body(scene, choose_grid(scene, effects)), choose_theory(scene, effects.terms()), parameter_values(scene)
 assert "sympy" not in sys.modules
 """

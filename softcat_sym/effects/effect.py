@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Motion:
     """Quantities from which the estimates of all effects are computed; lengths are in spans."""
 
-    sag: float  # Largest depth of the midpoint below the line between the supports
-    scale: float  # Largest distance of the midpoint from the height of the left support, the unit of errors
+    sag: float  # Largest displacement of the midpoint, from the line between the supports where two hold it
+    scale: float  # Largest displacement of any node, the unit of errors
     strain: float  # Largest mean strain of the centreline
     slope: float  # Largest slope against the horizontal
     tension_share: float  # Share of the load that is carried in tension at the largest sag

@@ -224,11 +224,10 @@ def _forecast(scene: Scene) -> Motion:
         history = quasi_static.History(
             free.time, np.array([sag * _left_by_surface(scene, float(sag)) for sag in free.sag])
         )
-    span, first = scene.filament.span, float(history.time[1])
+    first, lengths = float(history.time[1]), history.sag * scene.filament.span
     sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
-    scale = max(sag, abs(sag + scene.ends.drop / span / 2))
-    amplitude = min(1.0, rings.lasting(first) / max(scale, rings.way))
-    missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
+    amplitude = min(1.0, rings.lasting(first) / max(sag, rings.way))
+    missed, overstress = missed_by(scene, history.time, lengths), _overstress(scene, rings)
     # There is no forecast for the initial rate of hinges in a slack filament, nor for the motion that a moving support
     # or a force at the end causes.
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
@@ -236,18 +235,18 @@ def _forecast(scene: Scene) -> Motion:
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
     return Motion(
         sag=sag,
-        scale=scale,
+        scale=sag,
         strain=strain_of(scene, sag),
         slope=slope_of(scene, sag),
         tension_share=tension_share(scene, sag),
         swings=amplitude * rings.phase(scene.run.duration) + shaken_phase(scene),
-        missed=1.0 if sudden else max(amplitude, missed * sag / scale, min(1.0, shaken_share(scene))),
+        missed=1.0 if sudden else max(amplitude, missed, min(1.0, shaken_share(scene))),
         risen=_risen(scene, history, amplitude),
         relaxed=_relaxed(scene, rings),
         overstress=overstress,
         flowing_overstress=flowing_overstress(scene, sag),
         retarded=_retarded(scene, rings, amplitude),
-        damped=_damped(scene, scale, first),
+        damped=_damped(scene, sag, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=scales.neck_folds(scene, strain_of(scene, sag)),
         speed=_speed(scene, history, rings),

@@ -8,7 +8,7 @@ import threading
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
@@ -222,8 +222,7 @@ def _record(member: Member, workshop: Workshop, stop: Stop) -> Record:
     ends = solution
     # Without velocities the work against the necking gradient is summed over frames; a break is sought in all of them.
     if prepared.graph.has_velocities and not breakable(scene):
-        x, z, quad = (part[:, [0, -1]] for part in (solution.x, solution.z, solution.quad))
-        ends = replace(solution, time=solution.time[[0, -1]], x=x, z=z, quad=quad)
+        ends = solution.only([0, -1])
     run = judged(member, prepared, ends)
     midpoint = np.full(scene.run.frames, np.nan)
     heights = midpoint_heights(prepared.graph, solution) * rest_length(scene)

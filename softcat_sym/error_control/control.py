@@ -8,7 +8,6 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.error_control.estimate import Differences, Judge, Resolution, resolution_of
@@ -16,11 +15,11 @@ from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import controlled
 from softcat_sym.progress import Clock
 from softcat_sym.results.breaking import breakable
-from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import MIN_PERIODS
+from softcat_sym.results.observed import DISPLACEMENT, Series
 from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import shortest_hinge_cell
-from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build, run_once
 from softcat_sym.solvers.settings import choose_backend
 from softcat_sym.solvers.solution import Progress, Silence
@@ -56,8 +55,8 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
 
     start = replace(guess, rtol=first.summary["rtol"])
 
-    def judged(midpoint: Floats) -> Judge:
-        return Judge.of(midpoint, periods, scene.run.accuracy)
+    def judged(seen: Series) -> Judge:
+        return Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
 
     found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")
@@ -86,11 +85,12 @@ class _Runs:
     def __init__(self, first: Run, effects: Effects, clock: Clock, progress: Progress, frames: int) -> None:
         self.last, self._waiting, self._beside = first, True, 0
         self._effects, self._clock, self._progress, self._frames = effects, clock, progress, frames
-        self._known: dict[str, Floats | None] = {}
+        self._known: dict[str, Series | None] = {}
+        self.watched = first.watched
         self.made: list[Timed] = []
         self.compiling = 0.0  # Of the runs beside [s]
 
-    def answer(self, at: Resolution) -> Floats | None:
+    def answer(self, at: Resolution) -> Series | None:
         """Run for good; the first answer is there already."""
         clock = self._clock
         if not self._waiting:
@@ -100,7 +100,8 @@ class _Runs:
         if not self._waiting:
             self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
             self._beside = 0
-            self.last = run_once(scene, at.of(scene), self._effects, clock, self._progress, self._frames)
+            resolved = at.of(scene)
+            self.last = run_once(scene, resolved, self._effects, clock, self._progress, self._frames, self.watched)
         self._waiting = False
         clock.lap("estimate")
         laps = clock.laps()
@@ -108,13 +109,11 @@ class _Runs:
         self.made.append(Timed(at, True, self.last.summary["steps"], laps["solve"], besides))
         if not self.last.outcome.is_success:
             return None
-        if self._frames == self.last.scene.run.frames:
-            return self.last.fields["midpoint"]
-        heights = self.last.heights
-        return heights if heights is not None and len(heights) == self._frames else self.companion(at)
+        seen = self.last.series
+        return seen if len(seen.get(DISPLACEMENT, ())) == self._frames else self.companion(at)
 
-    def companion(self, at: Resolution) -> Floats | None:
-        """Run for the midpoint only [m]; None without an answer."""
+    def companion(self, at: Resolution) -> Series | None:
+        """Run for what is compared only; None without an answer."""
         scene = at.of(self.last.scene).replace({"run.frames": self._frames})
         key = scene.to_toml()
         if key not in self._known:
@@ -131,7 +130,7 @@ class _Runs:
             self.compiling += laps["compile"]
             self.made.append(Timed(at, False, solution.steps, laps["solve"], laps["build"]))
             sound = solution.outcome.is_success
-            self._known[key] = midpoint_heights(prepared.graph, solution) * rest_length(scene) if sound else None
+            self._known[key] = self.watched.series(scene, prepared, solution) if sound else None
         return self._known[key]
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,6 +13,7 @@ from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.results.motion import MIN_PERIODS
+from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import settings_for
 
@@ -60,46 +61,58 @@ _FINER = 16
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Of one midpoint from another."""
+    """Of one run from another."""
 
-    size: float  # Largest difference over the run, relative to the largest midpoint
-    # Periods by which the one is ahead of the other at the end; None where midpoints are compared instant by instant.
+    sizes: Mapping[str, float]  # Largest difference of each quantity over the run, relative to its largest value
+    # Periods by which the one is ahead of the other at the end; None where runs are compared instant by instant.
     phase: float | None
+
+    @property
+    def size(self) -> float:
+        """That of the displacement."""
+        return self.sizes[DISPLACEMENT]
 
     def over(self, share: float) -> Deviation:
         """The error of which this is a share."""
-        return Deviation(self.size / share, None if self.phase is None else self.phase / share)
+        sizes = {name: size / share for name, size in self.sizes.items()}
+        return Deviation(sizes, None if self.phase is None else self.phase / share)
 
 
 @dataclass(frozen=True)
 class Judge:
-    """Compares midpoints with those of an answer."""
+    """Compares what was observed of runs, by the size of an answer."""
 
-    answer: Floats  # shape (frames,)
+    scale: Mapping[str, float]  # Largest value of each quantity
     # Stretches over which height and amplitude are taken; none where it is compared instant by instant.
     windows: tuple[slice, ...]
 
     @classmethod
-    def of(cls, answer: Floats, periods: float, accuracy: float) -> Judge:
-        """Judge by an answer."""
-        frames, scale = len(answer), float(np.max(np.abs(answer)))
+    def of(cls, answer: Series, watched: Watched, periods: float, accuracy: float) -> Judge:
+        """Judge by an answer, and by how large it is."""
+        moved, scale = answer[DISPLACEMENT], {name: watched.scale[name] for name in watched.at}
+        frames = len(moved)
         number = int(min(periods / WINDOW_PERIODS, frames / WINDOW_FRAMES))
-        if periods < MIN_PERIODS or scale == 0 or number < 2:
-            return cls(answer, ())
+        if periods < MIN_PERIODS or number < 2:
+            return cls(scale, ())
         edges = np.linspace(0, frames, number + 1).astype(int)
         windows = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
-        rings = _swing(answer[windows[-1]])[1] > accuracy * scale
-        return cls(answer, windows if rings else ())
+        rings = max(_swing(each[windows[-1]])[1] for each in moved.T) > accuracy * scale[DISPLACEMENT]
+        return cls(scale, windows if rings else ())
 
-    def between(self, one: Floats, other: Floats) -> Deviation:
-        """Deviation of two runs of the same scene at other resolutions, relative to the answer's largest midpoint."""
-        scale = float(np.max(np.abs(self.answer)))
+    def between(self, one: Series, other: Series) -> Deviation:
+        """Deviation of two runs of the same scene at other resolutions."""
         if not self.windows:
-            return Deviation(float(np.max(np.abs(one - other))) / scale, None)
-        ours, theirs = (np.array([_swing(run[window]) for window in self.windows]) for run in (one, other))
-        apart = np.abs(ours[:, :2] - theirs[:, :2])
-        turned = np.unwrap(ours[:, 2] - theirs[:, 2]) / (2 * np.pi)
-        return Deviation(float(np.max(apart)) / scale, abs(float(turned[-1])))
+            apart = {name: np.sqrt(np.sum((one[name] - other[name]) ** 2, axis=-1)) for name in self.scale}
+            return Deviation({name: float(np.max(apart[name])) / scale for name, scale in self.scale.items()}, None)
+        sizes, phase, widest = dict[str, float](), 0.0, 0.0
+        for name, scale in self.scale.items():
+            for ours, theirs in zip(one[name].T, other[name].T, strict=True):
+                a, b = (np.array([_swing(run[window]) for window in self.windows]) for run in (ours, theirs))
+                sizes[name] = max(sizes.get(name, 0.0), float(np.max(np.abs(a[:, :2] - b[:, :2]))) / scale)
+                if name == DISPLACEMENT and a[-1, 1] > widest:
+                    turned = np.unwrap(a[:, 2] - b[:, 2]) / (2 * np.pi)
+                    widest, phase = a[-1, 1], abs(float(turned[-1]))
+        return Deviation(sizes, phase)
 
 
 def _swing(heights: Floats) -> tuple[float, float, float]:
@@ -128,8 +141,8 @@ def _swing(heights: Floats) -> tuple[float, float, float]:
     return float(found[0]), amplitude, float(np.arctan2(-found[3], found[2]))
 
 
-Runner = Callable[[Resolution], Floats | None]
-"""Midpoint over the run at a resolution, shape (frames,); None where that run has no answer."""
+Runner = Callable[[Resolution], Series | None]
+"""What is observed of a run at a resolution; None where that run has no answer."""
 
 ORDER = 2
 """Of the grid: differences and averages are central."""
@@ -160,12 +173,16 @@ SMALL = 0.2
 _MIN_CELLS = 4
 
 
+PARTS = ("space", "time", "section")
+"""Of an error."""
+
+
 @dataclass(frozen=True)
 class Differences:
-    """Estimated errors of the midpoint over one run, relative to its largest; None where they were not found.
+    """Estimated errors of places over one run, relative to the largest displacement; None where they were not found.
 
-    Of a filament that rings on to the end for ten periods or more they are those of the height about which it rings and
-    of the amplitude, over every five periods.
+    They are those of the midpoint and of the node that moves farthest. Of a filament that rings on to the end for ten
+    periods or more they are those of the height about which it rings and of the amplitude, over every five periods.
     """
 
     space: float | None  # Of the grid, by Richardson's extrapolation from a coarser one
@@ -173,6 +190,13 @@ class Differences:
     section: float | None  # Of the fibres or the order k, from more of them; None also where nothing is to be resolved
     phase: float | None  # Periods by which a ringing may be ahead or late at its end
     failed: tuple[str, ...]  # Companions that have no answer
+    # Parts of what has errors of its own in three dimensions, relative to its own largest value, by name.
+    own: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    def part(self, name: str) -> Deviation | None:
+        """One of :data:`PARTS`; without a phase."""
+        size = getattr(self, name)
+        return None if size is None else Deviation({**self.own.get(name, {}), DISPLACEMENT: size}, None)
 
     @property
     def total(self) -> float:
@@ -186,8 +210,10 @@ class Differences:
         the effects in force. Nor is the phase.
         """
         total = None if self.space is None or self.time is None else self.total
-        parts = {name: getattr(self, name) for name in ("space", "time", "section")}
-        return {"total": total, **parts, "effects": effects, "phase": self.phase}
+        parts = {name: getattr(self, name) for name in PARTS}
+        known = self.own.values() if total is not None else ()
+        own = {name: sum(each) if (each := [part[name] for part in known if name in part]) else None for name in OWN}
+        return {"total": total, **parts, "effects": effects, "phase": self.phase, **own}
 
 
 @dataclass(frozen=True)
@@ -199,12 +225,12 @@ class Before:
 
 
 def differences(
-    answer: Floats, at: Resolution, run: Runner, judge: Judge, accuracy: float, before: Before | None = None
+    answer: Series, at: Resolution, run: Runner, judge: Judge, accuracy: float, before: Before | None = None
 ) -> Differences:
     """Estimate the errors of an answer from its companions."""
     coarser = replace(at, cells=max(_MIN_CELLS, at.cells // 2))
     beside = run(coarser)
-    if beside is None or not np.any(answer) or coarser.cells == at.cells:
+    if beside is None or coarser.cells == at.cells:
         return Differences(None, None, None, None, (f"{coarser.cells} cells",))
     failed: list[str] = []
 
@@ -217,8 +243,7 @@ def differences(
 
     apart = judge.between(answer, beside)
     grid = 1 / ((at.cells / coarser.cells) ** ORDER - 1)
-    space = Deviation(apart.size * grid, None if apart.phase is None else apart.phase * grid)
-    late = None
+    space = apart.over(1 / grid)
     time = _time_known(at, before, accuracy)
     if time is None:
         order = RINGING_ORDER if judge.windows else 1
@@ -226,25 +251,26 @@ def differences(
         for factor in (TIGHTER,) if judge.windows else (LOOSER, TIGHTER):
             stepped = replace(coarser, rtol=min(factor * at.rtol, 0.5))
             failed.clear()
-            late = change(stepped, f"a tolerance of {stepped.rtol:.2g}", (stepped.rtol / at.rtol) ** order - 1)
-            if late is not None:
+            time = change(stepped, f"a tolerance of {stepped.rtol:.2g}", (stepped.rtol / at.rtol) ** order - 1)
+            if time is not None:
                 break
-        time = None if late is None else late.size
     same_section = before is not None and (before.at.fibres, before.at.order) == (at.fibres, at.order)
-    section = before.found.section if before is not None and same_section else None
+    section = before.found.part("section") if before is not None and same_section else None
     if section is None and (other := _other_fibres(coarser, before)) != coarser:
         ratio = (other.fibres or 1) / (coarser.fibres or 1) if other.order is None else MORE
-        across = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
-        section = None if across is None else across.size
-    phases = [part.phase for part in (space, late) if part is not None and part.phase is not None]
-    return Differences(space.size, time, section, sum(phases) if phases else None, tuple(failed))
+        section = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
+    phases = [part.phase for part in (space, time) if part is not None and part.phase is not None]
+    own = {name: part.sizes for name, part in zip(PARTS, (space, time, section), strict=True) if part is not None}
+    a, b, c = (None if part is None else part.size for part in (space, time, section))
+    return Differences(a, b, c, sum(phases) if phases else None, tuple(failed), own)
 
 
-def _time_known(at: Resolution, before: Before | None, accuracy: float) -> float | None:
+def _time_known(at: Resolution, before: Before | None, accuracy: float) -> Deviation | None:
     """Error of the time steps by an earlier one, where it was small; it falls at least as fast as the tolerance."""
-    if before is None or before.found.time is None or before.found.time > SMALL * accuracy:
+    known = None if before is None else before.found.part("time")
+    if before is None or known is None or known.size > SMALL * accuracy:
         return None
-    return before.found.time * at.rtol / before.at.rtol
+    return known.over(before.at.rtol / at.rtol)
 
 
 def _other_fibres(coarser: Resolution, before: Before | None) -> Resolution:

@@ -9,11 +9,11 @@ from itertools import combinations
 
 import numpy as np
 
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import SHARE, Effects, choose_effects
 from softcat_sym.error_control.estimate import ORDER, Deviation, Differences, Judge, Resolution, resolution_of
 from softcat_sym.error_control.refinement import EXPECTED_ORDER, STATES, controlled, errors_expected
 from softcat_sym.progress import seconds_text
+from softcat_sym.results.observed import DISPLACEMENT, Series
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import choose_backend
 
@@ -77,9 +77,13 @@ def next_digit(
     first = resolution_of(asked, in_force, compiled=compiled)
     # Such that the same is estimated of the answer, where its grid's error falls as it is expected to.
     space = None if found.space is None else found.space * (2**ORDER - 1) / (2**EXPECTED_ORDER - 1)
+
+    def judged(seen: Series) -> Judge:
+        return _Known({DISPLACEMENT: float(seen[DISPLACEMENT][0, 0])}, windows)
+
     foretold = _Foretold(at, replace(found, space=space), made)
-    judge = _Known(np.ones(1), () if found.phase is None else (slice(0),))
-    ended = controlled(asked, first, foretold.answer, foretold.companion, lambda cells: at.grading, lambda _: judge)
+    windows = () if found.phase is None else (slice(0),)
+    ended = controlled(asked, first, foretold.answer, foretold.companion, lambda cells: at.grading, judged)
     percent = f"{100 * accuracy:.3g} %"
     if ended.found is None or ended.found.total > accuracy:
         limits = f"N = {ended.resolution.cells}"
@@ -93,15 +97,15 @@ def next_digit(
 
 
 class _Known(Judge):
-    """Compares midpoints that hold nothing but their error."""
+    """Compares displacements that hold nothing but their error."""
 
-    def between(self, one: Floats, other: Floats) -> Deviation:
-        return Deviation(float(np.max(np.abs(one - other))), None)
+    def between(self, one: Series, other: Series) -> Deviation:
+        return Judge(self.scale, ()).between(one, other)
 
 
 @dataclass
 class _Foretold:
-    """Runs that are not made: their midpoint is one plus their error, and what they would take is added up."""
+    """Runs that are not made: their displacement is one plus their error, and what they would take is added up."""
 
     at: Resolution
     found: Differences
@@ -110,26 +114,26 @@ class _Foretold:
     fibres: set[int | None] = field(default_factory=set)
     _done: set[Resolution] = field(default_factory=set)
 
-    def answer(self, at: Resolution) -> Floats:
+    def answer(self, at: Resolution) -> Series:
         """Run for good."""
         return self._run(at, answer=True)
 
-    def companion(self, at: Resolution) -> Floats:
+    def companion(self, at: Resolution) -> Series:
         """Run beside; what was run before is known."""
         if at in self._done:
-            return self._midpoint(at)
+            return self._moved(at)
         self._done.add(at)
         return self._run(at, answer=False)
 
-    def _run(self, at: Resolution, *, answer: bool) -> Floats:
+    def _run(self, at: Resolution, *, answer: bool) -> Series:
         alike = [run.besides for run in self.made if run.answer == answer]
         self.seconds += self._solving(at) + sum(alike) / len(alike)
         self.fibres.add(at.fibres)
-        return self._midpoint(at)
+        return self._moved(at)
 
-    def _midpoint(self, at: Resolution) -> Floats:
+    def _moved(self, at: Resolution) -> Series:
         numbers = (np.array([float(number)]) for number in (at.cells, at.fibres or 0, at.rtol))
-        return 1 + errors_expected(self.at, self.found, *numbers)
+        return {DISPLACEMENT: 1 + errors_expected(self.at, self.found, *numbers)[:, None]}
 
     def _solving(self, at: Resolution) -> float:
         """As many steps as the runs that were made foretell, each as long as there are unknowns.

@@ -19,6 +19,7 @@ from softcat_sym.error_control.estimate import (
     Runner,
     differences,
 )
+from softcat_sym.results.observed import Series
 from softcat_sym.scene.scene import Scene
 
 AIM = 0.8
@@ -102,15 +103,15 @@ def controlled(
     answer: Runner,
     companion: Runner,
     grading: Callable[[int], float],
-    judged: Callable[[Floats], Judge] = lambda midpoint: Judge(midpoint, ()),
+    judged: Callable[[Series], Judge],
 ) -> Controlled:
     """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help."""
     at, refinements, before = first, list[str](), None
     for left in reversed(range(ROUNDS)):
-        midpoint = answer(at)
-        if midpoint is None:
+        seen = answer(at)
+        if seen is None:
             return Controlled(at, None, tuple(refinements))
-        found = differences(midpoint, at, companion, judged(midpoint), scene.run.accuracy, before)
+        found = differences(seen, at, companion, judged(seen), scene.run.accuracy, before)
         following = refined(at, found, scene, grading)
         if found.total <= scene.run.accuracy or following == at or not left:
             break

@@ -7,19 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.scene import Scene, groups_of
+from softcat_sym.scene.scene import Scene
 
-# Standard deviation over d = h0/L or its square. First row: with shear and, for a law that yields, with fibres; _OWN is
-# the error of the finite elements themselves, 0.04 %. Second row: without them, in either closure. _STOPPING holds near
-# arrest, where the limit load of the hinges at the clamps decides.
-_OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
-# Over h0/L and (1 - G_c/G)^2, G_c being the load of the plastic beam, and the most of it; as
-# ``tests/slow/test_collapse_contours.py`` prints it.
-_HINGES, _MAX_STOPPING = 0.09, 4.0
-_PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 _FALLEN = 2.1462  # (1 + s) exp(-s) is 1/e here
 
 
@@ -91,31 +83,5 @@ def _covariance(one: Floats, other: Floats) -> Floats:
 
 
 def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:
-    """Return the error of a theory against the continuum.
-
-    Parameters
-    ----------
-    scene : Scene
-        Best estimate of the scene: thickness over span, and whether the filament stops (3.12), decide.
-    effects, terms : collection of str, Terms
-        Effects in force, and the terms of the equations that they keep.
-
-    Returns
-    -------
-    Discrepancy
-        The constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against
-        plane-stress elements, as ``tests/slow/test_discrepancy.py`` prints them; other laws and ends are assumed to err
-        by as much.
-    """
-    delta, regime = groups_of(scene).delta, expected_regime(scene, effects)
-    number, limit = regime.gravity_number or 0.0, regime.arrest_exact
-    stops = number > 0 and limit is not None and regime.name != "no-yield" and number < limit
-    if terms.shear and (terms.resolved or not terms.yields):
-        return Discrepancy(_stopping(number, regime.collapse) * delta if stops else _OWN + _FLOWING * delta**2)
-    return Discrepancy((_PUBLISHED_STOPPING if stops else _PUBLISHED_FLOWING) * delta)
-
-
-def _stopping(number: float, collapse: float | None) -> float:
-    """Error over h0/L of a filament that stops: largest near the load of the plastic beam, where its hinges decide."""
-    beyond = 1 - (collapse or 0.0) / number
-    return _STOPPING if beyond <= 0 else min(max(_STOPPING, _HINGES / beyond**2), _MAX_STOPPING)
+    """Return the error of a theory against the continuum, as large as :func:`theory_error` says of a best estimate."""
+    return Discrepancy(theory_error(scene, effects, terms))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import zip_longest
@@ -97,8 +98,10 @@ def detail_rows(summary: Summary) -> Rows:
         names = {"space": "grid", "time": "time steps", "section": "fibres"}
         parts = [f"{name} {error_percent(estimate[k])}" for k, name in names.items() if estimate.get(k) is not None]
         total = estimate.get("total")
-        text = f"{error_percent(total)} of the largest midpoint" if total is not None else "not estimated in full"
+        text = f"{error_percent(total)} of the largest displacement" if total is not None else "not estimated in full"
         text += f" ({', '.join(parts)})" if parts else ""
+        own = [f"{error_percent(estimate[k])} of the largest {_OWN[k]}" for k in _OWN if estimate.get(k) is not None]
+        text = "; ".join([text, *own])
     rows = [("error", text)]
     if summary.get("energy_residual") is not None:
         rows.append(("energy", f"balanced to {significant(summary['energy_residual'])} of the largest energy"))
@@ -193,27 +196,73 @@ def text_table(
 
 
 def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
-    """Where the midpoint is in the end, with its error; the mean of what still swings."""
+    """Where the midpoint is in the end, with its error; the mean of what still swings.
+
+    Where it hardly moves, or far less than it hangs down, the node that moves farthest is told.
+    """
     rest, ends = summary.get("midpoint_settled_m") or {}, scene.ends
     total = (summary.get("error_estimate") or {}).get("total")
     place = float(summary["midpoint_final_m"] if rest.get("mean") is None else rest["mean"])
+    largest, moved = float(summary.get("midpoint_largest_m", abs(place))), summary.get("displacement")
+    if moved and (moved["midpoint_m"] < _HARDLY * moved["scale_m"] or largest > moved["largest_m"] / _FAR):
+        return _displacement(summary, scene, refused=refused)
     sags = place <= 0 and "free" not in (ends.left, ends.right) and ends.drop == 0 and not ends.motion
     ruler = length_unit(abs(place), scene.filament.span)
     where = f"{ruler.text(abs(place))}{'' if sags else ' down' if place <= 0 else ' up'}"
     if refused and total is None:
         return "reached", f"midpoint {where} when the run ended: no answer"
-    largest = float(summary.get("midpoint_largest_m", abs(place)))
-    if total is None:
-        error = " (error not estimated)"
-    elif abs(place) < largest / 2:
-        # It swings, or has come back: a share of nearly nothing would mislead.
-        error = f" ± {length_unit(total * largest).text(total * largest)}"
-    else:
-        error = f" ± {error_percent(total * largest / abs(place) if total else 0.0)}"
+    error = _error(summary, abs(place), largest)
     share = f"{float(f'{100 * abs(place) / scene.filament.span:.2g}'):g} % of the span"
     swing = float(rest.get("amplitude") or 0.0)
     swings = f", swinging by {length_unit(swing).text(swing)} about it" if swing > abs(place) / 1000 else ""
     return "sag" if sags else "midpoint", f"{where}{error}, {share}{swings}"
+
+
+_HARDLY, _FAR = 0.1, 0.5
+"""Rise or fall of the midpoint over the largest displacement, and the latter over the midpoint's depth, below which the
+midpoint does not tell what has happened."""
+
+_OWN = {"sideways": "way aside", "turn": "turn", "torque": "torque"}
+
+_WAYS = (("to the left", "to the right"), ("down", "up"), ("to the back", "to the front"))
+
+
+def _displacement(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
+    """How far the node that moves farthest has moved in the end."""
+    moved = summary["displacement"]
+    if moved["largest_m"] < moved["scale_m"]:
+        most = length_unit(moved["largest_m"], scene.filament.span).text(moved["largest_m"])
+        return "displacement", f"as good as none: at most {most}"
+    where, size = float(moved["where"]), math.hypot(*moved["final_m"])
+    names = {-0.5: "left end", 0.0: "midpoint", 0.5: "right end"}
+    name = names.get(round(where, 6), f"point at X/L = {where:.2g}")
+    ruler = length_unit(size, scene.filament.span)
+    ways = [
+        (abs(part), way[part > 0])
+        for part, way in zip(moved["final_m"], _WAYS, strict=False)
+        if abs(part) > _HARDLY * size
+    ]
+    if len(ways) == 1:
+        text = f"{ruler.text(size)} {ways[0][1]}"
+    else:
+        text = ", ".join([ruler.text(size), *(f"{ruler.text(part)} {way}" for part, way in ways)])
+    if refused and not summary.get("error_estimate"):
+        return "reached", f"{name} moved {text} when the run ended: no answer"
+    share = f"{float(f'{100 * size / scene.filament.span:.2g}'):g} % of the span"
+    return name, f"moved {text}{_error(summary, size, float(moved['largest_m']))}, {share}"
+
+
+def _error(summary: Summary, size: float, largest: float) -> str:
+    """The error of a number, by that of the largest displacement; of the numbers, and of the theory."""
+    total = (summary.get("error_estimate") or {}).get("total")
+    if total is None:
+        return " (error not estimated)"
+    error = total * float((summary.get("displacement") or {}).get("scale_m", largest))
+    # What swings, or has come back: a share of nearly nothing would mislead.
+    share = size >= largest / 2 and size > 0
+    numbers = error_percent(error / size) if share else length_unit(error).text(error)
+    theory = summary.get("theory_error")
+    return f" ± {numbers}" + (f" (numbers), about {error_percent(theory)} (slender theory)" if theory else "")
 
 
 def _settled(summary: Summary) -> str:
@@ -221,8 +270,10 @@ def _settled(summary: Summary) -> str:
     when, rest = summary["settled_s"], summary.get("midpoint_settled_m")
     if when is not None:
         return f"from {time_unit(when).text(when)} on"
-    least = float(summary.get("accuracy", 0.0)) * float(summary.get("midpoint_largest_m", 0.0))
-    moved = abs(float(summary.get("midpoint_last_fifth_m", 0.0)))
+    farthest = summary.get("displacement") or {}
+    largest = float(farthest.get("scale_m") or summary.get("midpoint_largest_m") or 0.0)
+    least = float(summary.get("accuracy", 0.0)) * largest
+    moved = max(abs(float(summary.get("midpoint_last_fifth_m", 0.0))), farthest.get("last_fifth_m", 0.0))
     if rest is not None and rest["amplitude"] > least:
         return "no: it still swings when the run ends"
     if rest is not None and moved <= least:

@@ -9,10 +9,11 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
-from softcat_sym.discretization.unknowns import TURN, WORK_OF_AGEING, Floats
+from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
-from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
+from softcat_sym.scene.natural_curve import has_shape
+from softcat_sym.scene.parts import right_places
+from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
 
@@ -144,13 +145,80 @@ def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
     """Height of X = 0 over the rest length, negative down."""
-    middle = int(np.argmin(np.abs(graph.grid.nodes)))
-    kinds, places = (*graph.x_kinds, *graph.z_kinds), (*graph.x_places, *graph.z_places)
-    for row, (kind, place) in enumerate(zip(kinds, places, strict=True)):
-        if kind == "y" and place == middle:
-            values = solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
-            return np.asarray(values, dtype=float)
-    raise SoftcatError("the filament has no node at midspan")
+    return unknown_at(graph, solution, "y", 0.0)
+
+
+def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Floats:
+    """An unknown of the nodes at X/L_0, shape (frames,); between nodes as a cubic through the four nearest has it."""
+    kinds = np.array((*graph.x_kinds, *graph.z_kinds))
+    rows = np.flatnonzero(kinds == name)
+    places = np.concatenate([graph.x_where, graph.z_where])[rows]
+    order = np.argsort(places)
+    near, weights = cubic_weights(places[order], where)
+    states = (
+        solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
+        for row in rows[order][near]
+    )
+    return np.asarray(sum(weight * state for weight, state in zip(weights, states, strict=True) if weight), dtype=float)
+
+
+def cubic_weights(places: Floats, where: float) -> tuple[slice, Floats]:
+    """Which of increasing places are the four nearest, and their weights in Lagrange's polynomial; one at a place."""
+    first = int(np.clip(np.searchsorted(places, where) - 2, 0, max(0, len(places) - 4)))
+    near = places[first : first + 4]
+    apart = near[:, None] - near + np.eye(len(near))
+    return slice(first, first + 4), np.prod((where - near + np.diag(near - where + 1)) / apart, axis=1)
+
+
+def displacements(
+    scene: Scene, time: Floats, fields: Mapping[str, Floats], nodes: Floats, graph: Graph | None = None
+) -> Floats:
+    """How far nodes are [m] from where they stand without load, shape (frames, nodes, axes).
+
+    A filament that is straight between two supports stands on the line between them, wherever the right one is moved
+    to, also if it hangs slack from them at the start; any other one is carried along by that motion. Without a graph
+    it is loaded only after the start.
+    """
+    names = [name for name in PLACES if name in fields]
+    places, share = np.stack([fields[name] for name in names], axis=-1), (nodes - nodes[0]) / (nodes[-1] - nodes[0])
+    unloaded = None if graph is None else _unloaded_places(scene, graph)
+    stands = places[:1] if unloaded is None else unloaded
+    right = np.array([(*place, 0.0)[: len(names)] for place in right_places(scene)])
+    if is_held(scene) and not has_shape(scene) and not scene.initial.centreline:
+        stands = share[:, None] * right[0] - np.eye(len(names))[0] * scene.filament.span / 2
+    when = [0.0, *(row[0] for row in scene.ends.motion)]
+    moved = np.stack([np.interp(time, when, path - path[0]) for path in right.T], axis=-1)
+    return np.asarray(places - stands - share[:, None] * moved[:, None, :])
+
+
+_LITTLE, _ROUNDED = 1e-3, 1e-12
+"""Of how far a node or the surface beside it travels, whatever carries it along, and of a span."""
+
+
+def least_displacement(scene: Scene, fields: Mapping[str, Floats]) -> float:
+    """Displacement [m] that is as good as none, of what is only carried along, or turned about itself."""
+    places = [fields[name] for name in PLACES if name in fields]
+    travelled = float(np.sqrt(np.max(sum((each - each[0]) ** 2 for each in places))))
+    turned = float(np.max(turn_of(fields))) * scene.filament.thickness / 2 if "quaternion" in fields else 0.0
+    return max(_ROUNDED * scene.filament.span, _LITTLE * max(travelled, turned))
+
+
+def turn_of(fields: Mapping[str, Floats]) -> Floats:
+    """How far sections have turned since the start: 2 |q - q_0|, the angle if it is small, and 4 after a whole turn."""
+    q = fields["quaternion"]
+    return np.asarray(2 * np.sqrt(np.sum((q - q[:1]) ** 2, axis=-1)))
+
+
+def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
+    """Places of the nodes without load [m]; None of a filament that starts there, and of one on its chord."""
+    if not graph.positions_are_algebraic or (is_held(scene) and not has_shape(scene)):
+        return None
+    # Imported here, as a run in a plane does not need SciPy, which takes half a second to load.
+    from softcat_sym.solvers.spatial_start import natural_shape
+
+    shape, axes = natural_shape(scene, graph), PLACES if "z" in graph.z_kinds else PLACES[:2]
+    nodes = range(len(graph.grid.nodes))
+    return np.array([[shape[axis, node] for axis in axes] for node in nodes]) * rest_length(scene)
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:

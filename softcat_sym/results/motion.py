@@ -33,7 +33,7 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
 )
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
-from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
@@ -95,18 +95,32 @@ def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
 
 
 def observed_motion(
-    scene: Scene, effects: Effects, time: Floats, places: tuple[Floats, Floats], fields: Mapping[str, Floats]
+    scene: Scene,
+    effects: Effects,
+    time: Floats,
+    places: tuple[Floats, Floats],
+    fields: Mapping[str, Floats],
+    moved: Floats,
 ) -> Motion:
-    """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen."""
+    """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen.
+
+    `moved` are the displacements of the nodes [m], shape (frames, nodes, axes).
+    """
     span, length, y = scene.filament.span, np.diff(places[0]), fields["y"]
     midpoint, expected = y[:, y.shape[1] // 2], forecast(scene)
-    depth = np.abs(midpoint - ((y[:, 0] + y[:, -1]) / 2 if is_held(scene) else 0.0)) / span
-    largest = float(np.max(np.abs(midpoint)))
+    depth = np.sqrt(np.sum(moved[:, moved.shape[1] // 2] ** 2, axis=-1)) / span
+    # The way of the node that moves farthest, in the direction in which it does.
+    distance = np.sum(moved**2, axis=-1)
+    frame, node = np.unravel_index(int(np.argmax(distance)), distance.shape)
+    path = moved[:, node] @ moved[frame, node] / (math.sqrt(distance[frame, node]) or 1.0)
+    largest = max(math.sqrt(distance[frame, node]), least_displacement(scene, fields))
     sag = max(float(np.max(depth)), _NO_SAG)
+    # A filament with a free end hangs by where it is, and not by how far it has moved.
+    hanging = sag if is_held(scene) else max(float(np.max(np.abs(midpoint))) / span, _NO_SAG)
     strain = float(np.max(np.abs((fields["stretch"] - 1) @ length))) / float(np.sum(length))
     slope = _steepest(np.diff(fields["x"], axis=1), np.diff(y, axis=1))
     # Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi.
-    travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
+    travelled = float(np.sum(np.abs(np.diff(path)))) - abs(float(path[-1] - path[0]))
     # Of what was dissipated and the most that was stored; unknown where a solid dissipates too.
     lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
     relaxed = lost / (lost + stored) if lost > 0 and not effects.terms().damped else 0.0
@@ -114,27 +128,27 @@ def observed_motion(
     if limit is not None and "stress_mean" in fields:
         stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
         overstress = float(np.max(np.max(stress, axis=1) / values_at(limit, time)))
-    shared = tension_share(scene, sag)
+    shared = tension_share(scene, hanging)
     # Shear follows the transverse force, behind a viscous stress with its retardation time.
     lag = retardation(scene) if effects.terms().viscous else 0.0
     compliance = compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
     motion = replace(
         expected,
         sag=sag,
-        scale=max(largest / span, _NO_SAG),
+        scale=largest / span,
         strain=strain,
         slope=slope,
         tension_share=shared,
-        swings=np.pi / 2 * max(0.0, travelled) / largest if largest else 0.0,
+        swings=np.pi / 2 * max(0.0, travelled) / largest,
         relaxed=max(expected.relaxed, relaxed),
         overstress=overstress,
-        flowing_overstress=flowing_overstress(scene, sag),
-        sheared=max(sheared_share(scene, sag, shared), compliance / sag),
+        flowing_overstress=flowing_overstress(scene, hanging),
+        sheared=max(sheared_share(scene, hanging, shared), compliance / sag),
         folds=_folds(scene, strain, time, fields),
         speed=float(np.max(np.abs(np.diff(midpoint) / np.diff(time)))) if len(time) > 1 else 0.0,
         capillary=_capillary(scene, depth, fields, length, expected.capillary),
     )
-    return _what_was_left_out(scene, effects, time, _paths(midpoint, fields), motion)
+    return _what_was_left_out(scene, effects, time, path, motion)
 
 
 def _steepest(along: Floats, up: Floats) -> float:
@@ -145,17 +159,9 @@ def _steepest(along: Floats, up: Floats) -> float:
     return 2 * math.atan(float(np.max(np.where(whole > 0, half, 0.0))))
 
 
-def _paths(midpoint: Floats, fields: Mapping[str, Floats]) -> list[Floats]:
-    """Height of the midpoint, and in three dimensions the distance moved by the node that moves farthest [m]."""
-    if "z" not in fields:
-        return [midpoint]
-    moved = np.sqrt(sum((fields[axis] - fields[axis][0]) ** 2 for axis in "xyz"))
-    return [midpoint, moved[:, int(np.argmax(np.max(moved, axis=0)))]]
-
-
-def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, paths: list[Floats], motion: Motion) -> Motion:
+def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, path: Floats, motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
-    terms, shown, midpoint = effects.terms(), dict[str, Any](), paths[0]
+    terms, shown = effects.terms(), dict[str, Any]()
 
     def damped(decay: float) -> float:
         """What a decay [1/s] would have taken from the swings that a run without it shows."""
@@ -163,7 +169,8 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, paths: list
         return float(-swing * np.expm1(-decay * scene.run.duration))
 
     if not terms.inertia:
-        shown["missed"] = max(missed_by(scene, time, path) for path in paths)
+        # Of what is as good as none nothing is missed.
+        shown["missed"] = missed_by(scene, time, path) * min(1.0, np.ptp(path) / scene.filament.span / motion.scale)
     if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
@@ -171,8 +178,8 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, paths: list
         shown["retarded"] = max(motion.retarded, damped(ringing(scene).decay))
     if not terms.damped and scene.material.has_loss:
         shown["damped"] = max(motion.damped, damped(solid_decay(scene)))
-    if not terms.ramped and scene.load.ramp > 0:
-        moved = np.abs(midpoint - midpoint[0] * is_slack(scene))
+    if not terms.ramped and scene.load.ramp > 0 and scene.load.gravity > 0:
+        moved = np.abs(path - path[0] * is_slack(scene))
         shown["risen"] = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _NO_SAG)
     return replace(motion, **shown)
 

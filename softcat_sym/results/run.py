@@ -18,11 +18,13 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import surface_note
 from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.lists import terms_of
+from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import Break, break_frame
 from softcat_sym.results.fields import (
     COORDINATES,
+    displacements,
     energy_residual,
     min_energy,
     node_positions,
@@ -40,6 +42,7 @@ from softcat_sym.results.motion import (
     too_few_frames,
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
+from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
 from softcat_sym.results.sideways import Sideways, seeded, sideways
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
@@ -110,8 +113,11 @@ class Run:
     missing_effect : dict of str to str
         Effects that ``auto`` has left out although the run shows that they matter, with the reason; empty in a
         successful run that `simulate` returns.
-    heights : ndarray or None
-        Midpoint at more times than the frames [m], evenly spaced, where these do not show its ringing.
+    watched : Watched
+        Where what is compared with other runs is largest, and how large.
+    series : mapping of str to ndarray
+        Its values there, at the frames or at more times, evenly spaced, where these do not show its ringing; empty of
+        a run that was read from a file or is refused.
     versions : str
         Versions of this package and of those that it calculates with, as JSON; a run that was read from a file has
         the versions of that file.
@@ -122,7 +128,8 @@ class Run:
     summary: dict[str, Any]
     outcome: Outcome
     missing_effect: dict[str, str]
-    heights: Floats | None = None
+    watched: Watched = field(default_factory=lambda: Watched({}, {}))
+    series: Series = field(default_factory=dict)
     versions: str = field(default_factory=versions_now)
 
     @property
@@ -156,7 +163,7 @@ class Run:
     def __repr__(self) -> str:
         summary, time = self.summary, self.fields["time"]
         share = (summary.get("error_estimate") or {}).get("total")
-        error = "not estimated" if share is None else f"{100 * share:.2g} % of the largest"
+        error = "not estimated" if share is None else f"{100 * share:.2g} % of the largest displacement"
         notes = [f"warnings: {len(summary['warnings'])}"] if summary.get("warnings") else []
         sizes = {"time": len(time), "node": len(self.fields["X_node"]), "cell": len(self.fields["X_cell"])}
         lines = (
@@ -322,10 +329,12 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         sound = len(time)
     time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    largest = float(np.max(np.abs(midpoint)))
+    moved = displacements(scene, time, fields, places[0], prepared.graph)
+    watched = Watched.of(scene, fields, moved, places)
+    largest, most = float(np.max(np.abs(midpoint))), watched.scale[DISPLACEMENT]
     rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
-    motion = observed_motion(scene, effects, time, places, fields)
-    measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, largest)))
+    motion = observed_motion(scene, effects, time, places, fields, moved)
+    measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, most)))
     moves = float(np.ptp(midpoint)) > ROUNDED * scene.filament.span
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency) if moves else None
     aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if outcome.is_success else None
@@ -346,8 +355,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         # An answer that is not to be trusted has no regime.
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
         "accuracy": scene.run.accuracy,
+        "theory_error": theory_error(scene, effects.names, effects.terms()),
         "midpoint_final_m": float(midpoint[-1]),
         "midpoint_largest_m": largest,
+        "displacement": watched.told(time, moved, places[0]),
         "midpoint_last_fifth_m": float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint)),
         "frames_a_period": per_period,
         "midpoint_settled_m": rings,
@@ -382,7 +393,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "wall_s": wall,
     }
     fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
-    return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome))
+    return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome), watched)
 
 
 _SUMMARY = "summary"

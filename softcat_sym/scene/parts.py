@@ -208,7 +208,7 @@ Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
 
-def _places(scene: Scene) -> list[Point]:
+def right_places(scene: Scene) -> list[Point]:
     """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
     first = (scene.filament.span, -scene.ends.drop)
     aside = (*first, 0.0)
@@ -217,12 +217,12 @@ def _places(scene: Scene) -> list[Point]:
 
 def farthest(scene: Scene) -> float:
     """Return the greatest distance of the supports at any time [m]; a straight path has it at one of its ends."""
-    return max(math.hypot(*place) for place in _places(scene))
+    return max(math.hypot(*place) for place in right_places(scene))
 
 
 def nearest(scene: Scene) -> float:
     """Return the least distance of the supports at any time [m]."""
-    path = _places(scene)
+    path = right_places(scene)
     return min((_to_origin(a, b) for a, b in pairwise(path)), default=math.hypot(*path[0]))
 
 
@@ -378,7 +378,7 @@ class RunSettings(Part):
     frames: Annotated[int, Whole(2, 1_000_000)] = 201
     """Number of evenly spaced output times, t = 0 included."""
     accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
-    """Largest error of the midpoint over the largest midpoint."""
+    """Largest error of midpoint or farthest-moving node over the largest displacement of any node."""
     until: Annotated[Until, Choice(Until)] = "duration"
     """Whether the run ends with its duration, or before when nothing moves any more by the accuracy asked."""
     effects: Annotated[str | tuple[str, ...], Names("auto", "paper")] = "auto"

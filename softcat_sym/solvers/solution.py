@@ -121,10 +121,9 @@ class Solution:
 
     def left(self, ended: float, scale: float) -> Solution:
         """The solution before the time at which the filament was left to fall for ever."""
-        frames = max(1, int(np.count_nonzero(self.time <= ended)))
-        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
+        found = self.only(slice(0, max(1, int(np.count_nonzero(self.time <= ended)))))
         message = f"it falls for ever: the run ends after {ended * scale:.4g} s"
-        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.descends, message=message, ended=ended)
+        return replace(found, outcome=Outcome.descends, message=message, ended=ended)
 
     def interrupted(self, scale: float) -> Interrupted:
         """What to raise after Ctrl-C, with the solution up to then."""
@@ -132,10 +131,10 @@ class Solution:
         part = replace(self, outcome=Outcome.interrupted, message=message)
         return Interrupted(lambda: part)
 
-    def every(self, stride: int, time: Floats) -> Solution:
-        """The solution at every `stride`-th frame, with the times of `time`."""
-        x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
-        return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
+    def only(self, frames: slice | list[int]) -> Solution:
+        """The solution at some of its frames."""
+        time, x, z, quad = (part[..., frames] for part in (self.time, self.x, self.z, self.quad))
+        return replace(self, time=time, x=x, z=z, quad=quad)
 
     def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:
         """The solution up to the first frame with a section stretched to a thread, if the last frame has one."""
@@ -149,11 +148,11 @@ class Solution:
             return self
         while torn(frames - 2):
             frames -= 1
-        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
         message = (
-            f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {thread_of(terms):g} times its length"
+            f"stopped after t = {self.time[frames - 1] * scale:.6g} s: a cell is drawn to {thread_of(terms):g} times "
+            "its length"
         )
-        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
+        return replace(self.only(slice(frames)), outcome=Outcome.ruptured, message=message)
 
 
 class Interrupts:

@@ -217,5 +217,5 @@ def explain(scene: SceneLike) -> Explanation:
         damping=damping_note(scene),
         ringing=price.text,
         seconds=price.seconds,
-        warnings=theory_limits(scene, regime),
+        warnings=theory_limits(scene, effects.names, effects.terms()),
     )

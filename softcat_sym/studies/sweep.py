@@ -27,6 +27,7 @@ from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop,
 from softcat_sym.ensemble.members import Row
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import fill_atomically, made, named, written_together
+from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion
 from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
@@ -227,7 +228,9 @@ def _has_missing_effect(run: MemberRun) -> bool:
     scene, effects = run.member.scene, run.member.effects
     if scene.run.effects != "auto":
         return False
-    motion = observed_motion(scene, effects, run.solution.time * run.prepared.scale, (run.nodes, run.cells), run.fields)
+    time, graph = run.solution.time * run.prepared.scale, run.prepared.graph
+    moved = displacements(scene, time, run.fields, run.nodes, graph)
+    motion = observed_motion(scene, effects, time, (run.nodes, run.cells), run.fields, moved)
     return bool(missing_effect(scene, effects, measures(scene, effects, motion), run.outcome))
 
 

@@ -346,7 +346,7 @@ def _said(scene: Scene, base: Fixed, values: Row) -> dict[str, str]:
         ours, theirs = base.effects.names, effects.names
         found |= {f"+{one}": f"softcat run would also take in{_EFFECT}{one}" for one in theirs if one not in ours}
         found |= {f"-{one}": f"softcat run would leave out{_EFFECT}{one}" for one in ours if one not in theirs}
-    warnings = theory_limits.theory_limits(moved, expected_regime(moved, effects.names))
+    warnings = theory_limits.theory_limits(moved, effects.names, effects.terms())
     # Numbers in the words differ from value to value: a warning is known by how it begins.
     kinds = {words.partition(":")[0].partition(" (")[0]: words for words in warnings}
     return found | {kind: words for kind, words in kinds.items() if kind not in _OWN}
@@ -414,7 +414,7 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "frames_a_period": motion.FRAMES_A_PERIOD,
         "seen": motion.SEEN,
         "thick": theory_limits.THICK,
-        "uncertain": theory_limits.RESOLVED_PER_SLENDERNESS,
+        "uncertain": theory_limits.error_by_slenderness(scene, effects.names, terms),
         "moves": bool(scene.ends.motion),
         "arrest": regime.arrest_exact,
         "breaking": [scene.material.breaking_strain, scene.material.breaking_stress] if breakable(scene) else None,

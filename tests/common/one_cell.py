@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.cell import Builder, printed
+from softcat_sym.discretization.cell import Builder, derivatives, printed
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.section_rule import SectionRule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.shearing import sampled
 from softcat_sym.discretization.stencil import PARAMETER, UNKNOWN, Leaf
 from softcat_sym.discretization.supports import Body
@@ -18,6 +19,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics import reissner
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
 from tests.common.filaments import GEOMETRY, Array, scene
 
 UNIT = 1.0
@@ -26,7 +28,7 @@ UNIT = 1.0
 
 @dataclass(frozen=True)
 class OneCell:
-    """A Bingham section that does not shear; E = eta = h0 = A0 = 1."""
+    """A Bingham section."""
 
     rates: ca.Function
     resultants: ca.Function
@@ -34,7 +36,7 @@ class OneCell:
 
 
 def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
-    """Print the chain of one cell."""
+    """Print the chain of one cell that does not shear; E = eta = h0 = A0 = 1."""
     names = (*GEOMETRY, "inertia", "viscous-flow", "yielding", "fibres")
     asked = scene(
         thickness=UNIT, span=10.0, E=UNIT, eta=UNIT, yield_stress=yield_stress, section=section, effects=names
@@ -50,13 +52,47 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
     forces = [printed(force, {**builder.values, **means}) for force in (resolved.cell.tension, resolved.cell.moment)]
     names = [f"axial_{label}" for label in rule.labels]
     found = [ca.vertcat(*(fibres.plastic[name] for name in names)), *forces]
-    # Numbers in the place of parameters, and the states in that of unknowns.
+    return _numbers(asked, builder, names, [s, turning, a], found)
+
+
+def sheared_cell(material: Mapping[str, object]) -> OneCell:
+    """Print the chain of one cell that is stretched and sheared; of (Lam, Gam, states), with n_1 and n_2 over its area.
+
+    Without bending all fibres are alike: there is one.
+    """
+    effects = [*GEOMETRY, "inertia", "viscous-flow", "yielding", "shear", "fibres"]
+    asked = Scene.from_dict(
+        {
+            "filament": {"span": 10.0, "thickness": UNIT, "density": 1000.0},
+            "material": material,
+            "run": {"duration": 1.0, "effects": effects},
+        }
+    )
+    equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], asked.run.closure)
+    builder, rule = Builder(equations, (End.SYMMETRY, End.CLAMPED), Body()), fibre_rule("rectangle", 2)
+    strains, resolved = (ca.SX.sym("Lam"), ca.SX.sym("Gam"), ca.SX(0)), equations.resolved
+    assert resolved is not None
+    by = (reissner.Lam, reissner.Gam, reissner.k)
+    values = {**builder.values, **dict(zip(by, strains, strict=True))}
+    fibres = sampled(builder, resolved, rule, values)
+    values |= {reissner.sigma_mean: fibres.axial, reissner.sigma_zeta: fibres.axial_zeta}
+    values |= {reissner.tau_mean: fibres.shear}
+    names = [f"{kind}_{label}" for kind in ("axial", "shear") for label in rule.labels]
+    a = ca.SX.sym("a", len(names))
+    forces = derivatives(resolved.cell.power, by, values)[:2]
+    found = [ca.vertcat(*(fibres.plastic[name] for name in names)), *forces]
+    return _numbers(asked, builder, names, [*strains[:2], a], found)
+
+
+def _numbers(
+    asked: Scene, builder: Builder, names: Sequence[str], inputs: Sequence[ca.SX], found: Sequence[ca.SX]
+) -> OneCell:
+    """The cell with numbers in the place of parameters, and the states, the last of the inputs, in that of unknowns."""
     given = {Leaf(PARAMETER, name): ca.SX(number) for name, number in parameter_values(asked).items()}
-    given |= {Leaf(UNKNOWN, name): state for name, state in zip(names, ca.vertsplit(a), strict=True)}
+    given |= {Leaf(UNKNOWN, name): state for name, state in zip(names, ca.vertsplit(inputs[-1]), strict=True)}
     symbols, values = ca.vertcat(*map(builder.leaves.symbol, given)), ca.vertcat(*given.values())
     rates, *resultants = (ca.densify(ca.substitute(one, symbols, values)) for one in found)
-    inputs = [s, turning, a]
-    return OneCell(ca.Function("rates", inputs, [rates]), ca.Function("resultants", inputs, resultants), rule.states)
+    return OneCell(ca.Function("rates", inputs, [rates]), ca.Function("resultants", inputs, resultants), len(names))
 
 
 def follow(cell: OneCell, duration: float, s: Array, turning: Array) -> tuple[Array, Array]:

@@ -21,6 +21,7 @@ import softcat_sym as sc
 from softcat_sym.effects import choosing
 from softcat_sym.effects.lists import everything
 from softcat_sym.errors import SoftcatError
+from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
@@ -70,12 +71,10 @@ def row_of(name: str, text: str) -> Row:
         trial, _ = timed(coarse)
         if whole is None or estimated is None or trial is None:
             return Row(name, "no answer with everything" if whole is None else "no answer")
+        instants, *places = (trial.fields[name] for name in ("time", "X_node", "X_cell"))
+        moved = displacements(scene, instants, trial.fields, places[0])
         motion = observed_motion(
-            scene,
-            choosing.choose_effects(coarse),
-            trial.fields["time"],
-            (trial.fields["X_node"], trial.fields["X_cell"]),
-            trial.fields,
+            scene, choosing.choose_effects(coarse), instants, (places[0], places[1]), trial.fields, moved
         )
         with mock.patch.object(choosing, "forecast", lambda _: motion):
             chosen = choosing.choose_effects(scene).names

@@ -523,8 +523,9 @@ function warningsOf(data, state, run, midpoint, outcome, residual) {
 function thicknessWarning(data, state) {
   const { limits } = data, slender = numberOf(data, state, "slenderness")
   if (!(slender > limits.thick)) return ""
-  const when = limits.moves ? " at the start" : ""
-  return `too thick for a filament: h0/L = ${general(slender, 2)}${when}, so that the zones at the ends, a thickness long, fill ${percent(Math.min(1, 2 * slender))} of the span; about ${percent(limits.uncertain * slender)} of the sag is uncertain (0.4 h0/L)`
+  const when = limits.moves ? " at the start" : "", [own, first, second] = limits.uncertain
+  const uncertain = own + slender * (first + slender * second)
+  return `too thick for a filament: h0/L = ${general(slender, 2)}${when}, so that the zones at the ends, a thickness long, fill ${percent(Math.min(1, 2 * slender))} of the span; about ${percent(uncertain)} of the sag is uncertain`
 }
 
 function descentWarning(data, state) {
