@@ -11,7 +11,6 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
 from softcat_sym.discretization.unknowns import TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
-from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
@@ -144,13 +143,7 @@ def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
     """Height of X = 0 over the rest length, negative down."""
-    middle = int(np.argmin(np.abs(graph.grid.nodes)))
-    kinds, places = (*graph.x_kinds, *graph.z_kinds), (*graph.x_places, *graph.z_places)
-    for row, (kind, place) in enumerate(zip(kinds, places, strict=True)):
-        if kind == "y" and place == middle:
-            values = solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
-            return np.asarray(values, dtype=float)
-    raise SoftcatError("the filament has no node at midspan")
+    return solution.row(graph.midpoint_row("y"))
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:

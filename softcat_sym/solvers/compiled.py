@@ -24,7 +24,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Extremes, Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import version
 
@@ -44,8 +44,8 @@ OUTCOMES = {
     NO_CONVERGENCE: Outcome.no_convergence,
 }
 
-_BESIDE = 1e-9
 _LOOK = 0.1  # s between two progress reports
+_MAX_TURNS = 4096  # That are kept, of a ringing of thousands of periods: 100 kB
 _MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # Minutes of work: a run with more steps makes no progress
 
 
@@ -72,6 +72,16 @@ class Physics(ct.Structure):
     )
 
 
+class Turns(ct.Structure):
+    """softcat_turns."""
+
+    _fields_ = (
+        *((name, ct.c_int) for name in ("site", "slot", "capacity", "count", "direction")),
+        ("rows", Doubles),
+        *((name, ct.c_double) for name in ("time", "value", "area", "rate")),
+    )
+
+
 class Options(ct.Structure):
     """softcat_options."""
 
@@ -84,6 +94,7 @@ class Options(ct.Structure):
         ("kinks", Doubles),
         ("kink_count", ct.c_int),
         ("stop", Integers),
+        ("turns", ct.POINTER(Turns)),
     )
 
 
@@ -129,6 +140,19 @@ class RunInput:
     max_steps: int
     max_step: float = 0.0  # Longest step; 0 for no limit
     method: int = RODAS5P  # Number of the method in softcat_rosenbrock.h
+    watched: tuple[int, int] | None = None  # Site and slot of the unknown whose turning points are sought
+
+    def options(self, absolute: Floats, stop: ct.c_int | None = None, turns: Turns | None = None) -> Options:
+        """The options as C has them; the caller keeps the arrays alive."""
+        made = Options(relative=self.relative, absolute=doubles(absolute), max_steps=self.max_steps, method=self.method)
+        made.work_absolute, made.largest_step = self.work_absolute, self.max_step
+        if len(self.kinks):
+            made.kinks, made.kink_count = doubles(self.kinks), len(self.kinks)
+        if stop is not None:
+            made.stop = ct.pointer(stop)
+        if turns is not None:
+            made.turns = ct.pointer(turns)
+        return made
 
 
 @dataclass(frozen=True)
@@ -138,6 +162,16 @@ class Answer:
     states: Floats
     work: Floats
     status: Status
+    turns: Turns | None = None  # Of the unknown that is watched
+    rows: Floats | None = None  # The memory of its turning points: time, value and integral of each
+
+    def extremes(self, first: float, start: float) -> Extremes | None:
+        """Values between which the unknown that is watched only rises or only falls, from a first time and value on."""
+        if self.turns is None or self.rows is None:
+            return None
+        end = (self.turns.time, self.turns.value, self.turns.area)
+        time, value, area = np.vstack([(first, start, 0.0), self.rows[: self.turns.count], end]).T.copy()
+        return Extremes(time, value, area, self.turns.rate)
 
 
 @dataclass(frozen=True)
@@ -241,9 +275,13 @@ class CModel:
         return fields, points
 
     def room(self, run: RunInput, status: Status) -> Answer:
-        """Arrays for the frames of a run, filled with NaN."""
+        """Arrays for the frames of a run, filled with NaN, and for its turning points."""
         frames = len(run.times)
-        return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
+        states, work = np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers)))
+        if run.watched is None:
+            return Answer(states, work, status)
+        rows = np.zeros((_MAX_TURNS, 3))
+        return Answer(states, work, status, Turns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
 
     def integrate(
         self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
@@ -253,7 +291,8 @@ class CModel:
         During the integration the frames up to that time are in `room`, if it is given.
         """
         answer = room or self.room(run, status)
-        self._call(run, answer.states, answer.work if self.model.powers else None, None, status, stop)
+        work = answer.work if self.model.powers else None
+        self._call(run, answer.states, work, None, status, stop, answer.turns)
         return answer
 
     def sensitivities(
@@ -298,16 +337,11 @@ class CModel:
         directions: CDirections | None,
         status: Status,
         stop: ct.c_int | None,
+        turns: Turns | None = None,
     ) -> None:
         sites, slots = run.state.shape
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
-        filament = self._filament(sites, run.parameters, run.places)
-        options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
-        options.work_absolute, options.method, options.largest_step = run.work_absolute, run.method, run.max_step
-        if len(run.kinks):
-            options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
-        if stop is not None:
-            options.stop = ct.pointer(stop)
+        filament, options = self._filament(sites, run.parameters, run.places), run.options(absolute, stop, turns)
         self._runtime.softcat_sensitivities(
             self._address,
             ct.byref(filament),
@@ -419,16 +453,10 @@ class CompiledIntegration:
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
-        return self._integrated(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
+        return self.piece(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
-        """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        # Without a part before the samples, the first sample lies just after the start.
-        first = max(times[1], times[0] + _BESIDE * (times[-1] - times[0]))
-        times = np.append(times[0], np.linspace(first, times[-1], len(times) - 1))
-        return self._integrated(start, p, times, scale, progress)
-
-    def _integrated(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
+        """Integrate from a state at the first of several times to the last."""
         model, sites, status = self.filament.model, self.filament.sites, Status()
         run = RunInput(
             parameters=np.ascontiguousarray(p),
@@ -443,6 +471,7 @@ class CompiledIntegration:
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
             method=self.settings.method,
+            watched=sites.of(self.graph.midpoint_row("y")),
         )
         room = model.room(run, status)
 
@@ -465,7 +494,9 @@ class CompiledIntegration:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
-        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
+        first = float(run.state[run.watched]) if run.watched else 0.0
+        extremes = room.extremes(float(times[0]), first)
+        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps), extremes)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
         if status.code == STOPPED and found.outcome is Outcome.solved:
             raise KeyboardInterrupt

@@ -92,13 +92,7 @@ class LanesModel:
             kept += [absolute, *arrays]
             parameters, places, state, times = (doubles(array) for array in arrays)
             member.filament = Filament(len(run.state), parameters, places)
-            member.options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
-            member.options.work_absolute, member.options.method = run.work_absolute, run.method
-            member.options.largest_step = run.max_step
-            if len(run.kinks):
-                member.options.kinks, member.options.kink_count = doubles(run.kinks), len(run.kinks)
-            if stop is not None:
-                member.options.stop = ct.pointer(stop)
+            member.options = run.options(absolute, stop, room.turns)
             member.state, member.times, member.count = state, times, len(run.times)
             member.states = doubles(room.states)
             member.work = doubles(room.work) if self._one.model.powers else None

@@ -85,6 +85,51 @@ def is_torn(terms: Terms, stretch: Floats) -> bool:
     return bool(np.any(stretch > thread_of(terms)))
 
 
+@dataclass(frozen=True, slots=True)
+class Extremes:
+    """Heights of the midpoint between which it only rises or only falls: the first, its turning points, the last."""
+
+    time: Floats
+    height: Floats
+    area: Floats  # Integral of the height over the time up to then
+    rate: float  # At which the height changes at last
+
+    @classmethod
+    def of(cls, time: Floats, height: Floats, rate: float | None = None) -> Extremes:
+        """Those of frames, which show no more of them than they are many."""
+        steps = np.diff(time)
+        area = np.append(0.0, np.cumsum(steps * (height[1:] + height[:-1]) / 2))
+        if rate is None:
+            rate = float((height[-1] - height[-2]) / steps[-1]) if len(time) > 1 else 0.0
+        return cls(time, height, area, rate)
+
+    def scaled(self, time: float, length: float) -> Extremes:
+        """The same in other units."""
+        return Extremes(self.time * time, self.height * length, self.area * time * length, self.rate * length / time)
+
+    def until(self, time: float, height: float) -> Extremes:
+        """Those before a time at which the midpoint has this height."""
+        if time >= self.time[-1]:
+            return self
+        before = self.time < time
+        kept = [np.append(part[before], end) for part, end in ((self.time, time), (self.height, height))]
+        return Extremes(kept[0], kept[1], np.append(self.area[before], np.nan), np.nan)
+
+    def beyond(self, least: float) -> Extremes:
+        """Without swings of this size and smaller ones."""
+        height, kept = self.height, [0]
+        for number in range(1, len(height)):
+            here, last = height[number], height[kept[-1]]
+            before = height[kept[-2]] if len(kept) > 1 else last
+            if (here - last) * (last - before) > 0:
+                kept[-1] = number  # still on the same way
+            elif abs(here - last) > least:
+                kept.append(number)
+        if kept[-1] != len(height) - 1:
+            kept[1 if len(kept) == 1 else -1 :] = [len(height) - 1]
+        return Extremes(self.time[kept], height[kept], self.area[kept], self.rate)
+
+
 @dataclass(frozen=True)
 class Solution:
     """States at the output times that were reached, in columns."""
@@ -96,11 +141,17 @@ class Solution:
     outcome: Outcome
     message: str  # Time, worst component and message of the integrator, if it failed
     steps: int
+    extremes: Extremes | None = None  # Of the midpoint over the rest length; None of a sequence of equilibria
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
         """The first frame of an integration, at time zero."""
         return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((powers, 1)), Outcome.solved, "", 0)
+
+    def row(self, number: int) -> Floats:
+        """One unknown in all frames, differential ones first."""
+        moving = len(self.x)
+        return np.asarray(self.x[number] if number < moving else self.z[number - moving], dtype=float)
 
     @classmethod
     def joined(cls, parts: Sequence[Solution]) -> Solution:

@@ -24,6 +24,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.results.motion import observed_motion
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
+from softcat_sym.solvers.solution import Extremes
 from tests.common.auto_and_everything import difference
 from tests.common.kept_answers import fingerprint, kept
 from tests.common.random_scenes import random_scenes
@@ -76,6 +77,7 @@ def row_of(name: str, text: str) -> Row:
             trial.fields["time"],
             (trial.fields["X_node"], trial.fields["X_cell"]),
             trial.fields,
+            Extremes.of(trial.fields["time"], trial.fields["midpoint"]),
         )
         with mock.patch.object(choosing, "forecast", lambda _: motion):
             chosen = choosing.choose_effects(scene).names

@@ -19,6 +19,17 @@ enum {
     SOFTCAT_RODAS3P      /* order 3, 5 stages, dense output of order 3 */
 };
 
+/* Turning points of one unknown: where it stops to rise or to fall, on the dense output of the steps
+ * themselves, whatever the output times are. When there is room for no more, the smallest swings
+ * but for the last are left out. */
+typedef struct softcat_turns {
+    int site, slot;            /* the unknown */
+    int capacity;              /* rows that there is room for; fewer than 4: none is kept */
+    int count, direction;      /* out: of the turning points; 1 where it rises at last, -1: it falls */
+    double *rows;              /* [3 * capacity] out: time, value, integral of the value until then */
+    double time, value, area, rate; /* out: where the run ended, with the rate of change there */
+} softcat_turns;
+
 /* Set all to zero first ({0}), then what is wanted. */
 typedef struct softcat_options {
     double relative;           /* relative error a step may make, > 0 */
@@ -33,6 +44,7 @@ typedef struct softcat_options {
     const double *kinks;       /* [kink_count] increasing times at which f is not smooth: */
     int kink_count;            /*              no step runs over one of them */
     const volatile int *stop;  /* or NULL: set non-zero from outside (a signal, a thread) to stop */
+    softcat_turns *turns;      /* or NULL: of no unknown */
 } softcat_options;
 
 /* What a run did, also if it failed. */
