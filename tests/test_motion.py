@@ -262,7 +262,9 @@ def test_frames_too_far_apart_for_the_period_of_the_swing_are_told() -> None:
     (warning,) = too_few_frames(2.0, 101, per_period)
     assert "rings at about 53.7 Hz" in warning or "rings at about 53.8 Hz" in warning
     enough = int(warning.rpartition("run.frames = ")[2].split()[0])
-    assert (frames_a_period(found, enough) or 0) > 4 and too_few_frames(2.0, enough, frames_a_period(found, enough)) == []
+    assert (frames_a_period(found, enough) or 0) > 4 and too_few_frames(
+        2.0, enough, frames_a_period(found, enough)
+    ) == []
     # A swing of 0.4 % is not seen, a drift is no swing.
     for height in (swing(5.0, 0.004), lambda t: -1 + np.exp(-t), lambda t: -0.5 * t):
         assert frames_a_period(path(height), 11) is None
@@ -364,12 +366,12 @@ def creep(move: Callable[[Array], Array], law: str = "standard-linear", duration
     material = {"law": law, "youngs_modulus": "1 MPa", "viscosity": "1 MPa*s", "loss_tangent": 0.0, **second}
     scene = strand(run={"duration": f"{duration} s", "until": "duration"}, **material)
     time, seen = np.linspace(0, duration, 41), path(move, duration)
-    return creep_of(scene, seen, ringing_of(seen), time, move(time))
+    return creep_of(scene, seen, time, move(time))
 
 
 def test_a_creep_has_a_rate_and_a_solid_a_height_to_which_it_tends() -> None:
     found = creep(lambda t: -1 + np.exp(-t / 5))
-    assert found["rate_m_per_s"] == pytest.approx(-math.exp(-8 / 5) / 5, rel=1e-3)
+    assert found["rate_m_per_s"] == pytest.approx(-math.exp(-8 / 5) / 5, rel=3e-3)
     assert found["tends_to_m"] == pytest.approx(-1, rel=1e-6)
     # What goes on for ever, or may, tends nowhere that could be told.
     for move in (lambda t: -np.log(1 + t), lambda t: -np.cbrt(t), lambda t: -t, lambda t: -(t**2)):

@@ -41,7 +41,7 @@ from softcat_sym.results.fields import (
     node_positions,
     whole_span_fields,
 )
-from softcat_sym.results.motion import has_yielded, midpoint_extremes, regime_of
+from softcat_sym.results.motion import beyond_noise, has_yielded, midpoint_extremes, regime_of
 from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -185,7 +185,8 @@ class MemberRun:
     @cached_property
     def extremes(self) -> Extremes:
         """Turning points of midspan."""
-        return midpoint_extremes(self.member.scene, self.prepared, self.solution)
+        scene = self.member.scene
+        return beyond_noise(scene, midpoint_extremes(scene, self.prepared, self.solution))
 
     @cached_property
     def regime(self) -> str | None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
@@ -61,12 +62,16 @@ _NO_STRAIN = 1e-12
 
 
 def midpoint_extremes(scene: Scene, prepared: Prepared, solution: Solution) -> Extremes:
-    """Turning points of the midpoint in s and m, as the integrator has found them, beyond the noise of its steps."""
+    """Turning points of the midpoint in s and m, as the integrator has found them."""
     found = solution.extremes
     if found is None:
         found = Extremes.of(solution.time, midpoint_heights(prepared.graph, solution))
-    found = found.scaled(prepared.scale, rest_length(scene))
-    return found.beyond(max(NOISE * scene.run.accuracy * largest_of(found), NO_SAG * scene.filament.span))
+    return found.scaled(prepared.scale, rest_length(scene))
+
+
+def beyond_noise(scene: Scene, extremes: Extremes) -> Extremes:
+    """Those that are no noise of the time steps, nor rounding."""
+    return extremes.beyond(max(NOISE * scene.run.accuracy * largest_of(extremes), NO_SAG * scene.filament.span))
 
 
 def turning_points(extremes: Extremes) -> list[list[float]]:
@@ -268,23 +273,26 @@ def settled_height(
     return {"mean": float(extremes.height[-1]), "amplitude": 0.0}, ""
 
 
-AGREE = 0.05
+AGREE = 0.1
 """Of the way that is left: what its estimates from a half and from a quarter of the run may differ by."""
 
 
-def creep_of(
-    scene: Scene, extremes: Extremes, rings: Ringing | None, time: Floats, midpoint: Floats
-) -> dict[str, float | None] | None:
-    """Rate at which the midpoint still moves at last, beside its swings, and where it tends, for the summary.
+def creep_of(scene: Scene, extremes: Extremes, time: Floats, midpoint: Floats) -> dict[str, float | None] | None:
+    """Rate at which the midpoint still moves at last, beside swings however small, and where it tends, for the summary.
 
     None if it has moved by less than the accuracy asked in the last fifth of the run, or if it still swings by more.
     Only a solid comes to rest, and its height is foreseen where it decays exponentially: by the ratio of its steps, as
     Aitken's process sums them, alike for steps of a quarter and of an eighth of the run.
     """
-    least = scene.run.accuracy * largest_of(extremes)
+    rings, least = ringing_of(extremes), scene.run.accuracy * largest_of(extremes)
     if abs(last_fifth(time, midpoint)) <= least or (rings is not None and rings.amplitude > least):
         return None
-    rate = extremes.rate if rings is None or rings.drift is None else rings.drift
+    if rings is None or rings.drift is None:
+        # Ringing too small to turn the midpoint back makes its speed at one instant say little.
+        last = slice(-max(4, len(time) // 3), None)
+        rate = float(Polynomial.fit(time[last], midpoint[last], min(3, len(time) - 1)).deriv()(time[-1]))
+    else:
+        rate = rings.drift
     found, frames = list[float](), len(time) - 1
     for step in (frames // 8 * 2, frames // 8):
         first, second, third = (float(midpoint[frames - k * step]) for k in (2, 1, 0))
@@ -339,7 +347,7 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
             piece = prepared.piece(state, reached / scale, until / scale, samples, progress)
             if not piece.outcome.is_success:
                 return None
-            seen = midpoint_extremes(scene, prepared, piece)
+            seen = beyond_noise(scene, midpoint_extremes(scene, prepared, piece))
             state, reached = Start(piece.x[:, -1], piece.z[:, -1]), until
             largest = max(largest, largest_of(seen))
         rings, least = ringing_of(seen), scene.run.accuracy * largest

@@ -30,6 +30,7 @@ from softcat_sym.results.fields import (
     whole_span_fields,
 )
 from softcat_sym.results.motion import (
+    beyond_noise,
     creep_of,
     frames_a_period,
     has_yielded,
@@ -311,7 +312,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     answers = outcome.is_success
-    extremes = midpoint_extremes(scene, prepared, solution).until(time[-1], midpoint[-1])
+    seen = midpoint_extremes(scene, prepared, solution).until(time[-1], midpoint[-1])
+    extremes = beyond_noise(scene, seen)
     rings, largest = ringing_of(extremes) if answers else None, largest_of(extremes)
     settled, why = settled_height(scene, effects, extremes, rings)
     motion = observed_motion(scene, effects, time, places, fields, extremes)
@@ -340,7 +342,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "midpoint_lowest_m": float(np.min(extremes.height)),
         "midpoint_last_fifth_m": last_fifth(time, midpoint),
         "extremes": turning_points(extremes),
-        "creep": creep_of(scene, extremes, rings, time, midpoint) if answers else None,
+        "creep": creep_of(scene, seen, time, midpoint) if answers else None,
         "frames_a_period": per_period,
         "midpoint_settled_m": settled if answers else None,
         "midpoint_settled_why": why if answers else "the run has not reached its end",

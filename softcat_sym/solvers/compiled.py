@@ -78,7 +78,7 @@ class Turns(ct.Structure):
     _fields_ = (
         *((name, ct.c_int) for name in ("site", "slot", "capacity", "count", "direction")),
         ("rows", Doubles),
-        *((name, ct.c_double) for name in ("time", "value", "area", "rate")),
+        *((name, ct.c_double) for name in ("time", "value", "area")),
     )
 
 
@@ -171,7 +171,7 @@ class Answer:
             return None
         end = (self.turns.time, self.turns.value, self.turns.area)
         time, value, area = np.vstack([(first, start, 0.0), self.rows[: self.turns.count], end]).T.copy()
-        return Extremes(time, value, area, self.turns.rate)
+        return Extremes(time, value, area)
 
 
 @dataclass(frozen=True)

@@ -239,11 +239,10 @@ class Integration:
         height = found.row(self._graph.midpoint_row("y"))
         if not self._graph.has_velocities or len(found.time) < 2:
             return Extremes.of(found.time, height)
-        speed = found.row(self._graph.midpoint_row("v"))
-        path = CubicHermiteSpline(found.time, height, speed)
+        path = CubicHermiteSpline(found.time, height, found.row(self._graph.midpoint_row("v")))
         turns = path.derivative().roots(extrapolate=False)
         time = np.unique([found.time[0], *turns[np.isfinite(turns)], found.time[-1]])
-        return Extremes(time, path(time), path.antiderivative()(time), float(speed[-1]))
+        return Extremes(time, path(time), path.antiderivative()(time))
 
     def _stretch(self, time: Floats, x: Floats, z: Floats, p: Floats) -> Floats:
         return self._graph.observe(time, x, z, p)["stretch"]

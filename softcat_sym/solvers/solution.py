@@ -92,20 +92,15 @@ class Extremes:
     time: Floats
     height: Floats
     area: Floats  # Integral of the height over the time up to then
-    rate: float  # At which the height changes at last
 
     @classmethod
-    def of(cls, time: Floats, height: Floats, rate: float | None = None) -> Extremes:
+    def of(cls, time: Floats, height: Floats) -> Extremes:
         """Those of frames, which show no more of them than they are many."""
-        steps = np.diff(time)
-        area = np.append(0.0, np.cumsum(steps * (height[1:] + height[:-1]) / 2))
-        if rate is None:
-            rate = float((height[-1] - height[-2]) / steps[-1]) if len(time) > 1 else 0.0
-        return cls(time, height, area, rate)
+        return cls(time, height, np.append(0.0, np.cumsum(np.diff(time) * (height[1:] + height[:-1]) / 2)))
 
     def scaled(self, time: float, length: float) -> Extremes:
         """The same in other units."""
-        return Extremes(self.time * time, self.height * length, self.area * time * length, self.rate * length / time)
+        return Extremes(self.time * time, self.height * length, self.area * time * length)
 
     def until(self, time: float, height: float) -> Extremes:
         """Those before a time at which the midpoint has this height."""
@@ -113,7 +108,7 @@ class Extremes:
             return self
         before = self.time < time
         kept = [np.append(part[before], end) for part, end in ((self.time, time), (self.height, height))]
-        return Extremes(kept[0], kept[1], np.append(self.area[before], np.nan), np.nan)
+        return Extremes(kept[0], kept[1], np.append(self.area[before], np.nan))
 
     def beyond(self, least: float) -> Extremes:
         """Without swings of this size and smaller ones."""
@@ -127,7 +122,7 @@ class Extremes:
                 kept.append(number)
         if kept[-1] != len(height) - 1:
             kept[1 if len(kept) == 1 else -1 :] = [len(height) - 1]
-        return Extremes(self.time[kept], height[kept], self.area[kept], self.rate)
+        return Extremes(self.time[kept], height[kept], self.area[kept])
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ typedef struct softcat_turns {
     int capacity;              /* rows that there is room for; fewer than 4: none is kept */
     int count, direction;      /* out: of the turning points; 1 where it rises at last, -1: it falls */
     double *rows;              /* [3 * capacity] out: time, value, integral of the value until then */
-    double time, value, area, rate; /* out: where the run ended, with the rate of change there */
+    double time, value, area;  /* out: the same where the run ended */
 } softcat_turns;
 
 /* Set all to zero first ({0}), then what is wanted. */

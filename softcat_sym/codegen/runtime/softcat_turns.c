@@ -16,7 +16,7 @@ void softcat_turns_begin(softcat_turns *turns, double t, double value)
     turns->count = turns->direction = 0;
     turns->time = t;
     turns->value = value;
-    turns->area = turns->rate = 0.0;
+    turns->area = 0.0;
 }
 
 /* Leave out the smallest swing but for the last ones: two turns that lie beside each other. */
@@ -114,5 +114,4 @@ void softcat_turns_step(softcat_turns *turns, const softcat_method *method, doub
         reach(turns, t + roots[i] * h, polynomial(value, 4, roots[i]),
               begun + h * polynomial(area, 5, roots[i]));
     reach(turns, end, after, begun + h * polynomial(area, 5, 1.0));
-    turns->rate = polynomial(slope, 3, 1.0) / h;
 }

@@ -263,7 +263,6 @@ static void scale_turns(const run *r, softcat_turns *turns)
     turns->time *= units[0];
     turns->value *= units[1];
     turns->area *= units[2];
-    turns->rate *= units[1] / units[0];
 }
 
 /* Integrate what was checked and has its memory; *reached: rows that were. */
