@@ -208,20 +208,18 @@ def prepare(
         # Imported here, as compiled runs do not need CasADi.
         from softcat_sym.solvers.interpreted import Integration
 
-        stride = _stride(scene)
+        stride = 1 if len(kinks) else _stride(scene)
         frames = stride * (scene.run.frames - 1) + 1
         integration = Integration(graph, settings, frames, kinks[kinks < times[-1]], code)
     whole = code if isinstance(code, CompiledFilament) else None
     return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
 
 
-_PER_PERIOD, _MAX_STRIDE = 16.0, 50
+_PER_PERIOD, _MAX_TIMES = 16.0, 4000
 
 
 def _stride(scene: Scene) -> int:
-    """Output times for each frame that show how the filament rings, where the steps themselves are not seen."""
-    rings = ringing(scene)
-    if not (rings.amplitude > 0 and math.isfinite(rings.frequency)):
-        return 1
-    frame = scene.run.duration / (scene.run.frames - 1)
-    return min(_MAX_STRIDE, max(1, math.ceil(_PER_PERIOD * rings.frequency * frame / (2 * math.pi))))
+    """Output times for each frame that show how the filament may ring, where the steps themselves are not seen."""
+    frequency, frames = ringing(scene).frequency, scene.run.frames - 1
+    enough = _PER_PERIOD * frequency * scene.run.duration / (2 * math.pi) if math.isfinite(frequency) else 0.0
+    return max(1, math.ceil(min(enough, _MAX_TIMES) / frames))
