@@ -82,7 +82,7 @@ def test_lanes_give_the_answers_of_the_scalar_code(settings: dict[str, object]) 
         # What waves along the filament leave of its axial velocity is below the tolerance of that.
         assert np.all(off[others] <= RTOL * np.where(np.array(names)[others] == "u", 0.1, size[others]))
         np.testing.assert_allclose(found.work, exact.work, atol=RTOL * np.abs(exact.work).max())
-        seen, known = (one.extremes(0.0, 0.0) for one in (found, exact))
+        seen, known = (one.extremes for one in (found, exact))
         assert seen is not None and known is not None and known.height.min() < 0
         seen, known = (one.beyond(1e-3 * np.abs(known.height).max()) for one in (seen, known))
         np.testing.assert_allclose(seen.height, known.height, atol=RTOL * np.abs(known.height).max())

@@ -274,15 +274,13 @@ def settled_height(
 
 
 AGREE = 0.1
-"""Of the way that is left: what its estimates from a half and from a quarter of the run may differ by."""
+"""Of the way that is left: what its estimates from the last half and the last quarter of a run may differ by."""
 
 
 def creep_of(scene: Scene, extremes: Extremes, time: Floats, midpoint: Floats) -> dict[str, float | None] | None:
     """Rate at which the midpoint still moves at last, beside swings however small, and where it tends, for the summary.
 
     None if it has moved by less than the accuracy asked in the last fifth of the run, or if it still swings by more.
-    Only a solid comes to rest, and its height is foreseen where it decays exponentially: by the ratio of its steps, as
-    Aitken's process sums them, alike for steps of a quarter and of an eighth of the run.
     """
     rings, least = ringing_of(extremes), scene.run.accuracy * largest_of(extremes)
     if abs(last_fifth(time, midpoint)) <= least or (rings is not None and rings.amplitude > least):
@@ -293,15 +291,22 @@ def creep_of(scene: Scene, extremes: Extremes, time: Floats, midpoint: Floats) -
         rate = float(Polynomial.fit(time[last], midpoint[last], min(3, len(time) - 1)).deriv()(time[-1]))
     else:
         rate = rings.drift
+    return {"rate_m_per_s": rate, "tends_to_m": _limit(scene, time, midpoint)}
+
+
+def _limit(scene: Scene, time: Floats, midpoint: Floats) -> float | None:
+    """Height to which a solid tends, where it goes there exponentially: heights are linear in earlier ones then."""
     found, frames = list[float](), len(time) - 1
-    for step in (frames // 8 * 2, frames // 8):
-        first, second, third = (float(midpoint[frames - k * step]) for k in (2, 1, 0))
-        ratio = (third - second) / (second - first) if second != first else 0.0
-        if not (step and 0 < ratio < 1 and time[frames - 2 * step] >= loaded_from(scene)):
-            break
-        found.append((third - second) * ratio / (1 - ratio))
-    tends = is_solid(scene) and len(found) == 2 and abs(found[0] - found[1]) <= AGREE * abs(found[1])
-    return {"rate_m_per_s": rate, "tends_to_m": float(midpoint[-1]) + found[1] if tends else None}
+    for begin in (frames - frames // 2, frames - frames // 4):
+        apart, heights = (frames - begin) // 4, midpoint[begin:]
+        if not apart or time[begin] < loaded_from(scene) or not np.ptp(heights):
+            return None
+        ratio, rest = np.polyfit(heights[:-apart], heights[apart:], 1)
+        if not 0 < ratio < 1:
+            return None
+        found.append(float(rest / (1 - ratio)))
+    agree = abs(found[1] - found[0]) <= AGREE * abs(found[0] - float(midpoint[-1]))
+    return found[0] if is_solid(scene) and agree else None
 
 
 def last_fifth(time: Floats, midpoint: Floats) -> float:
@@ -316,8 +321,9 @@ def loaded_from(scene: Scene) -> float:
 
 def rings_on(scene: Scene, rings: Ringing | None, largest: float) -> bool:
     """Whether a run rings for so long, and to its end, that height and amplitude are its whole answer."""
-    long = rings is not None and scene.load.shake == 0 and scene.run.duration >= MIN_PERIODS * rings.period
-    return long and rings is not None and rings.amplitude > scene.run.accuracy * largest
+    if rings is None or scene.load.shake > 0 or scene.run.duration < MIN_PERIODS * rings.period:
+        return False
+    return rings.amplitude > scene.run.accuracy * largest
 
 
 def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: Progress) -> float | None:

@@ -53,7 +53,7 @@ from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
-from softcat_sym.solvers.solution import Solution
+from softcat_sym.solvers.solution import Extremes, Solution
 from softcat_sym.store import Form, packed, unpacked, version
 
 if TYPE_CHECKING:
@@ -312,7 +312,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     answers = outcome.is_success
-    seen = midpoint_extremes(scene, prepared, solution).until(time[-1], midpoint[-1])
+    # What is no answer, or breaks, ends in the frame that is its last.
+    seen = midpoint_extremes(scene, prepared, solution) if answers else Extremes.of(time, midpoint)
     extremes = beyond_noise(scene, seen)
     rings, largest = ringing_of(extremes) if answers else None, largest_of(extremes)
     settled, why = settled_height(scene, effects, extremes, rings)

@@ -78,7 +78,6 @@ class Turns(ct.Structure):
     _fields_ = (
         *((name, ct.c_int) for name in ("site", "slot", "capacity", "count", "direction")),
         ("rows", Doubles),
-        *((name, ct.c_double) for name in ("time", "value", "area")),
     )
 
 
@@ -163,15 +162,14 @@ class Answer:
     work: Floats
     status: Status
     turns: Turns | None = None  # Of the unknown that is watched
-    rows: Floats | None = None  # The memory of its turning points: time, value and integral of each
+    rows: Floats | None = None  # Their memory: time, value and integral of each
 
-    def extremes(self, first: float, start: float) -> Extremes | None:
-        """Values between which the unknown that is watched only rises or only falls, from a first time and value on."""
+    @property
+    def extremes(self) -> Extremes | None:
+        """Values between which the unknown that is watched only rises or only falls."""
         if self.turns is None or self.rows is None:
             return None
-        end = (self.turns.time, self.turns.value, self.turns.area)
-        time, value, area = np.vstack([(first, start, 0.0), self.rows[: self.turns.count], end]).T.copy()
-        return Extremes(time, value, area)
+        return Extremes(*self.rows[: self.turns.count + 1].T.copy())
 
 
 @dataclass(frozen=True)
@@ -494,9 +492,7 @@ class CompiledIntegration:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
-        first = float(run.state[run.watched]) if run.watched else 0.0
-        extremes = room.extremes(float(times[0]), first)
-        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps), extremes)
+        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps), room.extremes)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
         if status.code == STOPPED and found.outcome is Outcome.solved:
             raise KeyboardInterrupt

@@ -102,14 +102,6 @@ class Extremes:
         """The same in other units."""
         return Extremes(self.time * time, self.height * length, self.area * time * length)
 
-    def until(self, time: float, height: float) -> Extremes:
-        """Those before a time at which the midpoint has this height."""
-        if time >= self.time[-1]:
-            return self
-        before = self.time < time
-        kept = [np.append(part[before], end) for part, end in ((self.time, time), (self.height, height))]
-        return Extremes(kept[0], kept[1], np.append(self.area[before], np.nan))
-
     def beyond(self, least: float) -> Extremes:
         """Without swings of this size and smaller ones."""
         height, kept = self.height, [0]

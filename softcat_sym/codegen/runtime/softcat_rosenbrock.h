@@ -24,10 +24,10 @@ enum {
  * but for the last are left out. */
 typedef struct softcat_turns {
     int site, slot;            /* the unknown */
-    int capacity;              /* rows that there is room for; fewer than 4: none is kept */
-    int count, direction;      /* out: of the turning points; 1 where it rises at last, -1: it falls */
-    double *rows;              /* [3 * capacity] out: time, value, integral of the value until then */
-    double time, value, area;  /* out: the same where the run ended */
+    int capacity;              /* rows that there is room for, 8 or more */
+    int count, direction;      /* out: rows before the last; 1 where it rises at last, -1: it falls */
+    double *rows;              /* [3 * capacity] out: time, value and integral of the value until
+                                  then: at first, at each turning point, and at last */
 } softcat_turns;
 
 /* Set all to zero first ({0}), then what is wanted. */

@@ -3,28 +3,28 @@
 #include <math.h>
 #include <string.h>
 
-enum { WIDTH = 3, LAST_KEPT = 64, BISECTIONS = 52 };
+enum { WIDTH = 3, LEAST_CAPACITY = 8, LAST_KEPT = 64, BISECTIONS = 52 };
 
 int softcat_turns_are_wrong(const softcat_turns *turns, int sites, int slots)
 {
     return turns->site < 0 || turns->site >= sites || turns->slot < 0 || turns->slot >= slots
-           || turns->capacity < 0 || (turns->capacity > 0 && !turns->rows);
+           || turns->capacity < LEAST_CAPACITY || !turns->rows;
 }
 
 void softcat_turns_begin(softcat_turns *turns, double t, double value)
 {
     turns->count = turns->direction = 0;
-    turns->time = t;
-    turns->value = value;
-    turns->area = 0.0;
+    turns->rows[0] = t;
+    turns->rows[1] = value;
+    turns->rows[2] = 0.0;
 }
 
 /* Leave out the smallest swing but for the last ones: two turns that lie beside each other. */
 static void leave_out_one(softcat_turns *turns)
 {
-    int last = turns->capacity / 2 < LAST_KEPT ? turns->capacity / 2 : LAST_KEPT, least = 0;
+    int last = turns->capacity / 2 < LAST_KEPT ? turns->capacity / 2 : LAST_KEPT, least = 1;
     double smallest = INFINITY;
-    for (int i = 0; i + 1 < turns->count - last; i++) {
+    for (int i = 1; i + 1 < turns->count - last; i++) {
         double swing = fabs(turns->rows[WIDTH * (i + 1) + 1] - turns->rows[WIDTH * i + 1]);
         if (swing < smallest) {
             smallest = swing;
@@ -33,25 +33,23 @@ static void leave_out_one(softcat_turns *turns)
     }
     double *gap = turns->rows + WIDTH * least;
     turns->count -= 2;
-    memmove(gap, gap + 2 * WIDTH, (size_t)(turns->count - least) * WIDTH * sizeof(double));
+    memmove(gap, gap + 2 * WIDTH, (size_t)(turns->count + 1 - least) * WIDTH * sizeof(double));
 }
 
 /* Go on to a point to which the value only rises or only falls: where it did the opposite before,
- * it turned. */
+ * it turned, or at the start. */
 static void reach(softcat_turns *turns, double t, double value, double area)
 {
-    int direction = (value > turns->value) - (value < turns->value);
-    if (direction && direction == -turns->direction && turns->capacity > 3) {
-        if (turns->count == turns->capacity) leave_out_one(turns);
-        double *row = turns->rows + WIDTH * turns->count++;
-        row[0] = turns->time;
-        row[1] = turns->value;
-        row[2] = turns->area;
+    double *row = turns->rows + WIDTH * turns->count;
+    int direction = (value > row[1]) - (value < row[1]);
+    if (turns->count == 0 || (direction && direction == -turns->direction)) {
+        if (turns->count + 1 == turns->capacity) leave_out_one(turns);
+        row = turns->rows + WIDTH * ++turns->count;
     }
     if (direction) turns->direction = direction;
-    turns->time = t;
-    turns->value = value;
-    turns->area = area;
+    row[0] = t;
+    row[1] = value;
+    row[2] = area;
 }
 
 /* c[0] + c[1] x + c[2] x^2 + ... */
@@ -100,7 +98,8 @@ static int sign_changes(const double *c, double *roots)
 void softcat_turns_step(softcat_turns *turns, const softcat_method *method, double t, double end,
                         double before, double after, const double *stages)
 {
-    double h = end - t, begun = turns->area, K[SOFTCAT_MOST_DENSE] = {0.0}, roots[3];
+    double h = end - t, begun = turns->rows[WIDTH * turns->count + 2];
+    double K[SOFTCAT_MOST_DENSE] = {0.0}, roots[3];
     for (int m = 0; m < method->dense_rows; m++)
         for (int j = 0; j < method->stages; j++) K[m] += method->dense[m][j] * stages[j];
     /* (1 - x) before + x after + x (1 - x) (K_1 + x (K_2 + x K_3)), its slope and its integral */

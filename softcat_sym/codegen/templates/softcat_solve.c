@@ -259,10 +259,7 @@ static void write_all(run *r, const softcat_results *to, const double *times, in
 static void scale_turns(const run *r, softcat_turns *turns)
 {
     const double units[] = {r->scale, r->length, r->scale * r->length};
-    for (int i = 0; i < 3 * turns->count; i++) turns->rows[i] *= units[i % 3];
-    turns->time *= units[0];
-    turns->value *= units[1];
-    turns->area *= units[2];
+    for (int i = 0; i < 3 * (turns->count + 1); i++) turns->rows[i] *= units[i % 3];
 }
 
 /* Integrate what was checked and has its memory; *reached: rows that were. */
@@ -301,7 +298,6 @@ int softcat_structure_solve(const softcat_structure *s, const double *params, in
     int reached = 0, which = -1;
     if (!status) status = &unasked;
     memset(status, 0, sizeof *status);
-    if (results && results->turns) results->turns->count = 0;
     status->worst_site = -1;
     status->code = softcat_check(s, params, cells, times, n, r.settings, &which);
     if (!status->code && !results) status->code = SOFTCAT_ARGUMENT;

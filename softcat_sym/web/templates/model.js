@@ -268,7 +268,8 @@ function judge(data, state, run) {
   if (outcome === "broken") sound = 1 + breakFrame(data, whole)
   const kept = cut(whole, sound), n = kept.fields.y.length / sound
   const midpoint = mapped(sound, frame => kept.fields.y[frame * n + (n - 1) / 2])
-  const extremes = extremesOf(data, run.extremes, kept.time[sound - 1], midpoint[sound - 1])
+  const frames = mapped(3 * sound, k => [kept.time, midpoint, kept.time][k % 3][Math.floor(k / 3)])
+  const extremes = extremesOf(data, outcome === "solved" ? run.extremes : frames)
   const regime = outcome === "solved" ? regimeOf(data, state, kept, sound, extremes) : null
   const warnings = warningsOf(data, state, kept, extremes, outcome, residual)
   return { time: kept.time, midpoint, extremes, fields: kept.fields, residual, verdict: verdictWith(data, outcome, message, regime, warnings) }
@@ -511,11 +512,10 @@ function reboundOf(extremes) {
   return deepest > 0 ? most / deepest : 0
 }
 
-/* Time, height and its integral at both ends and at the turning points of the midpoint, beyond noise, up to a time. */
-function extremesOf({ limits }, numbers, end, height) {
-  const all = Array.from({ length: numbers.length / 3 }, (_, k) => Array.from(numbers.subarray(3 * k, 3 * k + 3)))
-  const kept = all.length && end < all[all.length - 1][0] ? [...all.filter(([time]) => time < end), [end, height, NaN]] : all
-  return beyond(kept, Math.max(limits.turn * largestOf(kept.map(([, one]) => Math.abs(one))), limits.no_sag))
+/* Time and height at both ends and at the turning points of the midpoint, beyond noise. */
+function extremesOf({ limits }, numbers) {
+  const all = Array.from({ length: numbers.length / 3 }, (_, k) => [numbers[3 * k], numbers[3 * k + 1]])
+  return beyond(all, Math.max(limits.turn * largestOf(all.map(([, one]) => Math.abs(one))), limits.no_sag))
 }
 
 /* Without swings of this size and smaller ones. */

@@ -25,7 +25,7 @@ int softcat_filament_observe(const softcat_filament *, int count, const double *
                              const double *states, double *out, double *scratch);
 
 static const softcat_structure *const structure = &softcat_filament_structure;
-static double parameters[PARAMETERS], known[STATUS], rows[3 * (TURNS + 2)];
+static double parameters[PARAMETERS], known[STATUS], rows[3 * TURNS];
 static double *absolute, *start, *memory, *fields, *midpoint, *work;
 static int start_rows;
 
@@ -129,18 +129,6 @@ static int has_yielded(const softcat_sized *sized, int sites, const double *firs
     return 0;
 }
 
-/* Complete the turning points of a run by both its ends. */
-static int complete(const softcat_turns *turns, int reached)
-{
-    double *last = rows + 3 * (turns->count + 1);
-    rows[0] = rows[2] = 0.0;
-    rows[1] = midpoint[0];
-    last[0] = turns->time;
-    last[1] = turns->value;
-    last[2] = turns->area;
-    return reached > 1 ? turns->count + 2 : 0;
-}
-
 static int finish(const softcat_status *status, int reached, int sites, int extremes, int yielded)
 {
     const double numbers[STATUS] = {
@@ -179,7 +167,7 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
         times[j] = duration * j / (frames - 1);
         midpoint[j] = NAN;
     }
-    softcat_turns turns = {.capacity = TURNS, .rows = rows + 3};
+    softcat_turns turns = {.capacity = TURNS, .rows = rows};
     const softcat_results results = {
         .midpoint = midpoint, .states = states, .work = work, .turns = &turns};
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
@@ -192,5 +180,5 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
         observe(&sized, cells, sites, grading, reached, times, states, places);
     }
     softcat_unsize(&sized);
-    return finish(&status, reached, sites, complete(&turns, reached), yielded);
+    return finish(&status, reached, sites, reached ? turns.count + 1 : 0, yielded);
 }
