@@ -104,9 +104,8 @@ def _thinned(solution: Solution, prepared: Prepared, stride: int) -> Solution:
     """The solution at the frames that the scene asks for."""
     if stride == 1:
         return solution
-    kept = solution.only(slice(None, None, stride))
-    time = np.linspace(0.0, float(prepared.times[-1]), (len(prepared.times) - 1) // stride + 1)
-    return replace(kept, time=time[: len(kept.time)])
+    frames = (len(prepared.times) - 1) // stride + 1
+    return solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), frames))
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:

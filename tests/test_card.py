@@ -181,7 +181,8 @@ def test_descent_of_a_known_curve() -> None:
         {"midpoint": ("time", 2e-3 * np.expm1(-time)), "stretch": (("time", "cell"), [[1.0, 1.3, 1.1]] * len(time))},
         coords={"time": time, "X_cell": ("cell", [-0.04, 0.0, 0.04])},
     )
-    run = SimpleNamespace(data=data, scene=SimpleNamespace(filament=SimpleNamespace(span=0.1)))
+    seen = {"rebound": 0.0, "midpoint_lowest_m": -2e-3}
+    run = SimpleNamespace(data=data, scene=SimpleNamespace(filament=SimpleNamespace(span=0.1)), summary=seen)
     found = descent_of(run)  # type: ignore[arg-type]
     assert found is not None
     assert found.to_90 == pytest.approx(math.log(10), rel=1e-3)

@@ -103,6 +103,10 @@ def test_lanes_give_the_answers_of_the_scalar_code(settings: dict[str, object]) 
         # What waves along the filament leave of its axial velocity is below the tolerance of that.
         assert np.all(off[others] <= RTOL * np.where(np.array(names)[others] == "u", 0.1, size[others]))
         np.testing.assert_allclose(found.work, exact.work, atol=RTOL * np.abs(exact.work).max())
+        seen, known = (one.extremes for one in (found, exact))
+        assert seen is not None and known is not None and known.height.min() < 0
+        seen, known = (one.beyond(1e-3 * np.abs(known.height).max()) for one in (seen, known))
+        np.testing.assert_allclose(seen.height, known.height, atol=RTOL * np.abs(known.height).max())
 
 
 def test_a_lane_depends_on_no_neighbour() -> None:
@@ -113,6 +117,7 @@ def test_a_lane_depends_on_no_neighbour() -> None:
         (single,) = in_lanes(lanes, model, [run])
         np.testing.assert_array_equal(found.states, single.states)
         np.testing.assert_array_equal(found.work, single.work)
+        np.testing.assert_array_equal(found.rows, single.rows)
 
 
 def test_any_lane_may_fail_alone() -> None:

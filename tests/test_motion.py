@@ -17,17 +17,19 @@ from softcat_sym.error_control.estimate import Judge
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import (
     STRIDE,
+    Ringing,
+    creep_of,
     frames_a_period,
     observed_motion,
     period_of,
     ringing_of,
     still_to_move,
-    swing_period,
     too_few_frames,
 )
 from softcat_sym.results.observed import DISPLACEMENT
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.solution import Extremes
 
 Array = np.ndarray[Any, Any]
 
@@ -71,14 +73,15 @@ def shapes(depth: Array, drop: float = 0.0) -> dict[str, Array]:
 def motion_of(scene: Scene, fields: dict[str, Array]) -> Motion:
     time = np.linspace(0.0, scene.run.duration, len(fields["y"]))
     places, moved = (NODES, (NODES[1:] + NODES[:-1]) / 2), displacements(scene, time, fields, NODES)
-    return observed_motion(scene, choose_effects(scene), time, places, fields, moved)
+    seen = Extremes.of(time, fields["y"][:, CELLS // 2])
+    return observed_motion(scene, choose_effects(scene), time, places, fields, moved, seen)
 
 
 def motion_of_run(run: Run) -> Motion:
     places = (run.fields["X_node"], run.fields["X_cell"])
     time = run.fields["time"]
-    moved = displacements(run.scene, time, run.fields, places[0])
-    return observed_motion(run.scene, choose_effects(run.scene), time, places, run.fields, moved)
+    moved, seen = displacements(run.scene, time, run.fields, places[0]), Extremes.of(time, run.fields["midpoint"])
+    return observed_motion(run.scene, choose_effects(run.scene), time, places, run.fields, moved, seen)
 
 
 def test_swings_are_the_phase_times_the_share_of_the_sag() -> None:
@@ -227,36 +230,47 @@ def test_a_run_without_inertia_misses_its_free_fall_and_shows_its_share_within_t
         assert motion_of(scene_of(*names, load={"ramp": "1.5 s"}), shapes(depth)).risen == pytest.approx(reached)
 
 
-def ringing(frequency: float, duration: float = 2.0, frames: int = 201, amplitude: float = 0.5) -> tuple[Array, Array]:
-    time = np.linspace(0, duration, frames)
-    return time, -1 + amplitude * np.cos(2 * math.pi * frequency * time)
+def path(height: Callable[[Array], Array], duration: float = 2.0, samples: int = 20001) -> Extremes:
+    """The extremes of a history that is known everywhere."""
+    time = np.linspace(0, duration, samples)
+    return Extremes.of(time, height(time)).beyond(0.0)
 
 
-def test_the_period_is_that_of_the_swing() -> None:
-    for frequency in (2.1, 3.7, 10.0, 20.0):
-        assert swing_period(*ringing(frequency)) == pytest.approx(1 / frequency, rel=0.03)
-    time, swing = ringing(6.0, amplitude=0.1)
-    assert swing_period(time, swing - 0.5 * time) == pytest.approx(1 / 6, rel=0.06)
-    for heights in (-1 + np.exp(-time), 0 * time, ringing(5.0, amplitude=0.004)[1]):
-        assert swing_period(time, heights) is None
-    assert swing_period(time[:1], -time[:1]) is None
-    assert frames_a_period(time, -1 + np.exp(-time), 1e6) is None
+def swing(frequency: float, amplitude: float = 0.5, decay: float = 0.0) -> Callable[[Array], Array]:
+    return lambda time: -1 + amplitude * np.exp(-decay * time) * np.cos(2 * math.pi * frequency * time)
 
 
-def test_frames_too_far_apart_show_a_slower_swing_which_the_forecast_tells() -> None:
+def ringing(extremes: Extremes) -> Ringing:
+    found = ringing_of(extremes)
+    assert found is not None
+    return found
+
+
+def test_extremes_are_the_turning_points_between_both_ends() -> None:
+    found = path(swing(2.0))
+    np.testing.assert_allclose(found.time, np.arange(0, 2.01, 0.25), atol=2e-4)
+    np.testing.assert_allclose(found.height, -1 + 0.5 * (-1.0) ** np.arange(9), atol=1e-6)
+    np.testing.assert_allclose(found.area, -found.time, atol=1e-4)
+    # A ripple of a hundredth is none where swings count from two hundredths on, whichever way it all goes meanwhile.
+    assert len(path(lambda t: swing(2.0)(t) + 0.01 * np.cos(300 * t)).beyond(0.021).time) == 9
+    assert len(path(lambda t: -t + 0.01 * np.cos(300 * t)).beyond(0.021).time) == 2
+
+
+def test_frames_too_far_apart_for_the_period_of_the_swing_are_told() -> None:
     """53.75 Hz in a hundred frames a second are seen as 46.25 Hz, in fifty as 3.75 Hz."""
-    time, heights = ringing(53.75, frames=101)
-    assert swing_period(time, heights) == pytest.approx(1 / 3.75, rel=0.05)
-    per_period = frames_a_period(time, heights, 2 * math.pi * 55.0)
-    assert per_period == pytest.approx(50 / 55.0, rel=1e-6)
-    (warning,) = too_few_frames(time, per_period)
-    assert "rings at about 55 Hz" in warning and "run.frames = 889" in warning
-    enough = frames_a_period(*ringing(54.0, frames=888), 2 * math.pi * 54.0)
-    assert enough is not None and enough > 4
-    time, heights = ringing(10.0)
-    for frequency in (math.inf, 2 * math.pi * 9.0):
-        assert frames_a_period(time, heights, frequency) == pytest.approx(10.0, rel=0.03)
-    assert too_few_frames(time, 10.0) == too_few_frames(time, None) == []
+    found = path(swing(53.75))
+    per_period = frames_a_period(found, 101)
+    assert per_period == pytest.approx(50 / 53.75, rel=1e-3)
+    (warning,) = too_few_frames(2.0, 101, per_period)
+    assert "rings at about 53.7 Hz" in warning or "rings at about 53.8 Hz" in warning
+    enough = int(warning.rpartition("run.frames = ")[2].split()[0])
+    assert (frames_a_period(found, enough) or 0) > 4 and too_few_frames(
+        2.0, enough, frames_a_period(found, enough)
+    ) == []
+    # A swing of 0.4 % is not seen, a drift is no swing.
+    for height in (swing(5.0, 0.004), lambda t: -1 + np.exp(-t), lambda t: -0.5 * t):
+        assert frames_a_period(path(height), 11) is None
+    assert too_few_frames(2.0, 101, None) == []
 
 
 ACCURACY = 0.01
@@ -334,15 +348,42 @@ def test_a_creeping_strand_does_not_end_early_and_one_that_hardly_creeps_does() 
     assert "shorter than one period" in brief["midpoint_settled_why"]
 
 
-def test_the_mean_does_not_depend_on_the_phase_and_a_drift_has_its_last_height() -> None:
-    time = np.linspace(0, 1, 201)
-    for cycles in (5.0, 4.3, 7.71):
+def test_the_mean_is_that_of_whole_periods_and_what_does_not_turn_back_does_not_swing() -> None:
+    for cycles in (5.0, 4.3, 17.71):
         for phase in (0.0, 1.0, 2.5):
-            found = ringing_of(-2.0 + 0.7 * np.cos(2 * math.pi * cycles * time + phase))
-            assert found.mean == pytest.approx(-2.0, abs=0.01)
-            assert found.amplitude == pytest.approx(0.7, rel=0.03)
-    drift = ringing_of(np.linspace(-1.0, -1.1, 50))
-    assert drift.mean == -1.1 and drift.amplitude < 1e-12
+            height = lambda t, w=math.pi * cycles, p=phase: -2.0 + 0.7 * np.cos(w * t + p) - 0.01 * t  # noqa: E731
+            found = ringing(path(height, samples=80001))
+            assert found.mean == pytest.approx(-2.0, abs=0.025)
+            assert found.amplitude == pytest.approx(0.7, rel=0.01)
+            assert found.period == pytest.approx(2 / cycles, rel=0.01)
+            assert found.drift == pytest.approx(-0.01, rel=0.05)
+    for height in (lambda t: -t, lambda t: np.exp(-t), lambda t: -1 + np.exp(-9 * t) * np.cos(9 * t), lambda t: 0 * t):
+        assert ringing_of(path(height).beyond(1e-4)) is None
+    # It has swung, and swings no more.
+    assert ringing_of(path(swing(9.0, decay=9.0)).beyond(0.01)) is None
+
+
+def creep(move: Callable[[Array], Array], law: str = "standard-linear", duration: float = 8.0) -> Any:
+    second = {"second_modulus": "1 MPa"} if law == "standard-linear" else {}
+    material = {"law": law, "youngs_modulus": "1 MPa", "viscosity": "1 MPa*s", "loss_tangent": 0.0, **second}
+    scene = strand(run={"duration": f"{duration} s", "until": "duration"}, **material)
+    time, seen = np.linspace(0, duration, 41), path(move, duration)
+    return creep_of(scene, seen, time, move(time))
+
+
+def test_a_creep_has_a_rate_and_a_solid_a_height_to_which_it_tends() -> None:
+    found = creep(lambda t: -1 + np.exp(-t / 5))
+    assert found["rate_m_per_s"] == pytest.approx(-math.exp(-8 / 5) / 5, rel=3e-3)
+    assert found["tends_to_m"] == pytest.approx(-1, rel=1e-6)
+    # What goes on for ever, or may, tends nowhere that could be told.
+    for move in (lambda t: -np.log(1 + t), lambda t: -np.cbrt(t), lambda t: -t, lambda t: -(t**2)):
+        assert creep(move)["tends_to_m"] is None
+    assert creep(lambda t: -1 + np.exp(-t / 5), "maxwell")["tends_to_m"] is None
+    assert creep(lambda t: -1 + np.exp(-t)) is None, "it has come to rest by the accuracy asked"
+    assert creep(lambda t: -1 - 0.2 * np.cos(9 * t)) is None, "it swings"
+    # Beside a ripple the rate is that of the mean.
+    slow = creep(lambda t: -0.1 * t + 0.004 * np.cos(60 * t))
+    assert slow["rate_m_per_s"] == pytest.approx(-0.1, rel=0.01)
 
 
 CREEP: dict[str, Callable[[float], float]] = {

@@ -407,6 +407,66 @@ def test_a_jump_of_pace_costs_nothing_where_it_is_announced() -> None:
             assert integrate(what, [0.0], times, Settings(method=method)).status.rejected > 3
 
 
+def watched(capacity: int, slot: int = 0) -> tuple[compiled.Turns, np.ndarray]:
+    """Turning points to be found, and their memory."""
+    rows = np.full((capacity, 3), np.nan)
+    return compiled.Turns(0, slot, capacity, rows=compiled.doubles(rows)), rows
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_turning_points_of_a_damped_oscillation_are_found_between_any_output_times(method: int) -> None:
+    """exp(-a t) cos(b t) turns where tan(b t) = -a/b; two output times tell nothing of its twelve turns."""
+    a, b, end = 0.05, 2.0, 20.0
+    turns, rows = watched(64)
+    run = integrate(
+        problem("dahlquist", -a, b), [1.0, 0.0], [0.0, end], Settings(relative=1e-8, method=method, turns=turns)
+    )
+    exact = (math.pi * np.arange(1, 13) - math.atan(a / b)) / b
+    path = np.exp((-a + 1j * b) * exact)
+    assert run.status.code == compiled.SOLVED and turns.count == 13
+    np.testing.assert_allclose(rows[1:13, 0], exact, atol=2e-5)
+    np.testing.assert_allclose(rows[1:13, 1], path.real, atol=1e-6)
+    np.testing.assert_allclose(rows[1:13, 2], ((path - 1) / (-a + 1j * b)).real, atol=1e-6)
+    assert rows[0].tolist() == [0, 1, 0] and rows[13, :2] == pytest.approx((end, run.state[0]), rel=1e-15)
+    # Without room for all, the smallest go, but for the last: here those before them.
+    few, kept = watched(8)
+    integrate(problem("dahlquist", -a, b), [1.0, 0.0], [0.0, end], Settings(relative=1e-8, method=method, turns=few))
+    assert 5 <= few.count <= 7
+    np.testing.assert_array_equal(kept[few.count - 3 : few.count + 1], rows[10:14])
+    assert all(any(np.array_equal(row, one) for one in rows) for row in kept[: few.count + 1])
+    assert np.all(np.diff(np.sign(np.diff(kept[: few.count + 1, 1]))) != 0)
+
+
+def test_several_turning_points_in_one_step_and_at_a_kink() -> None:
+    """Steps that are far too long still show what their own polynomial does; a kink turns a straight way back."""
+    times = np.linspace(0.0, 16.0, 40001)
+    for step, method in ((1.6, RODAS5P), (3.2, RODAS5P), (2.7, RODAS4)):
+        turns, rows = watched(64)
+        settings = dataclasses.replace(fixed(step, method), turns=turns)
+        dense = integrate(problem("dahlquist", 0.0, 2.0), [1.0, 0.0], times, settings).states[:, 0]
+        turned = 1 + np.flatnonzero(np.diff(np.sign(np.diff(dense))))
+        assert turns.count == 1 + len(turned) > 16.0 / step, step
+        np.testing.assert_allclose(rows[1 : turns.count, 0], times[turned], atol=times[1])
+        np.testing.assert_allclose(rows[1 : turns.count, 1], dense[turned], atol=1e-5)
+    turns, rows = watched(8)
+    integrate(problem("jump", 0.4, 0.0), [0.0], [0.0, 1.0], Settings(kinks=[0.4], turns=turns))
+    assert turns.count == 2
+    np.testing.assert_allclose(rows[1], (0.4, 0.4, 0.08), rtol=1e-12)
+    # What only creeps has none, and rounding makes none.
+    turns, rows = watched(8)
+    integrate(problem("dahlquist", -1.0, 0.0), [1.0, 0.0], [0.0, 3.0], Settings(turns=turns))
+    assert turns.count == 1 and rows[1, 2] == pytest.approx(-math.expm1(-3.0), rel=1e-5)
+
+
+def test_turning_points_of_no_unknown_are_refused() -> None:
+    for bad in ({"site": 1}, {"site": -1}, {"slot": 2}, {"capacity": 7}, {"rows": None}):
+        turns, _ = watched(8)
+        for name, value in bad.items():
+            setattr(turns, name, value)
+        run = integrate(problem("smooth"), [1.0, 1.0], [0.0, 1.0], Settings(turns=turns))
+        assert run.status.code == compiled.ARGUMENT, bad
+
+
 def test_consistent_start_is_found_from_afar() -> None:
     """exp(z) = y = 1 from z = -4, where the undamped correction overshoots to 50; y is not touched."""
     status, state = consistent(problem("algebraic", 1e-3), 0.0, [1.0, -4.0], Settings(relative=1e-10, absolute=1e-10))

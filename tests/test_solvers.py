@@ -199,7 +199,8 @@ def test_a_run_that_breaks_keeps_its_sound_part(monkeypatch: pytest.MonkeyPatch,
         np.testing.assert_allclose(solution.time, run.times[:6], rtol=1e-12)  # frames 0 to 5 lie before the break
         for states in (solution.x, solution.quad):
             assert states.shape[1] == 6 and np.all(np.isfinite(states))
-        assert f"stopped after t = {solution.time[-1] * run.scale:.6g} s; fastest: " in solution.message
+        stated = float(solution.message.removeprefix("stopped after t = ").partition(" s; fastest: ")[0]) / run.scale
+        assert solution.time[-1] * (1 - 1e-5) <= stated <= 0.55 * end
         # An undefined component is worse than any.
         nowhere = ca.SX.ones(graph.ode.numel())
         nowhere[chosen] = ca.log(-1 - graph.t)

@@ -167,6 +167,17 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
     summary |= {"midpoint_settled_m": {"mean": -0.049, "amplitude": 2e-3}, "settled_s": None}
     words = dict(answer_rows(summary, scene))
     assert "49.0 mm" in words["sag"] and "swinging by 2.00 mm" in words["sag"] and words["settled"].startswith("no")
+    # A creep is no swing; an arrest says how far it came back.
+    still = summary | {"midpoint_settled_m": {"mean": -0.049, "amplitude": 0.0}}
+    creeps = still | {"creep": {"rate_m_per_s": -2e-4, "tends_to_m": -0.06}, "time_final_s": 4.0}
+    (sag,) = [text for name, text in answer_rows(creeps, scene) if name == "sag"]
+    assert sag.endswith(", still moving down by 200 µm/s towards 60.0 mm") and "swing" not in sag
+    assert "moving" not in dict(answer_rows(still | {"creep": None}, scene))["sag"]
+    for regime, rebound, told in (
+        ("arrested-underdamped", 0.067, "up by 6.7 %"),
+        ("arrested-overdamped", 0.0, "stops"),
+    ):
+        assert told in dict(answer_rows(summary | {"regime": regime, "rebound": rebound}, scene))["regime"]
     slow = summary | {"backend": "interpreted", "backend_reason": "there is no C compiler"}
     assert ("interpreted", "there is no C compiler") in answer_rows(slow, scene)
     assert "interpreted" not in dict(answer_rows(slow | {"backend": "compiled"}, scene))

@@ -16,7 +16,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.ensemble.members import written
 from softcat_sym.errors import SceneError
 from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
-from softcat_sym.results.motion import regime_of
+from softcat_sym.results.motion import has_yielded, midpoint_extremes
 from softcat_sym.results.run import judge
 from softcat_sym.results.verdict import rupture_frame, verdict
 from softcat_sym.scene.scene import Scene, rest_length
@@ -119,7 +119,6 @@ def thread(duration: float) -> Scene:
 CASES: Mapping[str, tuple[Any, str, str | None]] = {
     "stops": (lambda: scene_of(**LONG, material={"yield_stress": "9.32 kPa"}), "solved", "arrested-overdamped"),
     "swings back": (
-        # Pictures enough to show its ringing: how fast that is to be expected, the page does not know.
         lambda: scene_of(
             run={**LONG["run"], "frames": 201},
             numerics={"cells": 8},
@@ -168,6 +167,7 @@ def test_a_run_is_judged_in_the_words_of_the_program(case: str, monkeypatch: pyt
     residual = energy_residual(fields, min_energy(scene))
     expected, message = verdict(scene, effects, solution, fields, nodes, residual)
     code = next((code for code, one in compiled.OUTCOMES.items() if one is solution.outcome), 0)
+    seen = midpoint_extremes(scene, prepared, solution)
     run = {
         "code": code,
         "steps": solution.steps,
@@ -175,6 +175,8 @@ def test_a_run_is_judged_in_the_words_of_the_program(case: str, monkeypatch: pyt
         "time": solution.time * time_scale(scene),
         "X_node": nodes,
         "fields": fields,
+        "extremes": np.stack([seen.time, seen.height, seen.area], axis=1).ravel(),
+        "yielded": has_yielded(prepared, solution),
     }
     judged = evaluated("judge(given.data, ownState(given.data), unlisted(given.run))", data=data, run=run)
     said = judged["verdict"]
@@ -187,10 +189,13 @@ def test_a_run_is_judged_in_the_words_of_the_program(case: str, monkeypatch: pyt
     sound = rupture_frame(scene, fields["stretch"]) if expected is Outcome.ruptured else len(solution.time)
     assert case == "breaks" or len(judged["time"]) == sound
     assert judged["residual"] == pytest.approx(residual, rel=1e-9)
-    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    assert said["regime"] == regime == (regime_of(scene, effects, fields, midpoint) if expected.is_success else None)
     assert said["is_success"] is expected.is_success
-    told = judge(scene, effects, prepared, solution, {}).summary["warnings"]
+    ours = judge(scene, effects, prepared, solution, {})
+    if case not in ("drifts", "necks", "necks in one cell"):  # what is spoilt here it has not seen
+        assert ours.summary["regime"] == regime
+        np.testing.assert_allclose([one[:2] for one in judged["extremes"][1:-1]][:25], ours.summary["extremes"][:25])
+    assert said["regime"] == regime
+    told = ours.summary["warnings"]
     assert [text for text in said["warnings"] if not text.startswith(("too thick", "it never stops"))] == told
 
 

@@ -11,8 +11,9 @@ import softcat_sym as sc
 from softcat_sym.codegen.export import START
 from softcat_sym.errors import SoftcatError
 from softcat_sym.generation import contents_of, export
+from softcat_sym.solvers.solution import Extremes
 from softcat_sym.web import module
-from tests.common.web_module import WasmPage, as_the_scene, need_wasmtime
+from tests.common.web_module import NativePage, Page, WasmPage, as_the_scene, need_wasmtime
 
 SCENE = "slime-slope"  # it does not begin straight
 BAD_PARAMETER, BAD_CELLS, BAD_TIMES, BAD_SETTINGS, BAD_START, NOT_STRAIGHT = range(100, 106)
@@ -29,7 +30,7 @@ def page() -> WasmPage:
     return found
 
 
-def values(page: WasmPage) -> list[float]:
+def values(page: Page) -> list[float]:
     return [one.value for one in page.described.parameters]
 
 
@@ -92,3 +93,21 @@ def test_without_a_compiler_it_is_said_what_to_install(monkeypatch: pytest.Monke
     monkeypatch.setattr(module, "_PLACES", ())
     with pytest.raises(SoftcatError, match="no C compiler for WebAssembly was found"):
         module.wasm_module(described)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "changes"), [("arrested-underdamped", {"numerics.fibres": 6}), ("no-yield", {})])
+def test_a_page_sees_the_turning_points_and_the_yielding_that_softcat_run_sees(
+    name: str, changes: dict[str, object]
+) -> None:
+    few = {"numerics.estimate": False, "numerics.cells": 6, "run.duration": "1.5 s", "run.frames": 4}
+    scene = sc.load_scene(name, {**few, **changes})
+    page = NativePage(export(scene)[0])
+    found = page.solve(values(page), as_the_scene(page.described))
+    assert found.code == 0, found.words
+    run = sc.simulate(scene.replace({"run.effects": list(page.described.effects.names)}))
+    ours = np.array(run.summary["extremes"])
+    seen = Extremes(*found.extremes.T).beyond(0.01 * scene.run.accuracy * run.summary["midpoint_largest_m"])
+    np.testing.assert_allclose(seen.time[1:-1][-25:], ours[-25:, 0], rtol=1e-3)
+    np.testing.assert_allclose(seen.height[1:-1][-25:], ours[-25:, 1], rtol=1e-4)
+    assert found.yielded is (run.summary["regime"] != "no-yield")

@@ -156,7 +156,7 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
     unknowns = graph["differential"] + graph["algebraic"]
     rows = [
         ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
-        ("expected", regime_words(explanation.regime.name)),
+        ("expected", ", ".join(filter(None, [regime_words(explanation.regime.name), explanation.regime.near]))),
         ("because", explanation.regime.reason),
         ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
         ("effects", "\n".join(inside) or "none"),
@@ -187,7 +187,7 @@ def _regime_rows(explanation: Explanation) -> Rows:
     yields = regime.gravity_number is not None
     rows: Rows = [
         ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
-        ("regime", regime_words(regime.name)),
+        ("regime", ", ".join(filter(None, [regime_words(regime.name), regime.near]))),
         ("because", regime.reason),
         ("largest sag", sag),
         ("damping", explanation.damping),

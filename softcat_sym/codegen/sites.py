@@ -31,6 +31,11 @@ class Sites:
         flat[:, self.x], flat[:, self.z] = x.T, z.T
         return flat.reshape(-1, *self.shape)
 
+    def of(self, row: int) -> tuple[int, int]:
+        """Site and slot of an unknown by its row, differential ones first."""
+        site, slot = divmod(int(np.append(self.x, self.z)[row]), self.shape[1])
+        return site, slot
+
     def vectors(self, states: Floats) -> tuple[Floats, Floats]:
         """Differential and algebraic unknowns, (nx, frames) and (nz, frames), of states (frames, sites, slots)."""
         flat = states.reshape(len(states), -1)

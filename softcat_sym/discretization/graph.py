@@ -128,6 +128,11 @@ class Graph:
         """Of the algebraic states."""
         return self.still.places
 
+    def midpoint_row(self, kind: str) -> int:
+        """Row of an unknown of the node at X = 0, differential ones first."""
+        places = zip((*self.x_kinds, *self.z_kinds), (*self.x_places, *self.z_places), strict=True)
+        return list(places).index((kind, int(np.argmin(np.abs(self.grid.nodes)))))
+
     @property
     def is_dae(self) -> bool:
         """Whether some unknowns are algebraic: positions without inertia, section angles without rotary inertia."""

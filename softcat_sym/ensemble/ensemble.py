@@ -41,7 +41,7 @@ from softcat_sym.results.fields import (
     node_positions,
     whole_span_fields,
 )
-from softcat_sym.results.motion import regime_of
+from softcat_sym.results.motion import beyond_noise, has_yielded, midpoint_extremes, regime_of
 from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -51,7 +51,7 @@ from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Assembled, Code, Prepared, assembled, prepare
 from softcat_sym.solvers.settings import Settings, settings_for
-from softcat_sym.solvers.solution import Solution, watched
+from softcat_sym.solvers.solution import Extremes, Solution, watched
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -184,11 +184,18 @@ class MemberRun:
         return heights
 
     @cached_property
+    def extremes(self) -> Extremes:
+        """Turning points of midspan."""
+        scene = self.member.scene
+        return beyond_noise(scene, midpoint_extremes(scene, self.prepared, self.solution))
+
+    @cached_property
     def regime(self) -> str | None:
         """What the run shows; None if it is no answer."""
         if not self.outcome.is_success:
             return None
-        return regime_of(self.member.scene, self.member.effects, self.fields, self.midpoint)
+        yielded = has_yielded(self.prepared, self.solution)
+        return regime_of(self.member.scene, self.member.effects, self.fields, self.extremes.height, yielded=yielded)
 
 
 def judged(member: Member, prepared: Prepared, solution: Solution) -> MemberRun:

@@ -57,6 +57,8 @@ REFUSED = "NOT TO BE TRUSTED"
 
 _STYLES = {"warning": "bold yellow", "because": "bold red"}
 
+_HARDLY = 1e-3
+
 Rows = list[tuple[str, str]]
 
 
@@ -80,7 +82,7 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
     if summary.get("next_digit") and not refused:
         rows.append(("next digit", str(summary["next_digit"]["text"])))
     if summary.get("regime"):
-        rows.append(("regime", regime_words(str(summary["regime"]))))
+        rows.append(("regime", f"{regime_words(str(summary['regime']))}{_rebound(summary)}"))
     if "settled_s" in summary and not refused and not summary.get("broken"):
         rows.append(("settled", _settled(summary)))
     if summary.get("backend") == "interpreted" and summary.get("backend_reason"):
@@ -215,7 +217,26 @@ def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     share = f"{float(f'{100 * abs(place) / scene.filament.span:.2g}'):g} % of the span"
     swing = float(rest.get("amplitude") or 0.0)
     swings = f", swinging by {length_unit(swing).text(swing)} about it" if swing > abs(place) / 1000 else ""
-    return "sag" if sags else "midpoint", f"{where}{error}, {share}{swings}"
+    return "sag" if sags else "midpoint", f"{where}{error}, {share}{swings}{_creep(summary)}"
+
+
+def _creep(summary: Summary) -> str:
+    """How fast what does not swing still moves when the run ends, and where it tends if that is known."""
+    creep = summary.get("creep")
+    if not creep:
+        return ""
+    rate, tends = creep["rate_m_per_s"], creep["tends_to_m"]
+    unit = time_unit(summary["time_final_s"])
+    pace = f"{length_unit(abs(rate) * unit.size).text(abs(rate) * unit.size)}/{unit.symbol}"
+    end = "" if tends is None else f" towards {length_unit(abs(tends)).text(abs(tends))}"
+    return f", still moving {'down' if rate < 0 else 'up'} by {pace}{end}"
+
+
+def _rebound(summary: Summary) -> str:
+    """How far the midpoint came back up, where that tells the regime; empty where it hardly did."""
+    back = float(summary.get("rebound") or 0.0)
+    told = str(summary["regime"]).startswith("arrested") and back >= _HARDLY
+    return f", coming back up by {100 * back:.2g} % of its sag" if told else ""
 
 
 _HARDLY, _FAR = 0.1, 0.5

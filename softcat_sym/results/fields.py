@@ -145,7 +145,7 @@ def mirrored(name: str, values: Floats, unit: float = 1.0) -> Floats:
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
     """Height of X = 0 over the rest length, negative down."""
-    return unknown_at(graph, solution, "y", 0.0)
+    return solution.row(graph.midpoint_row("y"))
 
 
 def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Floats:

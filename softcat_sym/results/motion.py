@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Motion
+from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import (
     compliant_sag,
     flowing_overstress,
@@ -37,59 +39,65 @@ from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
 from softcat_sym.solvers.run import Prepared
-from softcat_sym.solvers.solution import Progress, Solution
+from softcat_sym.solvers.solution import Extremes, Progress, Solution
 from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0
 """Fewer pictures a period show a swing that is not there: the wheels of the stage-coach that turn backwards."""
 
 SEEN = 0.01
-"""Of the largest sag: smaller swings do not count."""
+"""Of the largest sag: smaller swings do not show in pictures."""
 
-_TURNS = 4
-"""Fewer turning points make no ringing."""
+NOISE = 0.01
+"""Share of the accuracy below which a turning point, or a change of the mean, is none: the time steps err by that."""
 
-_NO_SAG = 1e-12
+_LISTED = 25
+
+NO_SAG = 1e-12
 """Sag over span below which nothing has moved."""
 
 
-def swing_period(time: Floats, midpoint: Floats) -> float | None:
-    """Period [s] with which the midpoint swings, by the turning points of its frames; None where it does not."""
-    scale = SEEN * float(np.abs(midpoint).max())
-    turns = [0]
-    for frame in range(1, len(midpoint)):
-        here, last = midpoint[frame], midpoint[turns[-1]]
-        before = midpoint[turns[-2]] if len(turns) > 1 else last
-        if (here - last) * (last - before) > 0:
-            turns[-1] = frame  # still on the same way
-        elif abs(here - last) > scale:
-            turns.append(frame)
-    turned = turns[1:-1]
-    return 2 * float(time[turned[-1]] - time[turned[0]]) / (len(turned) - 1) if len(turned) >= _TURNS else None
+_NO_STRAIN = 1e-12
+"""Rounding of a plastic strain."""
 
 
-ROUNDED = 1e-12
-"""Of a span: what rounding alone may move a midpoint by."""
+def midpoint_extremes(scene: Scene, prepared: Prepared, solution: Solution) -> Extremes:
+    """Turning points of the midpoint in s and m, as the integrator has found them."""
+    found = solution.extremes
+    if found is None:
+        found = Extremes.of(solution.time, midpoint_heights(prepared.graph, solution))
+    return found.scaled(prepared.scale, rest_length(scene))
 
 
-def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:
-    """Frames for each period of the ringing; None of a filament that does not ring."""
-    period = swing_period(time, midpoint)
-    if period is None:
-        return None
-    step = float(time[-1] - time[0]) / (len(time) - 1)
-    expected = 2 * math.pi / frequency / step
-    return expected if 0 < expected < FRAMES_A_PERIOD else period / step
+def beyond_noise(scene: Scene, extremes: Extremes) -> Extremes:
+    """Those that are no noise of the time steps, nor rounding."""
+    return extremes.beyond(max(NOISE * scene.run.accuracy * largest_of(extremes), NO_SAG * scene.filament.span))
 
 
-def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
+def turning_points(extremes: Extremes) -> list[list[float]]:
+    """Time [s] and height [m] of the first and of the last turning points, for the summary."""
+    found = np.stack([extremes.time, extremes.height], axis=1)[1:-1].tolist()
+    return [*found[:_LISTED], *found[_LISTED:][-_LISTED:]]
+
+
+def largest_of(extremes: Extremes) -> float:
+    """Largest height of the midpoint above or below its supports [m]."""
+    return float(np.max(np.abs(extremes.height)))
+
+
+def frames_a_period(extremes: Extremes, frames: int) -> float | None:
+    """Frames for each period of the last swings that can be seen; None of a filament that does not swing."""
+    rings = ringing_of(extremes.beyond(SEEN * largest_of(extremes)), lasting=False)
+    return None if rings is None else rings.period * (frames - 1) / float(extremes.time[-1] - extremes.time[0])
+
+
+def too_few_frames(duration: float, frames: int, per_period: float | None) -> list[str]:
     """Warn of frames that show a swing slower than it is, or jagged."""
     if per_period is None or per_period >= FRAMES_A_PERIOD:
         return []
-    period = per_period * float(time[-1] - time[0]) / (len(time) - 1)
-    enough = math.ceil(2 * FRAMES_A_PERIOD / per_period * len(time))
+    frequency, enough = (frames - 1) / per_period / duration, math.ceil(2 * FRAMES_A_PERIOD / per_period * frames)
     return [
-        f"it rings at about {1 / period:.3g} Hz, with {per_period:.2g} frames a period: too few to show the swing, "
+        f"it rings at about {frequency:.3g} Hz, with {per_period:.2g} frames a period: too few to show the swing, "
         f"which may look slower than it is in midpoint.csv, pictures and films; run.frames = {enough} shows it"
     ]
 
@@ -101,6 +109,7 @@ def observed_motion(
     places: tuple[Floats, Floats],
     fields: Mapping[str, Floats],
     moved: Floats,
+    extremes: Extremes,
 ) -> Motion:
     """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen.
 
@@ -114,13 +123,15 @@ def observed_motion(
     frame, node = np.unravel_index(int(np.argmax(distance)), distance.shape)
     path = moved[:, node] @ moved[frame, node] / (math.sqrt(distance[frame, node]) or 1.0)
     largest = max(math.sqrt(distance[frame, node]), least_displacement(scene, fields))
-    sag = max(float(np.max(depth)), _NO_SAG)
+    sag = max(float(np.max(depth)), NO_SAG)
     # A filament with a free end hangs by where it is, and not by how far it has moved.
-    hanging = sag if is_held(scene) else max(float(np.max(np.abs(midpoint))) / span, _NO_SAG)
+    hanging = sag if is_held(scene) else max(float(np.max(np.abs(midpoint))) / span, NO_SAG)
     strain = float(np.max(np.abs((fields["stretch"] - 1) @ length))) / float(np.sum(length))
     slope = _steepest(np.diff(fields["x"], axis=1), np.diff(y, axis=1))
     # Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi.
-    travelled = float(np.sum(np.abs(np.diff(path)))) - abs(float(path[-1] - path[0]))
+    travelled = max(
+        float(np.sum(np.abs(np.diff(way)))) - abs(float(way[-1] - way[0])) for way in (path, extremes.height)
+    )
     # Of what was dissipated and the most that was stored; unknown where a solid dissipates too.
     lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
     relaxed = lost / (lost + stored) if lost > 0 and not effects.terms().damped else 0.0
@@ -180,7 +191,7 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, path: Float
         shown["damped"] = max(motion.damped, damped(solid_decay(scene)))
     if not terms.ramped and scene.load.ramp > 0 and scene.load.gravity > 0:
         moved = np.abs(path - path[0] * is_slack(scene))
-        shown["risen"] = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _NO_SAG)
+        shown["risen"] = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), NO_SAG)
     return replace(motion, **shown)
 
 
@@ -209,29 +220,25 @@ def _folds(scene: Scene, strain: float, time: Floats, fields: Mapping[str, Float
 
 
 PERIODS = 5
-"""Periods of the first mode over which mean and amplitude are taken."""
+"""Periods over which mean and amplitude are taken."""
 
 STRIDE = 1.25
 """Ratio of the times, since the whole load acts, at which the filament is looked at."""
-
-NOISE = 0.01
-"""Share of the accuracy below which a change of the mean is none: the time steps err by about as much."""
 
 MIN_PERIODS = 10.0
 """A run that rings on to its end for so long is described by height and amplitude, without a phase."""
 
 _SAMPLES = 200
-_FRAMES_PER_PERIOD = 8
-_WORTH = 0.1
-"""Share of a run that may be integrated again to see the ringing between frames that are far apart."""
 
 
 @dataclass(frozen=True, slots=True)
 class Ringing:
-    """Height about which the midpoint rings at last, and half of what it swings through; both in m."""
+    """Height about which the midpoint swings, half of what it swings through [m], and its period [s]."""
 
     mean: float
     amplitude: float
+    period: float
+    drift: float | None  # Rate at which the mean changes [m/s], where there are enough periods to tell
 
 
 def period_of(scene: Scene) -> float:
@@ -242,57 +249,86 @@ def period_of(scene: Scene) -> float:
     return 2 * math.pi / vibration.frequency if vibration else min(gravity_time(scene), scene.run.duration / PERIODS)
 
 
-def ringing_of(heights: Floats) -> Ringing:
-    """Mean and amplitude of evenly spaced heights over some periods.
+def ringing_of(extremes: Extremes, *, lasting: bool = True) -> Ringing | None:
+    """The last swings, over whole periods; None without them, or if they have ended before a `lasting` one would."""
+    turns = len(extremes.time) - 2
+    half = min(PERIODS, (turns - 1) // 2)
+    if half < 1:
+        return None
+    time, height, area = (part[-2 - 2 * half : -1] for part in (extremes.time, extremes.height, extremes.area))
+    period = float(time[-1] - time[0]) / half
+    if lasting and extremes.time[-1] - time[-1] > period:
+        return None
+    # Means from one turning point to the next but one, each amid its period.
+    means, middles = (area[2:] - area[:-2]) / (time[2:] - time[:-2]), (time[2:] + time[:-2]) / 2
+    drift = float((means[-1] - means[0]) / (middles[-1] - middles[0])) if len(means) > 1 else None
+    amplitude = float(np.max(np.abs(np.diff(height)))) / 2
+    return Ringing(float((area[-1] - area[0]) / (time[-1] - time[0])), amplitude, period, drift)
 
-    The mean is weighted by 1 - cos, so that it does not matter with which phase the stretch begins and ends; the
-    amplitude is what is left beside a steady drift. Where nothing turns back the mean is the last height.
-    """
-    along = np.linspace(-1.0, 1.0, len(heights))
-    weights = 1 + np.cos(np.pi * along) + 1e-12
-    drift = np.polyfit(along, heights, 1, w=np.sqrt(weights))[0] * along
-    amplitude = float(np.ptp(heights - drift)) / 2
-    steps = np.diff(heights)
-    steps = steps[np.abs(steps) > 1e-9 * float(np.max(np.abs(heights), initial=1e-300))]
-    if np.count_nonzero(steps[1:] * steps[:-1] < 0) < 2:
-        return Ringing(float(heights[-1]), min(amplitude, float(np.ptp(heights)) / 2))
-    return Ringing(float(np.average(heights, weights=weights)), amplitude)
 
-
-def ringing_at_last(
-    scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, progress: Progress
+def settled_height(
+    scene: Scene, effects: Effects, extremes: Extremes, rings: Ringing | None
 ) -> tuple[dict[str, float] | None, str]:
-    """Mean and amplitude over the last periods of a run, for the summary; without them, why there are none.
+    """Mean and amplitude of the last swings, for the summary; without them, why there are none."""
+    if rings is not None:
+        return {"mean": rings.mean, "amplitude": rings.amplitude}, ""
+    turned = float(extremes.time[-2]) if len(extremes.time) > 2 else 0.0
+    if effects.terms().inertia and extremes.time[-1] - turned < period_of(scene):
+        return None, f"what it shows is shorter than one period of the first mode, {period_of(scene):.3g} s"
+    return {"mean": float(extremes.height[-1]), "amplitude": 0.0}, ""
 
-    Frames that are too far apart to show the ringing are not believed: the last periods are integrated again from the
-    frame before them, with the same steps.
+
+AGREE = 0.1
+"""Of the way that is left: what its estimates from the last half and the last quarter of a run may differ by."""
+
+
+def creep_of(scene: Scene, extremes: Extremes, time: Floats, midpoint: Floats) -> dict[str, float | None] | None:
+    """Rate at which the midpoint still moves at last, beside swings however small, and where it tends, for the summary.
+
+    None if it has moved by less than the accuracy asked in the last fifth of the run, or if it still swings by more.
     """
-    heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) + 0.0
-    if not solution.outcome.is_success or len(heights) < 2:
-        return None, "the run has not reached its end"
-    if not effects.terms().inertia or prepared.integration is None:
-        return asdict(Ringing(float(heights[-1]), 0.0)), ""
-    period, time = period_of(scene) / prepared.scale, solution.time
-    periods = min(PERIODS, int((time[-1] - time[0]) / period))
-    if periods == 0:
-        return None, f"the run is shorter than one period of the first mode, {period * prepared.scale:.3g} s"
-    begin = float(time[-1]) - periods * period
-    frame = max(0, int(np.searchsorted(time, begin, side="right")) - 1)
-    if (len(time) - 1 - frame) >= _FRAMES_PER_PERIOD * periods:
-        return asdict(ringing_of(heights[frame:])), ""
-    again = float(time[-1] - time[frame])
-    if again <= max(2 * PERIODS * period, _WORTH * float(time[-1])):
-        start = Start(solution.x[:, frame], solution.z[:, frame])
-        piece = prepared.piece(start, (float(time[frame]), begin, float(time[-1])), _SAMPLES, progress)
-        if piece.outcome.is_success:
-            return asdict(ringing_of(midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene) + 0.0)), ""
-    return None, "the frames are too far apart to show the ringing: more run.frames would"
+    rings, least = ringing_of(extremes), scene.run.accuracy * largest_of(extremes)
+    if abs(last_fifth(time, midpoint)) <= least or (rings is not None and rings.amplitude > least):
+        return None
+    if rings is None or rings.drift is None:
+        # Ringing too small to turn the midpoint back makes its speed at one instant say little.
+        last = slice(-max(4, len(time) // 3), None)
+        rate = float(Polynomial.fit(time[last], midpoint[last], min(3, len(time) - 1)).deriv()(time[-1]))
+    else:
+        rate = rings.drift
+    return {"rate_m_per_s": rate, "tends_to_m": _limit(scene, time, midpoint)}
 
 
-def rings_on(scene: Scene, settled: dict[str, float] | None, largest: float) -> bool:
+def _limit(scene: Scene, time: Floats, midpoint: Floats) -> float | None:
+    """Height to which a solid tends, where it goes there exponentially: heights are linear in earlier ones then."""
+    found, frames = list[float](), len(time) - 1
+    for begin in (frames - frames // 2, frames - frames // 4):
+        apart, heights = (frames - begin) // 4, midpoint[begin:]
+        if not apart or time[begin] < loaded_from(scene) or not np.ptp(heights):
+            return None
+        ratio, rest = np.polyfit(heights[:-apart], heights[apart:], 1)
+        if not 0 < ratio < 1:
+            return None
+        found.append(float(rest / (1 - ratio)))
+    agree = abs(found[1] - found[0]) <= AGREE * abs(found[0] - float(midpoint[-1]))
+    return found[0] if is_solid(scene) and agree else None
+
+
+def last_fifth(time: Floats, midpoint: Floats) -> float:
+    """What the midpoint has moved by in the last fifth of a run [m]."""
+    return float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint))
+
+
+def loaded_from(scene: Scene) -> float:
+    """Time from which neither the load nor a support changes [s]."""
+    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
+
+
+def rings_on(scene: Scene, rings: Ringing | None, largest: float) -> bool:
     """Whether a run rings for so long, and to its end, that height and amplitude are its whole answer."""
-    long = scene.load.shake == 0 and scene.run.duration >= MIN_PERIODS * period_of(scene)
-    return settled is not None and long and settled["amplitude"] > scene.run.accuracy * largest
+    if rings is None or scene.load.shake > 0 or scene.run.duration < MIN_PERIODS * rings.period:
+        return False
+    return rings.amplitude > scene.run.accuracy * largest
 
 
 def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: Progress) -> float | None:
@@ -305,29 +341,31 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
     most at a constant rate. Of a filament that may flow a change too small to be seen counts as one that can just be
     seen and goes on at a constant rate, so that it is watched for some 4 % of the run at least.
     """
-    loaded = max((scene.load.ramp, *(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist))))
+    loaded = loaded_from(scene)
     if prepared.start is None:
         return None
     if prepared.integration is None:
         return loaded if 0 < loaded < scene.run.duration else None
-    flows = effects.terms().flows
+    flows, scale = effects.terms().flows, prepared.scale
     window = PERIODS * period_of(scene)
     state, reached, elapsed = prepared.start, 0.0, window
     largest, means = 0.0, list[float]()
     while loaded + elapsed < scene.run.duration:
         end = loaded + elapsed
-        scale, samples = prepared.scale, max(reached, end - window)
-        piece = prepared.piece(state, (reached / scale, samples / scale, end / scale), _SAMPLES, progress)
-        if not piece.outcome.is_success:
-            return None
-        heights = midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene)
-        largest = max(largest, float(np.max(np.abs(heights))))
-        means.append(ringing_of(heights).mean)
-        least, left = scene.run.accuracy * largest, scene.run.duration - loaded
-        still = float(np.ptp(heights)) / 2 < least
+        for until, samples in ((end - window, 1), (end, _SAMPLES)):
+            if until <= reached:
+                continue
+            piece = prepared.piece(state, reached / scale, until / scale, samples, progress)
+            if not piece.outcome.is_success:
+                return None
+            seen = beyond_noise(scene, midpoint_extremes(scene, prepared, piece))
+            state, reached = Start(piece.x[:, -1], piece.z[:, -1]), until
+            largest = max(largest, largest_of(seen))
+        rings, least = ringing_of(seen), scene.run.accuracy * largest
+        means.append(float(seen.height[-1]) if rings is None else rings.mean)
+        left, still = scene.run.duration - loaded, float(np.ptp(seen.height)) / 2 < least
         if still and len(means) > 2 and still_to_move(means, left / elapsed, NOISE * least, flows=flows) < least:
             return end
-        state, reached = Start(piece.x[:, -1], piece.z[:, -1]), end
         elapsed *= STRIDE
     return None
 
@@ -357,12 +395,17 @@ t~ = 460 (N = 320), in its continual descent at 2.
 ARREST_TIME = 0.1
 """... over this last fraction of the run."""
 
-TURNED_BACK = 0.05
-"""Underdamped: the midpoint came back up by more than this fraction of its largest sag."""
+
+def has_yielded(prepared: Prepared, solution: Solution) -> bool:
+    """Whether plastic strain has come about, which stays, whatever the frames have seen of the flow."""
+    plastic = np.isin(prepared.graph.x_kinds, list(prepared.graph.profiles))
+    return bool(np.any(np.abs(solution.x[plastic, -1] - solution.x[plastic, 0]) > _NO_STRAIN))
 
 
-def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midpoint: Floats) -> Regime:
-    """Name the regime.
+def regime_of(
+    scene: Scene, effects: Effects, fields: Mapping[str, Floats], heights: Floats, *, yielded: bool
+) -> Regime:
+    """Name the regime, by the fields of frames, the heights of the midpoint at its turning points, and plastic strain.
 
     Under shaken gravity a filament that has yielded never comes to rest: it is "descending" where it flows on in the
     last tenth and the last period, and otherwise "shaken", of which nothing more is claimed.
@@ -375,15 +418,13 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
         return "no-yield" if first is not None and float(np.max(stress)) < first else "elastic"
     if not effects.terms().yields:
         return "viscous"
-    # What has yielded between two frames has dissipated; but so has a loss below yield.
-    lost = np.any(fields["energy_dissipated"] > 0) and not effects.terms().damped
-    if not np.any(fields["yielded_fraction"] > 0) and not lost:
+    if not yielded:
         return "no-yield"
     if not is_arrested(scene, fields["plastic_rate"]):
         return "descending"
     if scene.load.shake > 0:
         return "shaken"
-    return "arrested-underdamped" if turned_back(midpoint) > TURNED_BACK else "arrested-overdamped"
+    return "arrested-underdamped" if rebound_of(heights) > TURNS_BACK else "arrested-overdamped"
 
 
 def pace_of(scene: Scene) -> float | None:
@@ -415,8 +456,8 @@ def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
     return bool(np.max(last) < ARREST_RATE * pace)
 
 
-def turned_back(midpoint: Floats) -> float:
+def rebound_of(heights: Floats) -> float:
     """Largest rise of the midpoint after it had been lower, relative to its largest sag."""
-    sag = -midpoint
+    sag = -heights
     deepest = np.maximum.accumulate(sag)
     return float(np.max(deepest - sag) / np.max(sag)) if np.max(sag) > 0 else 0.0

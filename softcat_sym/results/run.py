@@ -16,7 +16,7 @@ import numpy as np
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import surface_note
-from softcat_sym.effects.free_vibration import damping_note, ringing
+from softcat_sym.effects.free_vibration import damping_note
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SoftcatError
@@ -32,14 +32,21 @@ from softcat_sym.results.fields import (
     whole_span_fields,
 )
 from softcat_sym.results.motion import (
-    ROUNDED,
-    SEEN,
+    beyond_noise,
+    creep_of,
     frames_a_period,
+    has_yielded,
+    largest_of,
+    last_fifth,
+    midpoint_extremes,
     observed_motion,
+    rebound_of,
     regime_of,
-    ringing_at_last,
+    ringing_of,
     rings_on,
+    settled_height,
     too_few_frames,
+    turning_points,
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
@@ -49,7 +56,7 @@ from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
-from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.solvers.solution import Extremes, Solution
 from softcat_sym.store import Form, packed, unpacked, version
 
 if TYPE_CHECKING:
@@ -330,18 +337,19 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     moved = displacements(scene, time, fields, places[0], prepared.graph)
-    watched = Watched.of(scene, fields, moved, places)
-    largest, most = float(np.max(np.abs(midpoint))), watched.scale[DISPLACEMENT]
-    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
-    motion = observed_motion(scene, effects, time, places, fields, moved)
+    watched, answers = Watched.of(scene, fields, moved, places), outcome.is_success
+    # What is no answer, or breaks, ends in the frame that is its last.
+    seen = midpoint_extremes(scene, prepared, solution) if answers else Extremes.of(time, midpoint)
+    extremes = beyond_noise(scene, seen)
+    rings, most = ringing_of(extremes) if answers else None, watched.scale[DISPLACEMENT]
+    settled, why = settled_height(scene, effects, extremes, rings)
+    motion = observed_motion(scene, effects, time, places, fields, moved, extremes)
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, most)))
-    moves = float(np.ptp(midpoint)) > ROUNDED * scene.filament.span
-    per_period = frames_a_period(time, midpoint, ringing(scene).frequency) if moves else None
-    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if outcome.is_success else None
-    fades = rings is not None and rings["amplitude"] < SEEN * largest
+    per_period, yielded = frames_a_period(extremes, len(time)), has_yielded(prepared, solution)
+    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),
-        *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
+        *(too_few_frames(time[-1], len(time), per_period) if answers else []),
         *saved(scene, effects, measured),
         *([aside.warning] if aside is not None else []),
     ]
@@ -353,16 +361,20 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "advice": outcome.value,
         "message": message,
         # An answer that is not to be trusted has no regime.
-        "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
+        "regime": regime_of(scene, effects, fields, extremes.height, yielded=yielded) if answers else None,
+        "rebound": rebound_of(extremes.height),
         "accuracy": scene.run.accuracy,
         "theory_error": theory_error(scene, effects.names, effects.terms()),
         "midpoint_final_m": float(midpoint[-1]),
-        "midpoint_largest_m": largest,
+        "midpoint_largest_m": largest_of(extremes),
         "displacement": watched.told(time, moved, places[0]),
-        "midpoint_last_fifth_m": float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint)),
+        "midpoint_lowest_m": float(np.min(extremes.height)),
+        "midpoint_last_fifth_m": last_fifth(time, midpoint),
+        "extremes": turning_points(extremes),
+        "creep": creep_of(scene, seen, time, midpoint) if answers else None,
         "frames_a_period": per_period,
-        "midpoint_settled_m": rings,
-        "midpoint_settled_why": why,
+        "midpoint_settled_m": settled if answers else None,
+        "midpoint_settled_why": why if answers else "the run has not reached its end",
         "time_final_s": float(time[-1]),
         "settled_s": None,
         "broken": None,

@@ -24,7 +24,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Bounds, Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Extremes, Flagged, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import version
 
@@ -44,8 +44,8 @@ OUTCOMES = {
     NO_CONVERGENCE: Outcome.no_convergence,
 }
 
-_BESIDE = 1e-9
 _LOOK = 0.1  # s between two progress reports
+_MAX_TURNS = 4096  # That are kept, of a ringing of thousands of periods: 100 kB
 _MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # Minutes of work: a run with more steps makes no progress
 
 
@@ -79,6 +79,15 @@ class CBounds(ct.Structure):
     kept: Floats  # The array of `longest`, which ctypes does not keep alive
 
 
+class Turns(ct.Structure):
+    """softcat_turns."""
+
+    _fields_ = (
+        *((name, ct.c_int) for name in ("site", "slot", "capacity", "count", "direction")),
+        ("rows", Doubles),
+    )
+
+
 class Options(ct.Structure):
     """softcat_options."""
 
@@ -92,6 +101,7 @@ class Options(ct.Structure):
         ("kink_count", ct.c_int),
         ("stop", Integers),
         ("bounds", ct.POINTER(CBounds)),
+        ("turns", ct.POINTER(Turns)),
     )
     kept: Floats  # The array of `absolute`, which ctypes does not keep alive
 
@@ -139,8 +149,9 @@ class RunInput:
     max_step: float = 0.0  # Longest step; 0 for no limit
     method: int = RODAS5P  # Number of the method in softcat_rosenbrock.h
     bounds: CBounds | None = None  # Where it ends before its last time
+    watched: tuple[int, int] | None = None  # Site and slot of the unknown whose turning points are sought
 
-    def options(self, stop: ct.c_int | None = None) -> Options:
+    def options(self, stop: ct.c_int | None = None, turns: Turns | None = None) -> Options:
         """Options of the C runtime."""
         absolute = np.full(self.state.shape[1], self.absolute)
         found = Options(
@@ -158,6 +169,8 @@ class RunInput:
             found.stop = ct.pointer(stop)
         if self.bounds is not None:
             found.bounds = ct.pointer(self.bounds)
+        if turns is not None:
+            found.turns = ct.pointer(turns)
         return found
 
 
@@ -168,6 +181,15 @@ class Answer:
     states: Floats
     work: Floats
     status: Status
+    turns: Turns | None = None  # Of the unknown that is watched
+    rows: Floats | None = None  # Their memory: time, value and integral of each
+
+    @property
+    def extremes(self) -> Extremes | None:
+        """Values between which the unknown that is watched only rises or only falls."""
+        if self.turns is None or self.rows is None:
+            return None
+        return Extremes(*self.rows[: self.turns.count + 1].T.copy())
 
 
 @dataclass(frozen=True)
@@ -271,9 +293,13 @@ class CModel:
         return fields, points
 
     def room(self, run: RunInput, status: Status) -> Answer:
-        """Arrays for the frames of a run, filled with NaN."""
+        """Arrays for the frames of a run, filled with NaN, and for its turning points."""
         frames = len(run.times)
-        return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
+        states, work = np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers)))
+        if run.watched is None:
+            return Answer(states, work, status)
+        rows = np.zeros((_MAX_TURNS, 3))
+        return Answer(states, work, status, Turns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
 
     def integrate(
         self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
@@ -283,7 +309,8 @@ class CModel:
         During the integration the frames up to that time are in `room`, if it is given.
         """
         answer = room or self.room(run, status)
-        self._call(run, answer.states, answer.work if self.model.powers else None, None, status, stop)
+        work = answer.work if self.model.powers else None
+        self._call(run, answer.states, work, None, status, stop, answer.turns)
         return answer
 
     def sensitivities(
@@ -328,8 +355,9 @@ class CModel:
         directions: CDirections | None,
         status: Status,
         stop: ct.c_int | None,
+        turns: Turns | None = None,
     ) -> None:
-        state, options = run.state.copy(), run.options(stop)
+        state, options = run.state.copy(), run.options(stop, turns)
         filament = self._filament(len(state), run.parameters, run.places)
         self._runtime.softcat_sensitivities(
             self._address,
@@ -443,16 +471,10 @@ class CompiledIntegration:
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
-        return self._integrated(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
+        return self.piece(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
-        """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        # Without a part before the samples, the first sample lies just after the start.
-        first = max(times[1], times[0] + _BESIDE * (times[-1] - times[0]))
-        times = np.append(times[0], np.linspace(first, times[-1], len(times) - 1))
-        return self._integrated(start, p, times, scale, progress)
-
-    def _integrated(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
+        """Integrate from a state at the first of several times to the last."""
         model, sites, status = self.filament.model, self.filament.sites, Status()
         run = RunInput(
             parameters=np.ascontiguousarray(p),
@@ -468,6 +490,7 @@ class CompiledIntegration:
             max_step=(self.settings.max_step or 0.0) / scale,
             method=self.settings.method,
             bounds=None if self.bounds is None else self._bounds(self.bounds),
+            watched=sites.of(self.graph.midpoint_row("y")),
         )
         room = model.room(run, status)
 
@@ -494,7 +517,7 @@ class CompiledIntegration:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
-        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
+        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps), extremes=room.extremes)
         if status.code == BEYOND:
             return found.left(status.reached, scale)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)

@@ -12,6 +12,7 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
@@ -19,7 +20,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Bounds, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 
 # Flags for identical numbers on all machines of this kind: no -march=native, no -ffast-math, no fused operations.
@@ -252,6 +253,16 @@ class Integration:
                 return replace(self._whole(parts, interval), outcome=outcome, message=message)
         return self._whole(parts, interval).to_rupture(self._graph.terms, partial(self._stretch, p=p), scale)
 
+    def _extremes(self, found: Solution) -> Extremes:
+        """Turning points by heights and speeds at the output times, between which a cubic runs."""
+        height = found.row(self._graph.midpoint_row("y"))
+        if not self._graph.has_velocities or len(found.time) < 2:
+            return Extremes.of(found.time, height)
+        path = CubicHermiteSpline(found.time, height, found.row(self._graph.midpoint_row("v")))
+        turns = path.derivative().roots(extrapolate=False)
+        time = np.unique([found.time[0], *turns[np.isfinite(turns)], found.time[-1]])
+        return Extremes(time, path(time), path.antiderivative()(time))
+
     def _stretch(self, time: Floats, x: Floats, z: Floats, p: Floats) -> Floats:
         return self._graph.observe(time, x, z, p)["stretch"]
 
@@ -269,25 +280,26 @@ class Integration:
         """All parts joined, without frames of the last chunk beyond the end."""
         found, frames = Solution.joined(parts), self._frames
         x, z, quad = (part[:, :frames] for part in (found.x, found.z, found.quad))
-        return replace(found, time=np.arange(x.shape[1], dtype=float) * interval, x=x, z=z, quad=quad)
+        found = replace(found, time=np.arange(x.shape[1], dtype=float) * interval, x=x, z=z, quad=quad)
+        return replace(found, extremes=self._extremes(found))
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        begin, first, end = (float(times[k]) for k in (0, 1, -1))
+        begin, end, samples = float(times[0]), float(times[-1]), len(times) - 1
         parts = [Solution.at(start.x, start.z, len(self._graph.powers))]
-        spans = [(low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)) for low, high in self._cuts(begin, first)]
-        parts.append(self._through(parts[0], p, spans))
-        if parts[-1].outcome is Outcome.solved:
-            samples = len(times) - 2
+        if samples == 1:
+            spans = [(low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)) for low, high in self._cuts(begin, end)]
+            parts.append(self._through(parts[0], p, spans))
+        else:
             # All pieces of a run have the same number of samples.
             if self._samples is None or self._samples.intervals != samples:
                 self._samples = self._integrator(samples)
-            parts.append(self._samples.advance(parts[-1], p, first, (end - first) / samples))
+            parts.append(self._samples.advance(parts[0], p, begin, (end - begin) / samples))
         if (failed := parts[-1]).outcome is not Outcome.solved:
-            found = Solution.joined(parts[:-1])
-            return replace(found, time=np.full(len(found.time), begin), outcome=failed.outcome, message=failed.message)
+            return replace(parts[0], time=times[:1], outcome=failed.outcome, message=failed.message)
         progress.update(end * scale, None)
-        return replace(Solution.joined(parts), time=times)
+        found = replace(Solution.joined(parts), time=times)
+        return replace(found, extremes=self._extremes(found))
 
     def _cuts(self, begin: float, end: float) -> list[tuple[float, float]]:
         """The time from begin to end, divided at its kinks."""

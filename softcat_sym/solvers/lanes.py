@@ -89,7 +89,7 @@ class LanesModel:
         members, kept = (Member * len(runs))(), list[object]()
         for member, run, room in zip(members, runs, rooms, strict=True):
             arrays = [np.ascontiguousarray(array) for array in (run.parameters, run.places, run.state, run.times)]
-            options = run.options(stop)
+            options = run.options(stop, room.turns)
             kept += [options, *arrays]
             parameters, places, state, times = (doubles(array) for array in arrays)
             member.filament = Filament(len(run.state), parameters, places)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -25,6 +26,7 @@ from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
@@ -33,7 +35,7 @@ from softcat_sym.solvers.descent import bounds_of
 from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend
-from softcat_sym.solvers.solution import Progress, Solution
+from softcat_sym.solvers.solution import Interrupted, Progress, Solution
 from softcat_sym.solvers.start import Start
 
 if TYPE_CHECKING:
@@ -133,6 +135,7 @@ class Prepared:
     integration: Integration | CompiledIntegration | None  # None for a sequence of equilibria
     backend: Backend = _INTERPRETED
     code: CompiledFilament | None = None  # Of the whole filament, if it is compiled
+    stride: int = 1  # Output times of the integration for each of `times`
 
     def observe(self, solution: Solution) -> dict[str, Floats]:
         """Fields and energies of a solution, shape (frames, sites)."""
@@ -151,32 +154,31 @@ class Prepared:
             from softcat_sym.solvers.quasi_static import march
 
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
-        return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
+        try:
+            found = self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
+        except Interrupted as stopped:
+            part: Solution = stopped.part()
+            raise Interrupted(lambda: part.every(self.stride, self.times)) from None
+        return found.every(self.stride, self.times)
 
-    def piece(self, start: Start, times: tuple[float, float, float], samples: int, progress: Progress) -> Solution:
-        """Integrate from a state at one time to a second time, and with equally spaced samples to a third time.
+    def piece(self, start: Start, begin: float, end: float, samples: int, progress: Progress) -> Solution:
+        """Integrate from a state at one time to a later time.
 
         Parameters
         ----------
         start : Start
             State at the first time.
-        times : tuple of float
-            Start, start of the samples, end; in units of the time scale. The first two may be equal.
+        begin, end : float
+            In units of the time scale.
         samples : int
-            Intervals from the second to the third.
+            Equal intervals between them, at whose ends the solution is stored.
         progress : Progress
             Receiver of the simulated time.
-
-        Returns
-        -------
-        Solution
-            The start, and the samples with both ends.
         """
         if self.integration is None:
             raise ValueError("a sequence of equilibria is not integrated")
-        begin, first, end = times
-        every = np.append(begin, np.linspace(first, end, samples + 1))
-        return self.integration.piece(start, self.p, every, self.scale, progress)
+        times = np.linspace(begin, end, samples + 1)
+        return self.integration.piece(start, self.p, times, self.scale, progress)
 
 
 def prepare(
@@ -204,7 +206,7 @@ def prepare(
     if isinstance(code, CompiledFilament) and code_at_rest is not None:
         newton = CompiledNewton(graph, code, code_at_rest, settings)
     bounds = bounds_of(scene, graph.terms)
-    start = starting_state(scene, graph, p, statics, newton)
+    start, stride = starting_state(scene, graph, p, statics, newton), 1
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):
         integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks, bounds)
@@ -212,6 +214,18 @@ def prepare(
         # Imported here, as compiled runs do not need CasADi.
         from softcat_sym.solvers.interpreted import Integration
 
-        integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code, bounds)
+        stride = 1 if len(kinks) else _stride(scene)
+        frames = stride * (scene.run.frames - 1) + 1
+        integration = Integration(graph, settings, frames, kinks[kinks < times[-1]], code, bounds)
     whole = code if isinstance(code, CompiledFilament) else None
-    return Prepared(graph, settings, p, times, scale, start, integration, backend, whole)
+    return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
+
+
+_PER_PERIOD, _MAX_TIMES = 16.0, 4000
+
+
+def _stride(scene: Scene) -> int:
+    """Output times for each frame that show how the filament may ring, where the steps themselves are not seen."""
+    frequency, frames = ringing(scene).frequency, scene.run.frames - 1
+    enough = _PER_PERIOD * frequency * scene.run.duration / (2 * math.pi) if math.isfinite(frequency) else 0.0
+    return max(1, math.ceil(min(enough, _MAX_TIMES) / frames))

@@ -85,6 +85,38 @@ def is_torn(terms: Terms, stretch: Floats) -> bool:
     return bool(np.any(stretch > thread_of(terms)))
 
 
+@dataclass(frozen=True, slots=True)
+class Extremes:
+    """Heights of the midpoint between which it only rises or only falls: the first, its turning points, the last."""
+
+    time: Floats
+    height: Floats
+    area: Floats  # Integral of the height over the time up to then
+
+    @classmethod
+    def of(cls, time: Floats, height: Floats) -> Extremes:
+        """Those of frames, which show no more of them than they are many."""
+        return cls(time, height, np.append(0.0, np.cumsum(np.diff(time) * (height[1:] + height[:-1]) / 2)))
+
+    def scaled(self, time: float, length: float) -> Extremes:
+        """The same in other units."""
+        return Extremes(self.time * time, self.height * length, self.area * time * length)
+
+    def beyond(self, least: float) -> Extremes:
+        """Without swings of this size and smaller ones."""
+        height, kept = self.height, [0]
+        for number in range(1, len(height)):
+            here, last = height[number], height[kept[-1]]
+            before = height[kept[-2]] if len(kept) > 1 else last
+            if (here - last) * (last - before) > 0:
+                kept[-1] = number  # still on the same way
+            elif abs(here - last) > least:
+                kept.append(number)
+        if kept[-1] != len(height) - 1:
+            kept[1 if len(kept) == 1 else -1 :] = [len(height) - 1]
+        return Extremes(self.time[kept], height[kept], self.area[kept])
+
+
 @dataclass(frozen=True)
 class Bounds:
     """Where a run ends as one that falls for ever, in units of the rest length."""
@@ -105,11 +137,17 @@ class Solution:
     message: str  # Time, worst component and message of the integrator, if it failed
     steps: int
     ended: float | None = None  # Time at which it was left to fall for ever
+    extremes: Extremes | None = None  # Of the midpoint over the rest length; None of a sequence of equilibria
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
         """The first frame of an integration, at time zero."""
         return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((powers, 1)), Outcome.solved, "", 0)
+
+    def row(self, number: int) -> Floats:
+        """One unknown in all frames, differential ones first."""
+        moving = len(self.x)
+        return np.asarray(self.x[number] if number < moving else self.z[number - moving], dtype=float)
 
     @classmethod
     def joined(cls, parts: Sequence[Solution]) -> Solution:
@@ -135,6 +173,11 @@ class Solution:
         """The solution at some of its frames."""
         time, x, z, quad = (part[..., frames] for part in (self.time, self.x, self.z, self.quad))
         return replace(self, time=time, x=x, z=z, quad=quad)
+
+    def every(self, stride: int, time: Floats) -> Solution:
+        """The solution at every `stride`-th frame, with the times of `time`."""
+        found = self.only(slice(None, None, stride))
+        return replace(found, time=time[: len(found.time)])
 
     def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:
         """The solution up to the first frame with a section stretched to a thread, if the last frame has one."""

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.registry import REGISTRY
@@ -31,7 +31,7 @@ from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.breaking import unbreakable
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
 from softcat_sym.scene.natural_curve import is_curved
@@ -98,7 +98,7 @@ def descent_of(run: Run) -> Descent | None:
     if len(time) < 2 or not np.all(np.isfinite(sag)):
         return None
     final, stretch = float(sag[-1]), run.data["stretch"].values[-1]
-    at, rise = int(np.argmax(stretch)), turned_back(-sag)
+    at, rise = int(np.argmax(stretch)), float(run.summary["rebound"])
     moving = np.flatnonzero(np.abs(sag - final) > _STILL * abs(final))
     first = int(moving[-1]) + 1 if moving.size else 0
     rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
@@ -111,11 +111,11 @@ def descent_of(run: Run) -> Descent | None:
             to_90 = float(time[before] + share * (time[reached] - time[before]))
     return Descent(
         final=final,
-        largest=float(np.max(sag)),
+        largest=-float(run.summary["midpoint_lowest_m"]),
         settled=float(time[first]) if rests else None,
         to_90=to_90,
         rise=rise,
-        damping="underdamped" if rise > TURNED_BACK else "overdamped",
+        damping="underdamped" if rise > TURNS_BACK else "overdamped",
         stretch=float(stretch[at]),
         stretch_at=float(run.data["X_cell"].values[at]) / run.scene.filament.span,
     )

@@ -20,7 +20,7 @@ from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, sect
 from softcat_sym.ensemble.executor import Executor, MembersProgress, executor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CrossSection
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
 from softcat_sym.solvers.solution import watched
@@ -423,7 +423,7 @@ class PhaseDiagram:
             "definitions": {
                 "arrested": f"plastic rate below {ARREST_RATE:g} sigma_Y/eta in every fibre over the last "
                 f"{ARREST_TIME:.0%} of the run",
-                "underdamped": f"the midpoint turned back by more than {TURNED_BACK:.0%} of its largest sag",
+                "underdamped": f"the midpoint turned back by more than {TURNS_BACK:.0%} of its largest sag",
                 "descending-at-clamps": f"descending, but arrested further than {CLAMP_REGION:g} L from the ends",
                 "no answer": f"localised or failed; repeated until the sag passes {PASSED:g} L if it does so",
                 "duration": f"ramp + ({ELASTIC_TIME:g} + V min({WEIGHT_TIME:g}, {ARREST_FLOW_TIME:g} G)) sqrt(L/g)",

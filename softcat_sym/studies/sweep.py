@@ -164,7 +164,8 @@ class MemberWork:
             return self.without_answer(run.outcome.name, run.message, scene, begun)
         times, places = run.solution.time * run.prepared.scale, (run.nodes, run.cells)
         how = used(member, run.prepared)
-        return self._answer(scene, run.regime or "", times, run.fields, places, run.energy_residual, begun, how)
+        regime, sag = run.regime or "", -float(np.min(run.extremes.height))
+        return self._answer(scene, regime, times, run.fields, places, sag, run.energy_residual, begun, how)
 
     def without_answer(
         self, outcome: str, message: str, scene: Scene | None = None, begun: float = math.nan
@@ -188,7 +189,8 @@ class MemberWork:
         fields = {name: run.data[name].values for name in ("x", "y", "stretch")}
         places = (run.data.X_node.values, run.data.X_cell.values)
         residual, regime = float(run.summary["energy_residual"]), str(run.summary["regime"] or "")
-        return self._answer(scene, regime, run.data.time.values, fields, places, residual, begun, used_by(run))
+        sag, times = -float(run.summary["midpoint_lowest_m"]), run.data.time.values
+        return self._answer(scene, regime, times, fields, places, sag, residual, begun, used_by(run))
 
     def _answer(
         self,
@@ -197,12 +199,12 @@ class MemberWork:
         times: Floats,
         fields: Mapping[str, Floats],
         places: tuple[Floats, Floats],
+        sag: float,
         residual: float,
         begun: float,
         how: dict[str, float],
     ) -> MemberResult:
         height = fields["y"][:, fields["y"].shape[1] // 2] + 0.0  # no minus zero
-        sag = float(np.max(-height))
         return MemberResult(
             "solved",
             regime,
@@ -228,9 +230,9 @@ def _has_missing_effect(run: MemberRun) -> bool:
     scene, effects = run.member.scene, run.member.effects
     if scene.run.effects != "auto":
         return False
-    time, graph = run.solution.time * run.prepared.scale, run.prepared.graph
+    time, places, graph = run.solution.time * run.prepared.scale, (run.nodes, run.cells), run.prepared.graph
     moved = displacements(scene, time, run.fields, run.nodes, graph)
-    motion = observed_motion(scene, effects, time, (run.nodes, run.cells), run.fields, moved)
+    motion = observed_motion(scene, effects, time, places, run.fields, moved, run.extremes)
     return bool(missing_effect(scene, effects, measures(scene, effects, motion), run.outcome))
 
 

@@ -15,7 +15,7 @@ from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.law import is_solid
 from softcat_sym.ensemble.members import Row, written
 from softcat_sym.error_control.estimate import Resolution
@@ -380,7 +380,6 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "flows": terms.flows,
         "necks": terms.necking_gradient and terms.yields,
         "bends": terms.bending,
-        "damped": terms.damped,
         "shaken": scene.load.shake > 0,
         "surface": terms.surface_tension,
         "felt": int(terms.viscous and terms.surface_tension),
@@ -410,9 +409,12 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "beaded": verdict.BEADED,
         "arrest_rate": motion.ARREST_RATE,
         "arrest_time": motion.ARREST_TIME,
-        "turned_back": motion.TURNED_BACK,
+        "turns_back": TURNS_BACK,
         "frames_a_period": motion.FRAMES_A_PERIOD,
+        "periods": motion.PERIODS,
         "seen": motion.SEEN,
+        "turn": motion.NOISE * scene.run.accuracy,
+        "no_sag": motion.NO_SAG * scene.filament.span,
         "thick": theory_limits.THICK,
         "uncertain": theory_limits.error_by_slenderness(scene, effects.names, terms),
         "moves": bool(scene.ends.motion),

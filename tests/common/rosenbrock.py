@@ -12,7 +12,7 @@ import numpy as np
 
 import softcat_sym.codegen
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.solvers.compiled import CDirections, Filament, Integers, Options, Status
+from softcat_sym.solvers.compiled import CDirections, Filament, Integers, Options, Status, Turns
 
 RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"
@@ -136,6 +136,7 @@ class Settings:
     method: int = RODAS5P
     kinks: Sequence[float] = ()
     stop: c.c_int | None = None
+    turns: Turns | None = None
     kept: list[object] = field(default_factory=list)
 
     def options(self, slots: int) -> Options:
@@ -145,6 +146,7 @@ class Settings:
         made.max_steps, made.method = self.max_steps, self.method
         made.kinks, made.kink_count = doubles(self.kinks), len(self.kinks)
         made.stop = c.pointer(self.stop) if self.stop is not None else None
+        made.turns = c.pointer(self.turns) if self.turns is not None else None
         return made
 
 

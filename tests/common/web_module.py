@@ -17,7 +17,7 @@ from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.web.module import find_wasm_compiler, module_sources, wasm_module
 
-ROOMS = ("parameters", "absolute", "start", "fields", "midpoint", "work", "status")
+ROOMS = ("parameters", "absolute", "start", "fields", "midpoint", "work", "extremes", "status")
 
 
 def need_wasmtime() -> None:
@@ -65,6 +65,8 @@ class Solved:
     midpoint: Floats
     fields: dict[str, Floats]  # (frames, sites) of each row
     work: Floats
+    extremes: Floats  # Time, height and its integral: at first, at each turning point, at last
+    yielded: bool
     words: str
 
 
@@ -97,7 +99,7 @@ class Page:
             self.numbers(room, self.start.size)[:] = np.r_[self.start[:, 0], self.start[:, 1:].ravel()]
         given = (how.duration, how.grading, how.relative, how.largest_step, how.method, how.max_steps)
         code = self.call("page_solve", how.cells, how.fibres, how.frames, *given)
-        status = self.numbers(self.call("page_status"), 8).copy()
+        status = self.numbers(self.call("page_status"), 10).copy()
         assert code == status[0]
         frames, sites, shown = int(status[6]), int(status[7]), [one.name for one in model.signature.shown]
 
@@ -115,6 +117,8 @@ class Page:
             copy("midpoint", frames),
             {name: fields[:, row] for row, name in enumerate(shown)},
             copy("work", frames, len(model.powers)),
+            copy("extremes", int(status[8]), 3),
+            bool(status[9]),
             self.text(self.call("page_explain", code)),
         )
 

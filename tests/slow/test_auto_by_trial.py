@@ -25,6 +25,7 @@ from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
+from softcat_sym.solvers.solution import Extremes
 from tests.common.auto_and_everything import difference
 from tests.common.kept_answers import fingerprint, kept
 from tests.common.random_scenes import random_scenes
@@ -74,7 +75,13 @@ def row_of(name: str, text: str) -> Row:
         instants, *places = (trial.fields[name] for name in ("time", "X_node", "X_cell"))
         moved = displacements(scene, instants, trial.fields, places[0])
         motion = observed_motion(
-            scene, choosing.choose_effects(coarse), instants, (places[0], places[1]), trial.fields, moved
+            scene,
+            choosing.choose_effects(coarse),
+            instants,
+            (places[0], places[1]),
+            trial.fields,
+            moved,
+            Extremes.of(instants, trial.fields["midpoint"]),
         )
         with mock.patch.object(choosing, "forecast", lambda _: motion):
             chosen = choosing.choose_effects(scene).names

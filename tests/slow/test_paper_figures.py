@@ -28,7 +28,7 @@ from softcat_sym.plotting.paper_figures import (
     strip_at,
 )
 from softcat_sym.reference.element_loop import Mesh
-from softcat_sym.results.motion import turned_back
+from softcat_sym.results.motion import rebound_of
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies import paper_figures
 from softcat_sym.studies.compare import filament_clamp_strain
@@ -117,7 +117,7 @@ def test_stopping_depth_and_the_two_arrests() -> None:
     rows += [["overdamped, elements", f"{over:.4f}"]]
     rows += [[f"overdamped, {name}", f"{final('arrested-overdamped', name):.4f}"] for name in (PAPER, PRINTED, OWN)]
     rows += [["underdamped (G = 0.4), elements", f"{under:.4f}"]]
-    back = {name: turned_back(filmed(name).elements[1]) for name in ("arrested-overdamped", "arrested-underdamped")}
+    back = {name: rebound_of(filmed(name).elements[1]) for name in ("arrested-overdamped", "arrested-underdamped")}
     rows += [[f"{name}: turned back", f"{share:.1%}"] for name, share in back.items()]
     show("arrest at G = 0.4: sag/L at t~ = 460", ["", "sag/L"], rows)
     assert depth["paper"] == pytest.approx(0.05, abs=0.002)

@@ -1,5 +1,6 @@
 #include "softcat_lanes_model.h"
 #include "softcat_lanes_step.h"
+#include "softcat_turns.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -131,6 +132,9 @@ static void load(lanes_run *run, int l, softcat_member *member)
     run->relative[l] = options->relative;
     run->work_absolute[l] = options->work_absolute;
     write_row(run, l, 0, step->y, step->work);
+    softcat_turns *turns = options->turns;
+    if (turns)
+        softcat_turns_begin(turns, r->t, member->state[turns->site * one->slots + turns->slot]);
     if (!(r->t < r->last)) finish(r, SOFTCAT_SOLVED);
     /* Newton's method, which algebraic unknowns need there, goes one filament at a time. */
     else if (jumps && has_algebraic(one)) finish(r, SOFTCAT_NO_CONVERGENCE);
@@ -230,6 +234,18 @@ static void write_outputs(lanes_run *run, const int *accepted)
     }
 }
 
+/* Turning points in the step that a lane has taken. */
+static void watch(const lanes_run *run, int l)
+{
+    const lanes_step *step = &run->step;
+    const lane *r = run->lanes + l;
+    softcat_turns *turns = r->member->options.turns;
+    double stages[SOFTCAT_MOST_STAGES];
+    size_t i = (size_t)(turns->site * step->model->one->slots + turns->slot);
+    for (int j = 0; j < step->method->stages; j++) stages[j] = step->stages[j][i][l];
+    softcat_turns_step(turns, step->method, r->t, r->end, step->y[i][l], step->next[i][l], stages);
+}
+
 static void accept(lanes_run *run, int l, double error)
 {
     lane *r = run->lanes + l;
@@ -285,6 +301,8 @@ static void attempt(lanes_run *run)
         taken[l] = accepted[l] ? -1 : 0;
     }
     write_outputs(run, accepted);
+    for (int l = 0; l < LANES; l++)
+        if (accepted[l] && run->lanes[l].member->options.turns) watch(run, l);
     for (size_t i = 0; i < step->size; i++)
         step->y[i] = lanes_choose(taken, step->next[i], step->y[i]);
     for (int p = 0; p < step->powers; p++)
@@ -304,6 +322,9 @@ static int contradictory(const softcat_model *model, const softcat_member *membe
         if (options->method != members->options.method || !member->states) return 1;
         if (!(options->relative > 0.0) || !(options->work_absolute >= 0.0)) return 1;
         if (!member->work != !members->work) return 1;
+        if (options->turns
+            && softcat_turns_are_wrong(options->turns, member->filament.sites, model->slots))
+            return 1;
         for (int k = 0; k < model->slots; k++)
             if (!(options->absolute[k] >= 0.0)) return 1;
         for (int i = 0; i < member->count; i++)

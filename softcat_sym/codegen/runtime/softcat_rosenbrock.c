@@ -1,6 +1,7 @@
 #include "softcat_rosenbrock.h"
 
 #include "softcat_run.h"
+#include "softcat_turns.h"
 
 #include <float.h>
 #include <math.h>
@@ -92,8 +93,19 @@ static double shorten(const softcat_run *r, double h, double *end)
     return h;
 }
 
+static void watch(const softcat_run *r, double end)
+{
+    softcat_turns *turns = r->options->turns;
+    double stages[SOFTCAT_MOST_STAGES];
+    size_t i = (size_t)turns->site * (size_t)r->model->slots + (size_t)turns->slot;
+    for (int j = 0; j < r->step.method->stages; j++) stages[j] = r->step.stages[j][i];
+    softcat_turns_step(turns, r->step.method, r->t, end, r->copies->state[i], r->step.next[i],
+                       stages);
+}
+
 static int accept(softcat_run *r, double h, double start, double inner_end, double end)
 {
+    if (r->options->turns) watch(r, end);
     softcat_outputs_step(&r->outputs, &r->step, r->copies, r->t, end);
     memcpy(r->copies[0].state, r->step.next, r->step.size * sizeof(double));
     int code = softcat_copies_follow(r, h, start, inner_end, end);
@@ -220,6 +232,10 @@ static int integrate(softcat_run *r)
         r->kink++;
     }
     int code = softcat_copies_correct(r, inner_start(r));
+    softcat_turns *turns = r->options->turns;
+    if (turns)
+        softcat_turns_begin(turns, r->t,
+                            r->copies->state[turns->site * r->model->slots + turns->slot]);
     for (int c = 0; c < r->copy_count && !code; c++)
         softcat_outputs_first(&r->outputs, &r->step, r->copies + c);
     r->outputs.next = 1;
@@ -243,7 +259,9 @@ int softcat_sensitivities(const softcat_model *model, const softcat_filament *fi
 {
     memset(status, 0, sizeof *status);
     status->worst_site = status->worst_slot = -1;
-    if (contradictory_options(model, options, times, count, directions))
+    if (contradictory_options(model, options, times, count, directions)
+        || (options->turns
+            && softcat_turns_are_wrong(options->turns, filament->sites, model->slots)))
         return status->code = SOFTCAT_ARGUMENT;
     softcat_run r = {.model = model, .options = options, .status = status};
     r.outputs.times = times;

@@ -29,6 +29,17 @@ typedef struct softcat_bounds {
 /* Whether a state, whose numbers stand `stride` apart, is beyond its bounds. */
 int softcat_beyond(const softcat_bounds *, const double *state, int slots, int sites, int stride);
 
+/* Turning points of one unknown: where it stops to rise or to fall, on the dense output of the steps
+ * themselves, whatever the output times are. When there is room for no more, the smallest swings
+ * but for the last are left out. */
+typedef struct softcat_turns {
+    int site, slot;            /* the unknown */
+    int capacity;              /* rows that there is room for, 8 or more */
+    int count, direction;      /* out: rows before the last; 1 where it rises at last, -1: it falls */
+    double *rows;              /* [3 * capacity] out: time, value and integral of the value until
+                                  then: at first, at each turning point, and at last */
+} softcat_turns;
+
 /* Set all to zero first ({0}), then what is wanted. */
 typedef struct softcat_options {
     double relative;           /* relative error a step may make, > 0 */
@@ -44,6 +55,7 @@ typedef struct softcat_options {
     int kink_count;            /*              no step runs over one of them */
     const volatile int *stop;  /* or NULL: set non-zero from outside (a signal, a thread) to stop */
     const softcat_bounds *bounds; /* or NULL; looked at after every step */
+    softcat_turns *turns;      /* or NULL: of no unknown */
 } softcat_options;
 
 /* What a run did, also if it failed. */

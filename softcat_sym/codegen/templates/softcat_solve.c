@@ -255,6 +255,13 @@ static void write_all(run *r, const softcat_results *to, const double *times, in
     }
 }
 
+/* From units of the model to s and m. */
+static void scale_turns(const run *r, softcat_turns *turns)
+{
+    const double units[] = {r->scale, r->length, r->scale * r->length};
+    for (int i = 0; i < 3 * (turns->count + 1); i++) turns->rows[i] *= units[i % 3];
+}
+
 /* Integrate what was checked and has its memory; *reached: rows that were. */
 static int integrate(run *r, const double *params, int cells, const double *times, int n,
                      const softcat_results *to, softcat_status *status, int *reached)
@@ -266,9 +273,15 @@ static int integrate(run *r, const double *params, int cells, const double *time
     if (!code && derived) code = point(r);
     if (code) return code;
     for (int j = 0; j < n; j++) r->times[j + r->skip] = times[j] / r->scale;
+    r->options.turns = to->turns;
+    if (to->turns) {
+        to->turns->site = softcat_middle(r->s, cells);
+        to->turns->slot = r->s->y;
+    }
     code = softcat_sensitivities(r->s->model, &r->filament, &r->options, r->state, r->times,
                                  r->count, r->states, to->work ? r->work : NULL,
                                  derived ? &r->directions : NULL, status);
+    if (to->turns) scale_turns(r, to->turns);
     /* What fails before the first step may have left no row at all. */
     if (code && status->steps == 0) return code;
     while (*reached < r->count && r->times[*reached] <= status->reached) ++*reached;

@@ -137,6 +137,8 @@ typedef struct softcat_results {
     double *work;        /* [n * model->powers] J per m^2 of undeformed section: dissipated by
                             flow, of the changing load, of the necking gradient */
     double *derivatives; /* [by_count * n * row] of positions by parameters [m / SI unit] */
+    softcat_turns *turns; /* capacity and rows given: turning points of the height of the node at
+                             X = 0, in s, m and m s; none after a failure without a row */
 } softcat_results;
 
 /* Doubles that one time takes in `positions`; 0 if `cells` is out of range. A symmetric filament is

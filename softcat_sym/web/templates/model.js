@@ -116,13 +116,15 @@ function solvedRaw(data, module, state, resolution, tighter = 1) {
   const scale = parameters[data.parameters.indexOf("time_scale")] || 0
   const code = exports.page_solve(resolution.cells, resolution.fibres, resolution.frames, durationOf(data, state),
     resolution.grading, settings.relative * looser, settings.largest_step * scale, settings.method, resolution.max_steps)
-  const status = Array.from(view(exports.page_status(), 8)), [, reached, steps, , site, slot, frames, sites] = status
+  const status = Array.from(view(exports.page_status(), 10)), [, reached, steps, , site, slot, frames, sites, extremes, yielded] = status
   const copied = (address, length) => view(address, length).slice()
   return {
     code, reached, steps, site, slot, frames, sites,
     sentence: textAt(exports, exports.page_explain(code)),
     rows: copied(exports.page_fields(), frames * resolution.rows.length * sites),
     midpoint: copied(exports.page_midpoint(), frames),
+    extremes: copied(exports.page_extremes(), 3 * extremes),
+    yielded: yielded > 0,
     work: copied(exports.page_work(), frames * data.powers.length),
   }
 }
@@ -241,8 +243,8 @@ function runOf(data, state, resolution, raw) {
   const fields = fieldsOf(data, state, resolution, raw), frames = raw.frames
   const time = mapped(frames, k => duration * k / (resolution.frames - 1))
   const stopped = { code: raw.code, reached: raw.reached, steps: raw.steps, message: raw.code ? stopMessage(data, resolution, raw) : "" }
-  const judged = judge(data, state, { ...stopped, time, X_node, fields })
-  const sag = judged.midpoint.length ? Math.max(0, -leastOf(judged.midpoint)) : 0
+  const { extremes, yielded } = raw, judged = judge(data, state, { ...stopped, time, X_node, fields, extremes, yielded })
+  const sag = Math.max(0, ...judged.extremes.map(([, height]) => -height))
   return { ...stopped, nodes: X_node.length, cells: X_node.length - 1, X_node, ...judged, sag }
 }
 
@@ -257,7 +259,7 @@ function judge(data, state, run) {
   const all = run.time.length
   if (!all) {
     const outcome = words.codes[run.code] || "no_convergence"
-    return { time: run.time, midpoint: run.time, fields: run.fields, verdict: verdictWith(data, outcome, run.message), residual: 0 }
+    return { time: run.time, midpoint: run.time, extremes: [], fields: run.fields, verdict: verdictWith(data, outcome, run.message), residual: 0 }
   }
   const whole = toRupture(data, run), residual = energyResidual(data, state, whole.fields)
   const [outcome, message] = outcomeOf(data, state, whole, limits.audited ? residual : 0)
@@ -266,9 +268,11 @@ function judge(data, state, run) {
   if (outcome === "broken") sound = 1 + breakFrame(data, whole)
   const kept = cut(whole, sound), n = kept.fields.y.length / sound
   const midpoint = mapped(sound, frame => kept.fields.y[frame * n + (n - 1) / 2])
-  const regime = outcome === "solved" ? regimeOf(data, state, kept.fields, sound, midpoint) : null
-  const warnings = warningsOf(data, state, kept, midpoint, outcome, residual)
-  return { time: kept.time, midpoint, fields: kept.fields, residual, verdict: verdictWith(data, outcome, message, regime, warnings) }
+  const frames = mapped(3 * sound, k => [kept.time, midpoint, kept.time][k % 3][Math.floor(k / 3)])
+  const extremes = extremesOf(data, outcome === "solved" ? run.extremes : frames)
+  const regime = outcome === "solved" ? regimeOf(data, state, kept, sound, extremes) : null
+  const warnings = warningsOf(data, state, kept, extremes, outcome, residual)
+  return { time: kept.time, midpoint, extremes, fields: kept.fields, residual, verdict: verdictWith(data, outcome, message, regime, warnings) }
 }
 
 const verdictWith = ({ words }, outcome, message, regime = null, warnings = []) =>
@@ -478,18 +482,17 @@ function gainedEnergy(data, state, fields, frames) {
 
 // ---- Regime and warnings
 
-function regimeOf(data, state, fields, frames, midpoint) {
+function regimeOf(data, state, { fields, yielded }, frames, extremes) {
   const { limits } = data
   if (limits.regime === "elastic" || limits.regime === "viscous") return limits.regime
   if (limits.regime === "unflowing") {
     const stress = fields.stress_mean.map((one, k) => Math.abs(one) + Math.abs(fields.stress_bending[k])), limit = numberOf(data, state, "yield_stress")
     return limit > 0 && largestOf(stress) < limit ? "no-yield" : "elastic"
   }
-  const lost = fields.energy_dissipated.some(one => one > 0) && !limits.damped
-  if (!lost && !fields.yielded_fraction.some(one => one > 0)) return "no-yield"
+  if (!yielded) return "no-yield"
   if (!isArrested(data, state, fields.plastic_rate, frames)) return "descending"
   if (limits.shaken) return "shaken"
-  return turnedBack(midpoint) > limits.turned_back ? "arrested-underdamped" : "arrested-overdamped"
+  return reboundOf(extremes) > limits.turns_back ? "arrested-underdamped" : "arrested-overdamped"
 }
 
 function isArrested(data, state, plasticRate, frames) {
@@ -501,22 +504,40 @@ function isArrested(data, state, plasticRate, frames) {
 }
 
 /* Largest rise of the midpoint after it had been lower, relative to its largest sag. */
-function turnedBack(midpoint) {
+function reboundOf(extremes) {
   let deepest = -Infinity, most = 0
-  for (const height of midpoint) {
+  for (const [, height] of extremes) {
     deepest = Math.max(deepest, -height)
     most = Math.max(most, deepest + height)
   }
   return deepest > 0 ? most / deepest : 0
 }
 
-function warningsOf(data, state, run, midpoint, outcome, residual) {
+/* Time and height at both ends and at the turning points of the midpoint, beyond noise. */
+function extremesOf({ limits }, numbers) {
+  const all = Array.from({ length: numbers.length / 3 }, (_, k) => [numbers[3 * k], numbers[3 * k + 1]])
+  return beyond(all, Math.max(limits.turn * largestOf(all.map(([, one]) => Math.abs(one))), limits.no_sag))
+}
+
+/* Without swings of this size and smaller ones. */
+function beyond(extremes, least) {
+  const kept = [0], height = k => extremes[k][1], last = extremes.length - 1
+  if (last < 1) return extremes
+  for (let k = 1; k <= last; k++) {
+    const now = kept[kept.length - 1], before = kept.length > 1 ? kept[kept.length - 2] : now
+    if ((height(k) - height(now)) * (height(now) - height(before)) > 0) kept[kept.length - 1] = k
+    else if (Math.abs(height(k) - height(now)) > least) kept.push(k)
+  }
+  return [...kept.slice(0, kept.length === 1 ? 1 : -1), last].map(k => extremes[k])
+}
+
+function warningsOf(data, state, run, extremes, outcome, residual) {
   const { limits } = data, found = [thicknessWarning(data, state), descentWarning(data, state)]
   if (limits.surface) found.push(beadsOverSingleCells(data, run))
   if (limits.swells && residual > limits.accuracy) {
     found.push(`the energy residual, ${general(residual, 2)}, exceeds the accuracy of ${general(limits.accuracy)}: with finite-stretch and without thinning the section swells as it is drawn, and energy is not conserved; add thinning to run.effects`)
   }
-  if (outcome === "solved") found.push(tooFewFrames(data, run.time, midpoint))
+  if (outcome === "solved") found.push(tooFewFrames(data, run.time, extremes))
   return found.filter(Boolean)
 }
 
@@ -551,29 +572,16 @@ function beadsOverSingleCells({ limits }, { fields, time, X_node }) {
   return `the surface gathers the filament into beads over single cells: at X/L = ${general(placeOf(X_node, at))} they are ${general(found, 2)} radii long, and waves of the surface need less than one; take numerics.cells = ${Math.ceil(Math.floor(n / 2) * found)} or more`
 }
 
-/* Turning points of the midpoint, its ends included. */
-function turningPoints({ limits }, midpoint) {
-  const scale = limits.seen * largestOf(midpoint.map(Math.abs)), turns = [0]
-  for (let frame = 1; frame < midpoint.length; frame++) {
-    const here = midpoint[frame], last = midpoint[turns[turns.length - 1]]
-    const before = turns.length > 1 ? midpoint[turns[turns.length - 2]] : last
-    if ((here - last) * (last - before) > 0) turns[turns.length - 1] = frame
-    else if (Math.abs(here - last) > scale) turns.push(frame)
-  }
-  return turns.slice(1, -1)
-}
-
-/* Frames that show a swing jagged, which has not died out by the end. */
-function tooFewFrames(data, time, midpoint) {
-  const { limits } = data, turned = turningPoints(data, midpoint), frames = time.length
-  if (turned.length < 4) return ""
-  const period = 2 * (time[turned[turned.length - 1]] - time[turned[0]]) / (turned.length - 1)
-  const perPeriod = period / ((time[frames - 1] - time[0]) / (frames - 1))
-  const last = midpoint.subarray(Math.max(0, Math.floor(frames - 5 * perPeriod)))
-  const fades = (largestOf(last) - leastOf(last)) / 2 < limits.seen * largestOf(midpoint.map(Math.abs))
-  if (fades || perPeriod >= limits.frames_a_period) return ""
-  const enough = Math.ceil(2 * limits.frames_a_period / perPeriod * frames)
-  return `it rings at about ${general(1 / period, 3)} Hz, with ${general(perPeriod, 2)} frames a period: too few to show the swing, which may look slower than it is in midpoint.csv, pictures and films; run.frames = ${enough} shows it`
+/* Frames that show the last swings that can be seen jagged. */
+function tooFewFrames({ limits }, time, extremes) {
+  const largest = largestOf(extremes.map(([, one]) => Math.abs(one))), turned = beyond(extremes, limits.seen * largest).slice(1, -1)
+  const half = Math.min(limits.periods, Math.floor((turned.length - 1) / 2)), frames = time.length
+  if (half < 1) return ""
+  const [first, last] = [turned[turned.length - 1 - 2 * half], turned[turned.length - 1]], duration = time[frames - 1]
+  const perPeriod = (last[0] - first[0]) / half * (frames - 1) / duration
+  if (perPeriod >= limits.frames_a_period) return ""
+  const frequency = (frames - 1) / perPeriod / duration, enough = Math.ceil(2 * limits.frames_a_period / perPeriod * frames)
+  return `it rings at about ${general(frequency, 3)} Hz, with ${general(perPeriod, 2)} frames a period: too few to show the swing, which may look slower than it is in midpoint.csv, pictures and films; run.frames = ${enough} shows it`
 }
 
 // ---- To take away

@@ -18,14 +18,14 @@
 #define EXPORTED(name) name
 #endif
 
-enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 8 };
+enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 10, TURNS = 1024 };
 
 /* The text of the observables: rows of sites for each of `count` times in units of the scale. */
 int softcat_filament_observe(const softcat_filament *, int count, const double *times,
                              const double *states, double *out, double *scratch);
 
 static const softcat_structure *const structure = &softcat_filament_structure;
-static double parameters[PARAMETERS], known[STATUS];
+static double parameters[PARAMETERS], known[STATUS], rows[3 * TURNS];
 static double *absolute, *start, *memory, *fields, *midpoint, *work;
 static int start_rows;
 
@@ -64,6 +64,12 @@ double *EXPORTED(page_midpoint)(void)
 double *EXPORTED(page_work)(void)
 {
     return work;
+}
+
+/* Time, height and integral of the height: at first, at the turning points of the midpoint, at last. */
+double *EXPORTED(page_extremes)(void)
+{
+    return rows;
 }
 
 double *EXPORTED(page_status)(void)
@@ -110,11 +116,24 @@ static int make_room(const softcat_sized *sized, size_t frames, size_t sites, do
     return memory != NULL;
 }
 
-static int finish(const softcat_status *status, int reached, int sites)
+/* Whether plastic strain has come about between two states. */
+static int has_yielded(const softcat_sized *sized, int sites, const double *first,
+                       const double *last)
+{
+    const softcat_structure *s = &sized->structure;
+    int slots = sized->model.slots;
+    for (int i = 0; i < sites * slots; i++)
+        if ((s->mean[i % slots] != 0.0 || s->bending[i % slots] != 0.0)
+            && fabs(last[i] - first[i]) > 1e-12)
+            return 1;
+    return 0;
+}
+
+static int finish(const softcat_status *status, int reached, int sites, int extremes, int yielded)
 {
     const double numbers[STATUS] = {
         status->code, status->reached, (double)status->steps, (double)status->rejected,
-        status->worst_site, status->worst_slot, reached, sites};
+        status->worst_site, status->worst_slot, reached, sites, extremes, yielded};
     memcpy(known, numbers, sizeof known);
     return status->code;
 }
@@ -142,17 +161,24 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
         status.code = SOFTCAT_MEMORY;
     if (status.code) {
         softcat_unsize(&sized);
-        return finish(&status, 0, 0);
+        return finish(&status, 0, 0, 0, 0);
     }
     for (int j = 0; j < frames; j++) {
         times[j] = duration * j / (frames - 1);
         midpoint[j] = NAN;
     }
-    const softcat_results results = {.midpoint = midpoint, .states = states, .work = work};
+    softcat_turns turns = {.capacity = TURNS, .rows = rows};
+    const softcat_results results = {
+        .midpoint = midpoint, .states = states, .work = work, .turns = &turns};
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
                             &status);
     while (reached < frames && isfinite(midpoint[reached])) reached++;
-    if (reached) observe(&sized, cells, sites, grading, reached, times, states, places);
+    int yielded = 0;
+    if (reached) {
+        size_t size = (size_t)sites * (size_t)sized.model.slots;
+        yielded = has_yielded(&sized, sites, states, states + ((size_t)reached - 1) * size);
+        observe(&sized, cells, sites, grading, reached, times, states, places);
+    }
     softcat_unsize(&sized);
-    return finish(&status, reached, sites);
+    return finish(&status, reached, sites, reached ? turns.count + 1 : 0, yielded);
 }
