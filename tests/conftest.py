@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 """Set where a missing compiler is a fault of the machine, as in continuous integration."""
 COMPILING = re.compile(
-    "backend|c_printer|calculix|codegen|compar|compil|elements|ensemble|external|figures|in_c|material_point|native|necking"
+    "backend|c_printer|cache|calculix|codegen|compar|compil|elements|ensemble|external|figures|in_c|material_point|native|necking"
     "|phase|reference|ringings|rivals|rosenbrock|slenderness|solvers|theory_end|vtk"
 )
 """Files of tests, or their folders, that need a compiler."""
 
-_OF_POSIX = "calculix command_line compiler_cache ensemble faults hard_cases least_squares properties solvers"
+_OF_POSIX = "cache calculix command_line compiler_cache ensemble faults hard_cases least_squares properties solvers"
 collect_ignore = [f"test_{name}.py" for name in _OF_POSIX.split()] if sys.platform == "win32" else []
 """Files whose tests send signals, limit processes, open pseudo-terminals, or put scripts in the place of programs."""
 

@@ -24,10 +24,7 @@ ANOTHER = 12345
 KEY, OTHER = 64 * "a", 64 * "b"
 OLD = 10 * cache.GRACE
 
-of_root = pytest.mark.skipif(
-    not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can give a file to another user"
-)
-of_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has neither owners nor modes of this kind")
+of_root = pytest.mark.skipif(os.geteuid() != 0, reason="only root can give a file to another user")
 
 
 @pytest.fixture(autouse=True)
@@ -151,8 +148,10 @@ def test_a_planted_library_is_not_loaded_whatever_was_mended_since(
     assert compile_library(ANSWER) == path and counter.compilations == before + 1
 
 
-@of_posix
-@pytest.mark.parametrize("whose", ["the parent's", "the parent's parent's", "the cache's", "of all"])
+@pytest.mark.parametrize(
+    "whose",
+    [*(pytest.param(f"the {name}'s", marks=of_root) for name in ("parent", "parent's parent", "cache")), "of all"],
+)
 def test_where_others_can_write_nothing_is_taken_and_nothing_kept(
     whose: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -166,11 +165,8 @@ def test_where_others_can_write_nothing_is_taken_and_nothing_kept(
     place = {"the parent's": above, "the parent's parent's": above.parent}.get(whose, root)
     if whose == "of all":
         place.chmod(0o777)
-    elif os.geteuid() == 0:
-        os.chown(place, ANOTHER, ANOTHER)
     else:
-        monkeypatch.setattr(os, "geteuid", lambda: ANOTHER)
-        place = root
+        os.chown(place, ANOTHER, ANOTHER)
     before = files_in(tmp_path)
     message = "can be written by others.*chmod go-w" if whose == "of all" else "belongs to another user"
     with pytest.warns(UserWarning, match=f"nothing is kept in {root}: {place}.* {message}"):
@@ -184,7 +180,6 @@ def test_where_others_can_write_nothing_is_taken_and_nothing_kept(
     assert files_in(tmp_path) == before
 
 
-@of_posix
 def test_a_sticky_folder_above_may_be_of_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "tmp").mkdir()
     (tmp_path / "tmp").chmod(0o1777)
