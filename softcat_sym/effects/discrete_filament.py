@@ -13,13 +13,16 @@ import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
 
-_STEPS = 200
+_STEPS = 300
 _EXACT = 1e-6
 _NEAR, _FARTHEST = 0.03, 0.5
 """Turns of a node in a step [rad], and its displacements over the length."""
-_LEAST, _NOISE, _SHIFT, _FIRMER = 1e-15, 1e-13, 1e-11, 10.0
-"""Shifts of the stiffness over the largest: the first, what rounding may need, that of a modal analysis; the ratio of
-one shift to the next."""
+_LEAST, _NOISE, _FIRMER = 1e-15, 1e-11, 10.0
+"""Shifts of the stiffness over the largest, the first and the most that rounding may need, and the ratio of one to the
+next."""
+
+_SOFT = 1e-9
+"""Of the torsional stiffness of an element."""
 
 _ALONG, _UP, _ASIDE, _TWIST = (np.array(places) for places in ([0, 6], [1, 5, 7, 11], [2, 4, 8, 10], [3, 9]))
 """What the nodes of an element do along it, in the plane of its bending, across that, and about it."""
@@ -108,7 +111,8 @@ class Elements:
             if not np.all(np.isfinite(shape.places)):
                 return None
             cells = Cells.of(self, shape, cells.foreseen(step))
-            shift = 0.0 if _EXACT <= far < _NEAR else shift / _FIRMER
+            shift /= _FIRMER ** (3 if _EXACT <= far < _NEAR else 1)
+            shift = shift if shift > _LEAST * largest else 0.0
         return None
 
     def is_strained(self, shape: Shape) -> bool:
@@ -132,7 +136,7 @@ class Elements:
         cells = Cells.of(self, shape)
         mass, firm = self.mass_matrix(cells), self.stiffness(cells)
         # By the inverse of the stiffness the lowest frequencies are exact, and not the highest.
-        shift = _SHIFT * _largest_ratio(firm, mass)
+        shift = _NOISE * _largest_ratio(firm, mass)
         root = np.linalg.inv(np.linalg.cholesky(firm + shift * mass))
         inverse, vectors = np.linalg.eigh(root @ mass @ root.T)
         squares, modes = 1 / inverse[::-1] - shift, (root.T @ vectors / np.sqrt(inverse))[:, ::-1]
@@ -210,7 +214,10 @@ class Cells:
         taut[:, 1:, 1:] = turned[:, None, None] * _LONGER
         turning = back @ taut @ moves + _turned(forces(turned), frame[:, :, 0], length, moves, frame @ spins)
         hardening = stiff[:, None] * (slope[:, None, :] @ moves)[:, 0]
-        return cls(length, spread, forces(stress), back @ second @ moves, turning, stress, hardening)
+        # Between pins a straight filament turns freely about itself: so soft a spring is seen nowhere else.
+        about = spread[:, :, 3::6]
+        soft = (_SOFT * own.bending[:, 0, 0])[:, None, None] * about @ about.swapaxes(1, 2)
+        return cls(length, spread, forces(stress), back @ second @ moves + soft, turning, stress, hardening)
 
     def foreseen(self, step: Floats) -> Floats:
         """What the axial forces would be after a step, if they were linear in it, shape (n,)."""
