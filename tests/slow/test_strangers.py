@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from time import process_time
 
 import numpy as np
 import pytest
@@ -150,6 +151,22 @@ def test_an_effect_is_told_by_the_sag_without_it(says: Says) -> None:
 
 
 # --- C4: helices and histories are bounded when a scene is read
+
+
+@pytest.mark.parametrize(
+    ("name", "met", "path"),
+    [
+        ("helix-too-many-turns", "a helix that never loads", "filament.shape"),
+        ("history-dips-below-zero", "a viscosity that is negative between two samples", "material.viscosity"),
+    ],
+)
+def test_a_scene_is_bounded_when_it_is_read(says: Says, name: str, met: str, path: str) -> None:
+    began = process_time()
+    with pytest.raises(sc.SceneError) as refused:
+        sc.load_scene(FOLDER / f"{name}.toml")
+    spent, (fault,) = process_time() - began, refused.value.faults
+    says("C4", met, f"{1e3 * spent:.0f} ms: {fault.path}: {fault.found}")
+    assert fault.path == path and spent < 2
 
 
 # --- C5: time limits of fits
