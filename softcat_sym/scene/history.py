@@ -209,7 +209,7 @@ class History(float):
     def extremes(self, duration: float) -> tuple[float, float]:
         """Return the smallest and the largest value from the start to a time [s]."""
         if not self.is_table:
-            return _extremes(self._of_time, duration)  # type: ignore[arg-type]
+            return _extremes(self._of_time, duration)
         values = [self.at(time) for time in (0.0, *(time for time, _ in self.table if 0 < time < duration), duration)]
         return min(values), max(values)
 

@@ -545,14 +545,15 @@ class Names(Kind):
                 raise self.refuse(f"{shown(value)} is not a list: its brackets or quotes do not match")
             list_of_one = f', or a list, even of one: ["{value}"]'
             raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
-        if not all(isinstance(item, str) for item in self.listed(value, "a list of names")):
+        names = self.listed(value, "a list of names")
+        if not all(isinstance(item, str) for item in names):
             raise self.refuse(f"{shown(value)} is not a list of names")
-        if not value:
+        if not names:
             raise self.refuse(f"{shown(value)} names nothing")
-        repeated = sorted(item for item, count in Counter(value).items() if count > 1)
+        repeated = sorted(item for item, count in Counter(names).items() if count > 1)
         if repeated:
             raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")
-        return tuple(value)
+        return tuple(names)
 
 
 _TIME = Quantity("time", "1 s", "any")
