@@ -105,10 +105,14 @@ class SplineCurve(Curve):
 
 def carried(first: Rotation, tangents: Iterable[Floats]) -> Rotation:
     """Turns of sections square to tangents, which do not turn about them, from one that need not be square yet."""
-    found = [first]
-    for tangent in tangents:
-        found.append(least_turn(found[-1].apply(_FIRST), tangent) * found[-1])
-    return Rotation.concatenate(found[1:])
+    along = np.array([first.apply(_FIRST), *tangents])
+    # From each tangent to the next; then products of all before, of ever twice as many.
+    found = least_turn(along[:-1], along[1:])
+    behind = 1
+    while behind < len(found):
+        found = Rotation.concatenate([found[:behind], found[behind:] * found[:-behind]])
+        behind *= 2
+    return found * first
 
 
 def continuous(turns: Rotation) -> Floats:
@@ -120,9 +124,10 @@ def continuous(turns: Rotation) -> Floats:
 
 
 def least_turn(first: Floats, second: Floats) -> Rotation:
-    """Least turn that takes one direction into another; of two that are opposite, about an axis across them."""
-    a, b = first / np.linalg.norm(first), second / np.linalg.norm(second)
-    if 1 + a @ b < _OPPOSITE:
-        across = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
-        return Rotation.from_rotvec(np.pi * across / np.linalg.norm(across))
-    return Rotation.from_quat(np.append(np.cross(a, b), 1 + a @ b))
+    """Least turns that take directions into others, shape (..., 3); of opposite ones, about an axis across them."""
+    a, b = (one / np.linalg.norm(one, axis=-1, keepdims=True) for one in (first, second))
+    alike = 1 + np.sum(a * b, axis=-1, keepdims=True)
+    across = np.cross(a, np.eye(3)[np.argmin(np.abs(a), axis=-1)])
+    half_turn = np.concatenate([across, np.zeros_like(alike)], axis=-1)
+    turn = np.concatenate([np.cross(a, b), alike], axis=-1)
+    return Rotation.from_quat(np.where(alike < _OPPOSITE, half_turn, turn))

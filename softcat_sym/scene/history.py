@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -44,8 +44,9 @@ _TIME: Dimension = (0.0, 0.0, 1.0)
 EXAMPLE = '{"0 s" = "200 Pa", "60 s" = "900 Pa"} or "200 Pa + 5 Pa/s * t"'
 _FORMULA = f"numbers, quantities such as 5 Pa/s, the time t, + - * / **, and {', '.join(FUNCTIONS)}"
 _MOST = 100
-# How many times of a run a formula is looked at for values that the constant must not have.
-_SAMPLES = 401
+# At how many times of a run a formula is looked at for its extremes, and the share of their difference by which a value
+# between two of them may exceed them.
+_SAMPLES, _APART = 401, 1e-3
 
 _POWER = r"(?:(?:\^|\*\*)[-+]?\d+(?:\.\d+)?)?"
 _WORD = r"(?!t\b|pi\b)[^\W\d_]+(?!\w|\s*\()"
@@ -119,8 +120,26 @@ class _Timely:
 
     def at(self, time: float) -> float:
         """Value at a time [s]."""
-        known = {f"quantity_{k}": number for k, number in enumerate(self.numbers)}
-        return self.formula.value_of({**known, TIME_NAME: time})
+        return self.formula.value_of({**self._known, TIME_NAME: time})
+
+    @property
+    def _known(self) -> dict[str, float]:
+        return {f"quantity_{k}": number for k, number in enumerate(self.numbers)}
+
+    def least(self, duration: float, is_fine: Callable[[float], bool], **how: Any) -> tuple[float, float]:
+        """When a run has the least value, and that: see :meth:`Formula.least`."""
+        return self.formula.least(TIME_NAME, (0.0, duration), self._known, is_fine, **how)
+
+
+@lru_cache(maxsize=256)
+def _extremes(formula: _Timely, duration: float) -> tuple[float, float]:
+    """Smallest and largest value of a formula in a run, as seen at many times and in between by its bounds."""
+    seen = [formula.at(duration * k / (_SAMPLES - 1)) for k in range(_SAMPLES)]
+    low, high = min(seen), max(seen)
+    within = _APART * (high - low)
+    _, least = formula.least(duration, lambda value: value >= low - within, tolerance=_APART)
+    _, most = formula.least(duration, lambda value: value <= high + within, highest=True, tolerance=_APART)
+    return min(low, least), max(high, most)
 
 
 class History(float):
@@ -188,27 +207,29 @@ class History(float):
         return self._of_time.at(time)
 
     def extremes(self, duration: float) -> tuple[float, float]:
-        """Return the smallest and the largest value from the start to a time [s]; of a formula as seen at many."""
-        values = self._seen(duration)
+        """Return the smallest and the largest value from the start to a time [s]."""
+        if not self.is_table:
+            return _extremes(self._of_time, duration)
+        values = [self.at(time) for time in (0.0, *(time for time, _ in self.table if 0 < time < duration), duration)]
         return min(values), max(values)
-
-    def _seen(self, duration: float) -> list[float]:
-        inner = [time for time, _ in self.table if 0 < time < duration]
-        times = inner if self.is_table else [duration * k / (_SAMPLES - 1) for k in range(1, _SAMPLES - 1)]
-        return [self.at(time) for time in (0.0, *times, duration)]
 
     def refused(self, kind: Kind, duration: float) -> str:
         """Say which value of a run is none that the constant may have; empty if all may be."""
         if isinstance(self._of_time, _Table):
             # Every row was read by itself, and between two rows nothing lies beyond them.
             return ""
-        for k in range(_SAMPLES):
-            time = duration * k / (_SAMPLES - 1)
-            value = self.at(time)
+
+        def is_fine(value: float) -> bool:
             try:
                 kind.read(SI(value) if isinstance(kind, Quantity) else value)
             except PydanticCustomError:
-                return f"{shown(self.text)} is {value:.4g} at t = {time:.4g} s"
+                return False
+            return True
+
+        for highest in (False, True):
+            time, value = self._of_time.least(duration, is_fine, highest=highest)
+            if not is_fine(value):
+                return f"{shown(self.text)} is {value:.4g} at t = {time:.8g} s"
         return ""
 
     def quantities(self, unit: str) -> tuple[tuple[float, str], ...]:
@@ -343,6 +364,8 @@ def _in_the_users_words(error: PydanticCustomError, literals: tuple[_Literal, ..
 
 def read_table(value: Mapping[Any, Any], item: Kind) -> History:
     """Read a table of times and values; every fault at its own row."""
+    if not 2 <= len(value) <= _MOST:
+        raise refusal(f"a table of {len(value)} times", f"2 to {_MOST} times, such as {EXAMPLE.split(' or ')[0]}")
     rows: dict[float, float] = {}
     faults = []
     for key, given in value.items():
@@ -361,8 +384,6 @@ def read_table(value: Mapping[Any, Any], item: Kind) -> History:
             faults.append(((str(key),), error))
     if faults:
         raise refusals("history", faults)
-    if not 2 <= len(rows) <= _MOST:
-        raise refusal(f"a table of {len(rows)} times", f"2 to {_MOST} times, such as {EXAMPLE.split(' or ')[0]}")
     return table_history(rows)
 
 

@@ -85,12 +85,11 @@ class Modes(Kind):
     accepted = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
 
     def read(self, value: object) -> tuple[Mode, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if len(value) > _MOST:
-            raise refusal(f"{len(value)} modes", f"at most {_MOST} modes")
+        items = self.listed(value, "a list")
+        if len(items) > _MOST:
+            raise refusal(f"{len(items)} modes", f"at most {_MOST} modes")
         faults: list[Refused] = []
-        modes = [self._mode(item, str(number), faults) for number, item in enumerate(value, start=1)]
+        modes = [self._mode(item, str(number), faults) for number, item in enumerate(items, start=1)]
         if faults:
             raise refusals("modes", faults)
         return tuple(modes)

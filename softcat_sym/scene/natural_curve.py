@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 _STEP = 0.05
 """Part of a turn, over 2 pi, by which the end of a helix is sought."""
+_TURNS = 1000
+"""Of a helix: each takes tens of cells."""
 _APART = 1e-9
 """Part of the span by which a curve may miss a support."""
 
@@ -97,7 +99,7 @@ def shape_rules(scene: Scene) -> Iterator[Rule]:
         return
     yield filament.rest_length is not None, "filament.rest_length", f"{given}, which has a length", out
     if shape == HELIX:
-        yield from _of_turns(filament)
+        yield from _of_turns(filament, math.hypot(filament.span, ends.drop))
         return
     yield filament.curvature, "filament.curvature", given, out
     yield filament.twist, "filament.twist", given, out
@@ -118,9 +120,14 @@ def _of_arc(filament: Filament, distance: float) -> Iterator[Rule]:
     yield bent, "filament.curvature", f"{filament.curvature} 1/m, of a circle smaller than the chord", f"{most} 1/m"
 
 
-def _of_turns(filament: Filament) -> Iterator[Rule]:
+def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
     lacks = [name for name in ("curvature", "twist") if getattr(filament, name) == 0]
     yield lacks, "filament.shape", f"'helix' without {' and '.join(lacks)}", "filament.curvature and filament.twist"
+    if lacks:
+        return
+    turns = distance * (filament.curvature / filament.twist * filament.curvature + filament.twist) / (2 * math.pi)
+    accepted = f"a helix of at most {_TURNS} turns: less curvature, more twist, or a shorter span"
+    yield abs(turns) > _TURNS, "filament.shape", f"'helix' of up to {abs(turns):.3g} turns", accepted
 
 
 def misses_supports(scene: Scene, points: tuple[Point, ...], path: str) -> Iterator[Rule]:

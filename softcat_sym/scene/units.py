@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from abc import ABC, abstractmethod
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from difflib import get_close_matches
@@ -324,6 +325,10 @@ def each_refusal(
     ]
 
 
+_LONGEST = 20_000
+"""Items of a list: twenty thousand rows take half a second to read."""
+
+
 class Kind(ABC):
     """How one sort of value is read, described and written; stands in ``Annotated[float, kind]``."""
 
@@ -341,6 +346,14 @@ class Kind(ABC):
     def refuse(self, found: str) -> PydanticCustomError:
         """Build the error for what was found instead."""
         return refusal(found, self.accepted)
+
+    def listed(self, value: object, what: str) -> Sequence[Any]:
+        """Return a list that is not too long to read; raises `refusal`."""
+        if not isinstance(value, (list, tuple)):
+            raise self.refuse(f"{shown(value)} is not {what}")
+        if len(value) > _LONGEST:
+            raise refusal(f"a list of {len(value)}", f"at most {_LONGEST}: {self.accepted}")
+        return value
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.read)
@@ -473,11 +486,10 @@ class Numbers(Kind):
         self.accepted = f"a list of {sign}numbers without units" + (f", at least {least}" if least > 1 else "")
 
     def read(self, value: object) -> tuple[float, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if 0 < len(value) < self.least:
-            raise self.refuse(f"a list of {len(value)}")
-        return tuple(self.item.read(item) for item in value)
+        items = self.listed(value, "a list")
+        if 0 < len(items) < self.least:
+            raise self.refuse(f"a list of {len(items)}")
+        return tuple(self.item.read(item) for item in items)
 
 
 class Three(Kind):
@@ -533,14 +545,15 @@ class Names(Kind):
                 raise self.refuse(f"{shown(value)} is not a list: its brackets or quotes do not match")
             list_of_one = f', or a list, even of one: ["{value}"]'
             raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
-        if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
+        names = self.listed(value, "a list of names")
+        if not all(isinstance(item, str) for item in names):
             raise self.refuse(f"{shown(value)} is not a list of names")
-        if not value:
+        if not names:
             raise self.refuse(f"{shown(value)} names nothing")
-        repeated = sorted({item for item in value if value.count(item) > 1})
+        repeated = sorted(item for item, count in Counter(names).items() if count > 1)
         if repeated:
             raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")
-        return tuple(value)
+        return tuple(names)
 
 
 _TIME = Quantity("time", "1 s", "any")
@@ -605,9 +618,8 @@ def _rows(
     """Read rows of `least` values or more, one a column; none of what holds still."""
     if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
         return ()
-    if not isinstance(value, (list, tuple)):
-        raise kind.refuse(f"{shown(value)} is not a list of rows")
-    for row in value:
+    rows = kind.listed(value, "a list of rows")
+    for row in rows:
         if not isinstance(row, (list, tuple)) or not least <= len(row) <= len(columns):
             raise kind.refuse(f"{shown(row)} is not a row {named}")
-    return tuple(tuple(column.read(item) for column, item in zip(columns, row, strict=False)) for row in value)
+    return tuple(tuple(column.read(item) for column, item in zip(columns, row, strict=False)) for row in rows)

@@ -18,6 +18,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
+from time import process_time
 
 import numpy as np
 import pytest
@@ -481,6 +482,22 @@ def test_the_law_of_a_section_by_itself(says: Says) -> None:
 
 
 # --- C4: helices and histories are bounded when a scene is read
+
+
+@pytest.mark.parametrize(
+    ("name", "met", "path"),
+    [
+        ("helix-too-many-turns", "a helix that never loads", "filament.shape"),
+        ("history-dips-below-zero", "a viscosity that is negative between two samples", "material.viscosity"),
+    ],
+)
+def test_a_scene_is_bounded_when_it_is_read(says: Says, name: str, met: str, path: str) -> None:
+    began = process_time()
+    with pytest.raises(sc.SceneError) as refused:
+        sc.load_scene(FOLDER / f"{name}.toml")
+    spent, (fault,) = process_time() - began, refused.value.faults
+    says("C4", met, f"{1e3 * spent:.0f} ms: {fault.path}: {fault.found}")
+    assert fault.path == path and spent < 2
 
 
 # --- C5: time limits of fits
