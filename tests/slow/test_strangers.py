@@ -63,9 +63,10 @@ def says(request: pytest.FixtureRequest) -> Iterator[Says]:
 
     yield say
     lines = rows_of(("point", "what strangers met", "what happens now"), sorted(rows))
-    terminal = request.config.pluginmanager.getplugin("terminalreporter")
-    for line in ("", *lines) if terminal is not None else ():
-        terminal.write_line(line)
+    plugins = request.config.pluginmanager
+    with plugins.getplugin("capturemanager").global_and_fixture_disabled():
+        for line in ("", *lines):
+            plugins.getplugin("terminalreporter").write_line(line)
 
 
 # --- A: checks on random draws
