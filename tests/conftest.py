@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from softcat_sym import progress, store
-from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.compiler import ZIG, find_compiler, libraries
 
 if TYPE_CHECKING:
     from tests.common.in_process import Softcat
@@ -42,6 +42,8 @@ def pytest_configure() -> None:
     A shell that starts a command in the background has it ignore interrupts, and so would whatever a test starts.
     """
     progress._PLAIN_DELAY = math.inf
+    # Zig compiles the libraries of C for itself, half a minute's work: once, also for tests with a cache of their own.
+    os.environ.setdefault("ZIG_GLOBAL_CACHE_DIR", str(libraries() / ZIG))
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
