@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import importlib.util
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -198,7 +199,8 @@ def test_without_one_on_the_path_that_of_ziglang_is_taken(tmp_path: Path, monkey
     (tmp_path / "ziglang" / "__init__.py").touch()
     zig = tmp_path / "ziglang" / "zig"
     zig.write_text(
-        f'#!/bin/sh\n[ "$1 $2" = "cc -mcpu=baseline" ] && shift 2 && PATH={os.environ["PATH"]} {known.path} "$@"\n'
+        '#!/bin/sh\n[ "$1 $2" = "cc -mcpu=baseline" ] && shift 2 && '
+        f'PATH={os.environ["PATH"]} {shlex.join(known.command)} "$@"\n'
     )
     zig.chmod(0o755)
     sites = [str(tmp_path)]
