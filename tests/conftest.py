@@ -46,6 +46,8 @@ def pytest_configure() -> None:
     # Where others could write into the user's cache, every test would be warned.
     if cache.problem(cache.LIBRARIES):
         os.environ["SOFTCAT_CACHE"] = tempfile.mkdtemp(prefix="softcat-tests-")
+    # Zig compiles the libraries of C for itself, half a minute's work: once, also for tests with a cache of their own.
+    os.environ.setdefault("ZIG_GLOBAL_CACHE_DIR", str(cache.folder(cache.ZIG) / "tests"))
 
 
 @pytest.fixture(autouse=True)

@@ -237,7 +237,7 @@ def _refusal(compiler: Compiler, command: Sequence[str], done: subprocess.Comple
     if done.returncode < 0:
         ended = signal.strsignal(-done.returncode) or "unknown"
         errors.insert(0, f"(killed by signal {-done.returncode}: {ended})")
-        advice = "if memory ran out, free some and try again"
+        advice = "if memory ran out, or the disk is full, free some and try again"
     said = "\n".join(f"  {line}" for line in errors[:_SHOWN]) or f"  (nothing; exit status {done.returncode})"
     if _NO_SPACE.search(said):
         advice = "the disk is full: free some space, or set SOFTCAT_CACHE to a folder elsewhere"

@@ -28,8 +28,9 @@ class Counter:
         assert real is not None, "these tests want a C compiler"
         self.log, self.script = folder / "calls", folder / "counting-cc"
         command = " ".join(map(shlex.quote, real.command))
+        # Zig asks what CC names where headers are, which would be counted.
         self.script.write_text(
-            f'#!/bin/sh\necho "$*" >> {shlex.quote(str(self.log))}\n'
+            f'#!/bin/sh\nunset CC\necho "$*" >> {shlex.quote(str(self.log))}\n'
             f'case "$*" in *-shared*) sleep {delay};; esac\nexec {command} "$@"\n'
         )
         self.script.chmod(0o755)
