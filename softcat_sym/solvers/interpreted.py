@@ -188,7 +188,7 @@ class Integration:
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external, self._bounds = external, bounds
-        if bounds is not None and bounds.stretch < np.inf:
+        if bounds is not None and bounds.never and np.any(np.isfinite(bounds.stretch)):
             # What falls for ever is looked at between frames, too.
             self._kinks = np.union1d(kinks, np.geomspace(1.0, _LATEST, _LOOKS))
         # A multistep method restarts in each chunk, so that a short run has one chunk.
@@ -242,7 +242,8 @@ class Integration:
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
                 if (ended := self._ended(part, p)) is not None:
-                    return self._whole(parts, interval).left(ended, scale)
+                    falls = self._bounds is None or self._bounds.never
+                    return self._whole(parts, interval).left(ended, scale, falls=falls)
                 if is_torn(self._graph.terms, self._stretch(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
@@ -262,7 +263,7 @@ class Integration:
             return None
         places = np.abs(np.concatenate([part.x, part.z])[[kind in ("x", "y", "z") for kind in kinds]])
         stretch = self._stretch(part.time, part.x, part.z, p)
-        beyond = (np.max(places, axis=0) > bounds.distance) | (np.max(stretch, axis=1) > bounds.stretch)
+        beyond = (np.max(places, axis=0) > bounds.distance) | np.any(stretch > bounds.stretch, axis=1)
         return float(part.time[np.argmax(beyond)]) if np.any(beyond) else None
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
