@@ -22,6 +22,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.section_rule import POINT, shown_of_section
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
+from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Bounds, Flagged, Progress, Solution, is_torn, watched
@@ -533,6 +534,7 @@ class CompiledIntegration:
             try:
                 while not wait([answer], _LOOK).done:
                     report()
+                    check_time()
                     stop.value = int(torn())
             finally:
                 stop.value = 1

@@ -17,6 +17,7 @@ from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Bounds, Progress, Solution, is_torn, watched
@@ -229,6 +230,7 @@ class Integration:
         """Integrate, and put every part that was computed beside the others."""
         last, reached, integrator = self._frames - 1, 0, self._chunk
         while reached < last:
+            check_time()
             if len(self._kinks):
                 # A piece starts just after a kink and ends just before the next.
                 cuts = self._cuts(reached * interval, (reached + 1) * interval)
