@@ -408,7 +408,7 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("evaluations", [0, 9])
 def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """After some evaluations one takes a minute unless it is stopped: the fit has its result so far, or says why not."""
+    """After some evaluations one takes a minute unless it is stopped: the fit has its result so far, or says why."""
     integrate, sensitivities, begun = CModel.integrate, CModel.sensitivities, itertools.count()
 
     def slow(stop: Any) -> None:
