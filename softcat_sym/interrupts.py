@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import _thread
+import math
 import signal
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from types import FrameType
+
+from softcat_sym.errors import SoftcatError
 
 _SHELL = 128
 """What a shell adds to the number of the signal that ended a program."""
@@ -76,6 +80,33 @@ def interrupt_main_thread() -> None:
         _thread.interrupt_main()
     else:
         signal.pthread_kill(ident, signal.SIGINT)
+
+
+class TimeLimitError(SoftcatError):
+    """An evaluation is requested, or lasts, after the time limit."""
+
+    def __init__(self) -> None:
+        super().__init__("the time limit passed before the first start was evaluated; accepted: a longer one")
+
+
+_DEADLINE: ContextVar[float] = ContextVar("deadline", default=math.inf)
+
+
+@contextmanager
+def until(deadline: float) -> Iterator[None]:
+    """Let what is computed meanwhile end with TimeLimitError at a time of the monotonic clock, integrations too."""
+    before = _DEADLINE.set(min(deadline, _DEADLINE.get()))
+    try:
+        check_time()
+        yield
+    finally:
+        _DEADLINE.reset(before)
+
+
+def check_time() -> None:
+    """End what is computed if its time is over."""
+    if time.monotonic() > _DEADLINE.get():
+        raise TimeLimitError
 
 
 _NOW: ContextVar[Ending] = ContextVar("ending")

@@ -7,11 +7,13 @@ import itertools
 import json
 import logging
 import math
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from html import escape
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,6 +22,8 @@ from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
+from softcat_sym import store
+from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting import fit as fit_module
 from softcat_sym.fitting.fit import fit
@@ -52,6 +56,7 @@ from softcat_sym.plotting.style import png
 from softcat_sym.results import run as run_module
 from softcat_sym.results import verdict
 from softcat_sym.scene.material import POLYMERS
+from softcat_sym.solvers.compiled import CModel
 from tests.common.draws import draws, misses, shares
 from tests.common.filmed import TRUTH, film, scene
 from tests.common.flow_curves import curve_of
@@ -406,6 +411,38 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
         assert "the time limit passed before the first start" in str(error)
     else:
         assert found.late
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.parametrize("evaluations", [0, 9])
+def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After some evaluations one takes a minute unless it is stopped: the fit has its result so far, or says why."""
+    integrate, sensitivities, begun = CModel.integrate, CModel.sensitivities, itertools.count()
+
+    def slow(stop: Any) -> None:
+        end = time.monotonic() + (60 if next(begun) >= evaluations else 0)
+        while time.monotonic() < end and not stop.value:
+            time.sleep(0.01)
+
+    def slowly(own: Callable[..., Any], at: int) -> Callable[..., Any]:
+        def called(model: CModel, *given: Any) -> Any:
+            slow(given[at])
+            return own(model, *given)
+
+        return called
+
+    monkeypatch.setattr(CModel, "integrate", slowly(integrate, 2))
+    monkeypatch.setattr(CModel, "sensitivities", slowly(sensitivities, 3))
+    start = time.monotonic()
+    try:
+        with store.fresh(True):
+            found = sc.fit(Measurements.of(*film()), scene(), ["viscosity", "yield_stress"], time_limit=3.0)
+    except SoftcatError as error:
+        assert evaluations == 0 and "the time limit passed before the first start" in str(error)
+    else:
+        assert evaluations and found.late
+    # Within a tenth, and what a busy machine takes to notice it.
+    assert time.monotonic() - start < 3.3 + 2
 
 
 def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(

@@ -35,7 +35,6 @@ from softcat_sym.fitting.least_squares import (
     Loss,
     Method,
     Optimum,
-    TimeLimitError,
     minimise,
     multi_start,
 )
@@ -53,6 +52,7 @@ from softcat_sym.fitting.result import (
     far_out,
     fitted_parameter,
 )
+from softcat_sym.interrupts import TimeLimitError, until
 from softcat_sym.scene.parts import Numerics
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
@@ -248,12 +248,17 @@ def fit(
     more = _missing_effects(found) if scene.run.effects == "auto" else []
     if more and time.monotonic() < deadline:
         wider = _with_effects(scene, sorted({*found.effects, *more}))
-        again = _fit(wider, scene, films, features, request)
+        try:
+            again = _fit(wider, scene, films, features, request)
+        except TimeLimitError:
+            return replace(found, late=True)
         found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
-    if time.monotonic() > deadline:
-        return found
     request.progress.stage("run of the best fit")
-    return _with_run_outcome(found)
+    try:
+        with until(deadline):
+            return _with_run_outcome(found)
+    except TimeLimitError:
+        return replace(found, late=True)
 
 
 def _with_run_outcome(found: Fit) -> Fit:
@@ -385,8 +390,8 @@ def _refined(
                 again = problem.settled(best.q, alone)
             elif not fine:
                 request.progress.stage("grid, fibres and time steps")
-                resolution = moved(problem, best, _information(problem, best, how["loss"]))
-                at = finer(resolution, scene)
+                resolution = _moved_in_time(problem, best, _information(problem, best, how["loss"]))
+                at = None if resolution is None else finer(resolution, scene)
                 fine = at is None
                 if at is not None:
                     again = problem.at(at, best.q)
@@ -423,8 +428,19 @@ def _accept_if_near(
     if best.status != STUCK or best.offset >= 1:
         return best, resolution
     known = _information(problem, best, loss)
-    near = beside_optimum(resolution or moved(problem, best, known), best.offset, known)
-    return replace(best, converged=True), near
+    found = resolution or _moved_in_time(problem, best, known)
+    if found is None:
+        return best, None
+    return replace(best, converged=True), beside_optimum(found, best.offset, known)
+
+
+def _moved_in_time(problem: FilamentProblem, best: Optimum, known: Information) -> Moved | None:
+    """By how much the grid moves the optimum; None after the time limit."""
+    try:
+        with until(problem.deadline):
+            return moved(problem, best, known)
+    except TimeLimitError:
+        return None
 
 
 def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:

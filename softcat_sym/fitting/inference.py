@@ -31,11 +31,11 @@ from softcat_sym.fitting.least_squares import (
     MultiStartResult,
     Optimum,
     StartResult,
-    TimeLimitError,
     minimise,
     multi_start,
     on_bound,
 )
+from softcat_sym.interrupts import TimeLimitError
 
 Flag = Literal["crosses", "reaches the bound", "the model has no answer beyond", "too many steps"]
 

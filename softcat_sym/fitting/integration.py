@@ -23,6 +23,7 @@ from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
+from softcat_sym.interrupts import check_time
 from softcat_sym.scene.scene import Scene, is_slack, rest_length
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import (
@@ -436,7 +437,7 @@ def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
         answers = [pool.submit(work, stop) for work in works]
         try:
             while wait(answers, _LOOK).not_done:
-                pass
+                check_time()
         finally:
             stop.value = 1
     return [answer.result() for answer in answers]

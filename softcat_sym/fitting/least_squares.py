@@ -14,16 +14,10 @@ from scipy.optimize import least_squares, lsq_linear
 from scipy.stats import qmc
 
 from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.interrupts import TimeLimitError
 
 Floats = NDArray[np.float64]
 Method = Literal["gauss-newton", "ipopt"]
-
-
-class TimeLimitError(SoftcatError):
-    """An evaluation is requested after the time limit."""
-
-    def __init__(self) -> None:
-        super().__init__("the time limit passed before the first start was evaluated; accepted: a longer one")
 
 
 class LeastSquares(Protocol):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time as clock
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -30,9 +29,10 @@ from softcat_sym.fitting.free_parameters import (
     free_parameters,
 )
 from softcat_sym.fitting.identifiability import Statistic, leverages
-from softcat_sym.fitting.least_squares import Floats, Loss, Optimum, TimeLimitError
+from softcat_sym.fitting.least_squares import Floats, Loss, Optimum
 from softcat_sym.fitting.measurements import WAYS, Measurements, Series
 from softcat_sym.fitting.plausibility import own_scene
+from softcat_sym.interrupts import until
 from softcat_sym.scene.scene import Scene
 
 CAMERA = {SCALE: 0.02, INITIAL_SAG: 0.02, TIME_OFFSET: 1.0, TILT: math.radians(1)}
@@ -354,8 +354,9 @@ class FilamentProblem(Unknowns):
 
     def residuals(self, q: Floats) -> Floats:
         """(model - datum)/standard error of all films, then of all priors, shape (m,); NaN where there is no answer."""
-        self._check_time()
-        pairs = zip(self.films, self.curves(q), strict=True)
+        with until(self.deadline):
+            curves = self.curves(q)
+        pairs = zip(self.films, curves, strict=True)
         of_curve = [] if self.flow is None else [self.flow.residuals(q)]
         return np.concatenate(
             [*(film.whitened(found - film.data) for film, found in pairs), *of_curve, self._priors(q)]
@@ -363,10 +364,10 @@ class FilamentProblem(Unknowns):
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives, shape (m, k)."""
-        self._check_time()
         residuals, rows = [], []
-        for film in self.films:
-            found, slopes = film.linearised(q)
+        with until(self.deadline):
+            linearised = [film.linearised(q) for film in self.films]
+        for film, (found, slopes) in zip(self.films, linearised, strict=True):
             residuals.append(film.whitened(found - film.data))
             rows.append(film.whitened(slopes))
         if self.flow is not None:
@@ -383,10 +384,6 @@ class FilamentProblem(Unknowns):
 
     def _priors(self, q: Floats) -> Floats:
         return np.asarray((q - self.typical)[self._known] / self._spread)
-
-    def _check_time(self) -> None:
-        if clock.monotonic() > self.deadline:
-            raise TimeLimitError
 
     def by_film(self, values: Floats) -> list[Floats]:
         """Split an array over all residuals, shape (m,), into one for each film, without flow curve and priors."""

@@ -22,6 +22,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.section_rule import POINT, shown_of_section
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
+from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Bounds, Extremes, Flagged, Progress, Solution, is_torn, watched
@@ -75,7 +76,7 @@ class Physics(ct.Structure):
 class CBounds(ct.Structure):
     """softcat_bounds."""
 
-    _fields_ = (("slots", ct.c_int * 3), ("farthest", ct.c_double), ("longest", Doubles))
+    _fields_ = (("slots", ct.c_int * 3), ("farthest", ct.c_double), ("longest", Doubles), ("held", ct.c_double * 6))
     kept: Floats  # The array of `longest`, which ctypes does not keep alive
 
 
@@ -489,7 +490,7 @@ class CompiledIntegration:
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
             method=self.settings.method,
-            bounds=None if self.bounds is None else self._bounds(self.bounds),
+            bounds=None if self.bounds is None else self._bounds(self.bounds, start, p, times[:1]),
             watched=sites.of(self.graph.midpoint_row("y")),
         )
         room = model.room(run, status)
@@ -519,21 +520,22 @@ class CompiledIntegration:
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps), extremes=room.extremes)
         if status.code == BEYOND:
-            return found.left(status.reached, scale)
+            return found.left(status.reached, scale, falls=self.bounds is None or self.bounds.never)
         found = found.to_rupture(self.graph.terms, partial(self.filament.stretch, p=p), scale)
         if stopped or (status.code == STOPPED and found.outcome is Outcome.solved):
             raise found.interrupted(scale)
         return found
 
-    def _bounds(self, bounds: Bounds) -> CBounds:
-        """The bounds of the nodes and cells whose positions are unknown."""
-        sites, names = self.filament.sites, [slot.name for slot in self.filament.model.model.slots]
-        slots = [names.index(axis) if axis in names else -1 for axis in "xyz"]
-        unknown = np.zeros(sites.shape, bool)
-        unknown.flat[[*sites.x, *sites.z]] = True
-        moves = np.all(unknown[:, [slot for slot in slots if slot >= 0]], axis=1)
-        longest = np.where(moves[1:] & moves[:-1], bounds.stretch * np.diff(self.graph.grid.nodes), np.inf)
-        found = CBounds((ct.c_int * 3)(*slots), bounds.distance, doubles(longest))
+    def _bounds(self, bounds: Bounds, start: Start, p: Floats, time: Floats) -> CBounds:
+        """The bounds of the nodes and cells, with where the first and the last node are held."""
+        slots = {slot.name: (column, slot.held) for column, slot in enumerate(self.filament.model.model.slots)}
+        seen = self.filament.observe(time, start.x[:, None], start.z[:, None], p)
+        longest, held = bounds.stretch * np.diff(self.graph.grid.nodes), np.full((2, 3), np.nan)
+        for axis, name in enumerate("xyz"):
+            for side, is_held in enumerate(slots[name][1] if name in slots else ()):
+                held[side, axis] = seen[name][0, -side] / bounds.length if is_held else np.nan
+        columns = [slots[axis][0] if axis in slots else -1 for axis in "xyz"]
+        found = CBounds((ct.c_int * 3)(*columns), bounds.distance, doubles(longest), (ct.c_double * 6)(*held.flat))
         found.kept = longest
         return found
 
@@ -555,6 +557,7 @@ class CompiledIntegration:
             try:
                 while not wait([answer], _LOOK).done:
                     report()
+                    check_time()
                     stop.value = int(torn())
             finally:
                 stop.value = 1

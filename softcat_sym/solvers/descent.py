@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import math
+import numpy as np
 
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.expected_regime import worst_gravity_number
 from softcat_sym.effects.law import is_solid
 from softcat_sym.physics import beams
@@ -19,16 +20,17 @@ It is then a thread of twenty times its length. The deepest bundled scene, drawn
 """
 
 DRAWN = 100.0
-"""Stretch from which a filament beyond the threshold of arrest (3.12) does not come back.
+"""Stretch below which a section counts as not drawn out yet, though it does not come to rest.
 
 At rest the section at X bears the weight between it and midspan at no more than the yield stress, so that its stretch
-is at most sigma_Y/(rho g |X|); and what tension has drawn out it never shortens. Beyond the threshold that is 1.5 at
-the supports, and a stretch of 100 is possible only within 0.8 % of the span from midspan.
+is at most sigma_Y/(rho g |X|), and what tension has drawn out it never shortens: a section beyond that limit, and a
+tenth as thick as it was, is on its way to a thread. Where no catenary rests (3.12), the filament falls for ever;
+elsewhere it has necked.
 """
 
 
-def bounds_of(scene: Scene, terms: Terms) -> Bounds | None:
-    """Where the run of a filament ends as one that falls for ever; None where nothing says that it does.
+def bounds_of(scene: Scene, terms: Terms, nodes: Floats) -> Bounds | None:
+    """Where the run of a filament with nodes at these X/L ends; None where nothing says that it falls or necks.
 
     What has a free end hangs on one support and is drawn out by its own weight as far as its law allows: its run ends
     as a thread. Solids come to rest, and chains of polymers may hold what they are drawn to.
@@ -38,7 +40,10 @@ def bounds_of(scene: Scene, terms: Terms) -> Bounds | None:
     if not (terms.flows or terms.viscous):
         return None
     longest = max(scene.filament.span, rest_length(scene), farthest(scene))
-    final = scene.at(scene.run.duration)
-    weight = worst_gravity_number(final) if terms.yields else None
-    never = weight is not None and weight > beams.ARREST_THRESHOLD_EXACT
-    return Bounds(FALLEN * longest / rest_length(scene), DRAWN if never else math.inf)
+    weight = worst_gravity_number(scene.at(scene.run.duration)) if terms.yields else None
+    stretch = np.full(len(nodes) - 1, np.inf)
+    # Of supports that move it is not known which of them draws a section out.
+    if weight and not scene.ends.motion:
+        stretch = np.maximum(DRAWN, 1 / (weight * np.maximum(np.abs(nodes[1:] + nodes[:-1]) / 2, 1e-9)))
+    falls = weight is None or weight > beams.ARREST_THRESHOLD_EXACT
+    return Bounds(FALLEN * longest / rest_length(scene), stretch, rest_length(scene), falls)

@@ -18,6 +18,7 @@ from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
@@ -189,7 +190,7 @@ class Integration:
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external, self._bounds = external, bounds
-        if bounds is not None and bounds.stretch < np.inf:
+        if bounds is not None and bounds.never and np.any(np.isfinite(bounds.stretch)):
             # What falls for ever is looked at between frames, too.
             self._kinks = np.union1d(kinks, np.geomspace(1.0, _LATEST, _LOOKS))
         # A multistep method restarts in each chunk, so that a short run has one chunk.
@@ -230,6 +231,7 @@ class Integration:
         """Integrate, and put every part that was computed beside the others."""
         last, reached, integrator = self._frames - 1, 0, self._chunk
         while reached < last:
+            check_time()
             if len(self._kinks):
                 # A piece starts just after a kink and ends just before the next.
                 cuts = self._cuts(reached * interval, (reached + 1) * interval)
@@ -243,7 +245,8 @@ class Integration:
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
                 if (ended := self._ended(part, p)) is not None:
-                    return self._whole(parts, interval).left(ended, scale)
+                    falls = self._bounds is None or self._bounds.never
+                    return self._whole(parts, interval).left(ended, scale, falls=falls)
                 if is_torn(self._graph.terms, self._stretch(part.time[-1:], part.x[:, -1:], part.z[:, -1:], p)):
                     break
             elif integrator.intervals > 1:
@@ -273,7 +276,7 @@ class Integration:
             return None
         places = np.abs(np.concatenate([part.x, part.z])[[kind in ("x", "y", "z") for kind in kinds]])
         stretch = self._stretch(part.time, part.x, part.z, p)
-        beyond = (np.max(places, axis=0) > bounds.distance) | (np.max(stretch, axis=1) > bounds.stretch)
+        beyond = (np.max(places, axis=0) > bounds.distance) | np.any(stretch > bounds.stretch, axis=1)
         return float(part.time[np.argmax(beyond)]) if np.any(beyond) else None
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:

@@ -205,7 +205,7 @@ def prepare(
     newton = None
     if isinstance(code, CompiledFilament) and code_at_rest is not None:
         newton = CompiledNewton(graph, code, code_at_rest, settings)
-    bounds = bounds_of(scene, graph.terms)
+    bounds = bounds_of(scene, graph.terms, graph.grid.nodes)
     start, stride = starting_state(scene, graph, p, statics, newton), 1
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):

@@ -119,10 +119,12 @@ class Extremes:
 
 @dataclass(frozen=True)
 class Bounds:
-    """Where a run ends as one that falls for ever, in units of the rest length."""
+    """Where a run ends as one that does not come to rest any more."""
 
-    distance: float  # Largest coordinate of a node, from the middle of the straight filament
-    stretch: float  # Of a cell; infinite where the filament may come to rest
+    distance: float  # Largest coordinate of a node over the rest length, from the middle of the straight filament
+    stretch: Floats  # Of each cell; infinite without a yield stress
+    length: float  # Rest length [m]
+    never: bool  # Whether it would not have come to rest from the beginning
 
 
 @dataclass(frozen=True)
@@ -157,11 +159,14 @@ class Solution:
         )
         return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
 
-    def left(self, ended: float, scale: float) -> Solution:
-        """The solution before the time at which the filament was left to fall for ever."""
+    def left(self, ended: float, scale: float, *, falls: bool) -> Solution:
+        """The solution before the time from which the filament falls for ever, or is drawn out where it necks."""
         found = self.only(slice(0, max(1, int(np.count_nonzero(self.time <= ended)))))
-        message = f"it falls for ever: the run ends after {ended * scale:.4g} s"
-        return replace(found, outcome=Outcome.descends, message=message, ended=ended)
+        what = "it falls for ever" if falls else "a section is drawn out, and cannot bear what hangs on it any more"
+        message = f"{what}: the run ends after {ended * scale:.4g} s"
+        if falls:
+            return replace(found, outcome=Outcome.descends, message=message, ended=ended)
+        return replace(found, outcome=Outcome.ruptured, message=message)
 
     def interrupted(self, scale: float) -> Interrupted:
         """What to raise after Ctrl-C, with the solution up to then."""

@@ -348,17 +348,17 @@ class PlaceWork:
         steps = first.steps + second.steps
         if second.regime != DESCENDING:
             return replace(first, runs=2, steps=steps)
-        return replace(second, runs=2, steps=steps, drawn_out=first.duration)
+        return replace(second, runs=2, steps=steps, drawn_out=duration)
 
     def _run(self, place: Place, member: Member) -> tuple[PhaseRun, Floats]:
         """A run, and its sag over the span, shape (frames,)."""
         workshop = study_of(self.scene).workshop
-        prepared, solution = workshop.run(member, self.stop)
-        if solution.ended is not None:
+        run = judged(member, *workshop.run(member, self.stop))
+        if run.solution.ended is not None:
             # It falls for ever, perhaps before its second frame: again, with its frames up to then.
-            member = _lasting(member, solution.ended * prepared.scale)
-            prepared, solution = workshop.run(member, self.stop)
-        run = judged(member, prepared, solution)
+            outcome, message = run.outcome, run.message
+            member = _lasting(member, run.solution.ended * run.prepared.scale)
+            run = replace(judged(member, *workshop.run(member, self.stop)), outcome=outcome, message=message)
         sag = -run.midpoint / rest_length(member.scene)
         rate, span_rate = _rates(run)
         result = PhaseRun(

@@ -9,12 +9,15 @@ import json
 import math
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
 import sys
+import time
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
@@ -32,13 +35,16 @@ from softcat_sym.design.experiment import design_experiment
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.free_vibration import first_vibration, ringing
 from softcat_sym.effects.lists import terms_of
+from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.discrepancy import discrepancy
+from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.plotting.terminal import answer_rows, print_summary
 from softcat_sym.results.observed import DISPLACEMENT, OWN
 from softcat_sym.studies.card_rules import descent_of
 from softcat_sym.studies.explanation import explain
 from tests.common.compilers import ANSWER, COMPILE
+from tests.common.filmed import film, scene
 from tests.common.held_straight import BY_LAW, IN_THREE_DIMENSIONS, by_bulk, by_section
 from tests.common.in_process import Softcat, sets
 from tests.common.table import rows_of
@@ -49,6 +55,27 @@ from tests.test_breaking import cantilever
 pytestmark = pytest.mark.slow
 
 Says = Callable[..., None]
+PROGRAM = Path(sys.executable).with_name("softcat")
+
+
+@dataclass(frozen=True)
+class Timed:
+    """A command that has ended."""
+
+    status: int
+    out: str
+    err: str
+    seconds: float  # Of the processor
+
+
+def timed(*arguments: str) -> Timed:
+    """Run ``softcat``."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False, timeout=300)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return Timed(done.returncode, done.stdout, done.stderr, seconds)
+
 
 FOLDER = Path(__file__).parents[1] / "cases"
 
@@ -476,10 +503,73 @@ def test_the_law_of_a_section_by_itself(says: Says) -> None:
 # --- C1: the price of a run is said before it starts
 
 
+def test_a_long_run_tells_its_price_before_it_begins(says: Says, tmp_path: Path) -> None:
+    """The number that explain prints; the run is ended then, long before its four hundred million seconds."""
+    scene = str(FOLDER / "beam-for-50000-years.toml")
+    # This makes the equations, which the run then finds in the cache.
+    explained = timed("explain", scene)
+    ended = timed("run", scene, "-q", "-o", str(tmp_path / "out"), "--time-limit", "15")
+    price = re.search(r"about (\S+) s of the\s+processor", " ".join(explained.out.split()))
+    assert price is not None and float(price[1]) > 1e8
+    assert f"this run takes long: it rings some 23632115370 periods of 66.8 s: about {price[1]} s" in ended.err
+    assert "load.ramp" in ended.err and "--time-limit" in ended.err and ended.status == 1
+    says("C1", "beam-for-50000-years.toml starts what takes 4e8 s and says nothing", ended.err.split(";")[0])
+
+
 # --- C2: a run that falls for ever ends
 
 
+@pytest.mark.parametrize("name", ["runaway-concrete", "runaway-chocolate"])
+def test_a_run_that_falls_for_ever_ends(says: Says, name: str, tmp_path: Path) -> None:
+    done = timed("run", str(FOLDER / f"{name}.toml"), "-q", "-o", str(tmp_path))
+    run = sc.open_run(tmp_path)
+    end, span = run.summary["descends"], run.scene.filament.span
+    assert done.status == 1 and run.outcome is sc.Outcome.descends and len(run.fields["time"]) > 190
+    assert done.seconds < 10 and end["rate_m_per_s"] < 0 and -10 < end["midpoint_m"] / span < -4
+    met = "63 s of the processor and killed, nothing written" if name == "runaway-concrete" else "alike"
+    says("C2", f"{name}.toml: {met}", f"descends after {end['time_s']:.3g} s, in {done.seconds:.1f} s of the processor")
+
+
+def test_a_neck_that_goes_on_for_ever_ends(says: Says) -> None:
+    """G = 0.83: a catenary would bear it, but its clamps are drawn out."""
+    begun = time.process_time()
+    changes = ["material.shear_yield_stress=3 kPa", "numerics.cells=10", "numerics.estimate=false"]
+    run = sc.simulate(sc.load_scene(FOLDER / "runaway-concrete.toml", changes))
+    spent = time.process_time() - begun
+    assert run.outcome in (sc.Outcome.localised, sc.Outcome.ruptured) and spent < 20
+    says("C2", "a strand whose clamps neck runs on for minutes", f"{run.outcome.name}, in {spent:.1f} s")
+
+
 # --- C3: time limits and interrupts
+
+LONG = ("--set", "run.duration=10 min", "--set", "run.frames=20001", "--set", "numerics.cells=20")
+LASTING: dict[str, tuple[str, ...]] = {
+    "run": ("no-yield", *LONG),
+    "card": ("no-yield", *LONG),
+    "effects": ("no-yield", "--fresh", *LONG),
+    "accuracy": ("no-yield", *LONG),
+    "compare": ("no-yield", *LONG),
+    "validate": ("--fresh",),
+    "figures": ("--fresh",),
+    "phase": ("--fresh",),
+}
+
+
+@pytest.mark.parametrize("command", LASTING)
+def test_a_time_limit_ends_a_command(says: Says, command: str, tmp_path: Path) -> None:
+    limit = "15" if command == "run" else "4"
+    done = timed(command, *LASTING[command], "-q", "-o", str(tmp_path / "out"), "--time-limit", limit)
+    assert done.status == 1 and f"softcat: the time limit of {limit} s is over" in done.err
+    assert "Traceback" not in done.err
+    left = sorted(path.name for path in (tmp_path / "out").iterdir()) if (tmp_path / "out").exists() else []
+    if command == "run":
+        assert left == ["scene.toml", "summary.json", "trajectory.nc"]
+        assert sc.open_run(tmp_path / "out").outcome is sc.Outcome.interrupted
+    says(
+        "C3",
+        f"softcat {command} --time-limit {limit}: no such option",
+        f"status 1, {', '.join(left) or 'nothing written'}",
+    )
 
 
 # --- C4: helices and histories are bounded when a scene is read
@@ -502,6 +592,22 @@ def test_a_scene_is_bounded_when_it_is_read(says: Says, name: str, met: str, pat
 
 
 # --- C5: time limits of fits
+
+
+def test_a_fit_ends_within_a_tenth_of_its_limit(says: Says) -> None:
+    """On a grid whose single evaluations take seconds: the limit is reached amid one, or a better grid is built."""
+    limit, known = 8.0, {"numerics.cells": 160, "numerics.rtol": 1e-8}
+    data, free, fit = Measurements.of(*film()), ["viscosity", "yield_stress"], sc.fit
+    begun = time.monotonic()
+    try:
+        found = fit(data, scene().replace(known), free, time_limit=limit)
+        how = found.outcome.word
+    except SoftcatError as error:
+        how = str(error)
+    spent = time.monotonic() - begun
+    # And what a compiler takes, which is waited for.
+    assert spent < 1.1 * limit + 4
+    says("C5", "fit --time-limit 40 took 78 s", f"{spent:.1f} s for {limit:g} s: {how}")
 
 
 # --- D1: clearing the cache leaves the user's files alone

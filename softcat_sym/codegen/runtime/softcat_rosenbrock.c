@@ -209,15 +209,17 @@ static int begin_anew(softcat_run *r)
 int softcat_beyond(const softcat_bounds *bounds, const double *state, int slots, int sites,
                    int stride)
 {
+    double before[3] = {0.0};
     for (int i = 0; i < sites; i++) {
-        const double *here = state + (size_t)i * (size_t)(slots * stride);
         double length = 0.0;
         for (int axis = 0; axis < 3; axis++) {
-            int slot = bounds->slots[axis] * stride;
-            if (slot < 0) continue;
-            double along = i ? here[slot] - here[slot - slots * stride] : 0.0;
-            if (fabs(here[slot]) > bounds->farthest) return 1;
-            length += along * along;
+            if (bounds->slots[axis] < 0) continue;
+            double at = state[(i * slots + bounds->slots[axis]) * stride];
+            double held = i == 0 ? bounds->held[0][axis] : i == sites - 1 ? bounds->held[1][axis] : NAN;
+            if (!isnan(held)) at = held;
+            if (fabs(at) > bounds->farthest) return 1;
+            length += (at - before[axis]) * (at - before[axis]);
+            before[axis] = at;
         }
         if (i && length > bounds->longest[i - 1] * bounds->longest[i - 1]) return 1;
     }

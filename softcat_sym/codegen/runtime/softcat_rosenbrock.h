@@ -24,6 +24,7 @@ typedef struct softcat_bounds {
     int slots[3];              /* of the positions of a node, -1: none */
     double farthest;           /* largest coordinate of a node */
     const double *longest;     /* [sites - 1] length of a cell */
+    double held[2][3];         /* where the first and the last node are held; NAN: nowhere */
 } softcat_bounds;
 
 /* Whether a state, whose numbers stand `stride` apart, is beyond its bounds. */
