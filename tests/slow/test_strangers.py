@@ -223,19 +223,24 @@ def test_a_creep_is_told_by_its_rate_and_by_where_it_tends(says: Says, capsys: p
                 "second_modulus": f"{second} Pa",
                 "viscosity": f"{viscosity} Pa*s",
             },
-            "load": {"ramp": "50 ms", "gravity": "1 m/s^2"},
-            "run": {"duration": "4 s", "frames": 41, "effects": ["inertia", "bending", "viscous-flow"]},
+            "load": {"ramp": "0.2 s", "gravity": "1 m/s^2"},
+            "run": {
+                "duration": "4 s",
+                "frames": 41,
+                "accuracy": 1e-3,
+                "effects": ["inertia", "bending", "viscous-flow", "gravity-ramp"],
+            },
         }
     )
     run = sc.simulate(scene)
     last = -1050 * 1.0 * span**4 / (32 * first * h**2)
     tau = viscosity * (first + second) / (first * second)
-    left = second / (first + second) * math.exp(-(4 - 0.025) / tau)
+    left = second / (first + second) * math.exp(-(4 - 0.1) / tau)
     creep, settled = run.summary["creep"], run.summary["midpoint_settled_m"]
     assert run.summary["midpoint_final_m"] == pytest.approx(last * (1 - left), rel=5e-3)
     assert settled["amplitude"] < 2e-3 * abs(last)
     assert creep["rate_m_per_s"] == pytest.approx(last * left / tau, rel=0.05)
-    assert creep["tends_to_m"] == pytest.approx(last, rel=0.02)
+    assert creep["tends_to_m"] == pytest.approx(last, rel=5e-3)
     print_summary(run.summary, scene)
     out = " ".join(capsys.readouterr().out.split())
     assert "still moving down by" in out and "towards" in out and "swinging" not in out
