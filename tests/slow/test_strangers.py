@@ -103,7 +103,7 @@ STATISTICAL = ("inference", "priors", "closed_forms")
 """Files of tests on draws that take seconds; `.ci/matrix seeds` runs all of them, with twenty seeds."""
 
 
-def tested(*options: str, heard: bool = True, **variables: str) -> str:
+def outcome_of(*options: str, heard: bool = True, **variables: str) -> str:
     """The last line of pytest's; an interrupt may go unheard, as in the background of a script."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options]
     deaf = None if heard else partial(signal.signal, signal.SIGINT, signal.SIG_IGN)
@@ -118,12 +118,12 @@ def tested(*options: str, heard: bool = True, **variables: str) -> str:
 def test_statistical_tests_pass_with_other_draws(says: Says) -> None:
     files = [f"tests/test_{name}.py" for name in STATISTICAL]
     met = "test_the_band_...: 0.8476 for 1 +- 0.15 on another processor, a chance of one in fifty"
-    found = tested("-m", "statistical and not slow", *files, SOFTCAT_TEST_SEED="101")
+    found = outcome_of("-m", "statistical and not slow", *files, SOFTCAT_TEST_SEED="101")
     says("A1", met, f"from the covariance, not drawn; with other draws {found}")
 
 
 def test_tests_hear_interrupts_in_the_background_of_a_script(says: Says) -> None:
-    found = tested("tests/test_least_squares.py", "-k", "raises", heard=False)
+    found = outcome_of("tests/test_least_squares.py", "-k", "raises", heard=False)
     says("A1", "started by a script in the background, tests of Ctrl-C fail", found)
 
 
