@@ -119,7 +119,7 @@ def observed_motion(
     midpoint, expected = y[:, y.shape[1] // 2], forecast(scene)
     depth = np.sqrt(np.sum(moved[:, moved.shape[1] // 2] ** 2, axis=-1)) / span
     # The way of the node that moves farthest, in the direction in which it does.
-    distance = np.sum(moved**2, axis=-1)
+    distance = np.einsum("fna,fna->fn", moved, moved)
     frame, node = np.unravel_index(int(np.argmax(distance)), distance.shape)
     path = moved[:, node] @ moved[frame, node] / (math.sqrt(distance[frame, node]) or 1.0)
     largest = max(math.sqrt(distance[frame, node]), least_displacement(scene, fields))

@@ -41,7 +41,7 @@ class Watched:
     @classmethod
     def of(cls, scene: Scene, fields: Mapping[str, Floats], moved: Floats, places: tuple[Floats, Floats]) -> Watched:
         """What to watch of a run; displacements are (frames, nodes, axes), places are those of nodes and cells."""
-        distance, length = np.sqrt(np.sum(moved**2, axis=-1)), rest_length(scene)
+        distance, length = np.sqrt(np.einsum("fna,fna->fn", moved, moved)), rest_length(scene)
         sizes = {DISPLACEMENT: distance}
         least = {DISPLACEMENT: least_displacement(scene, fields)}
         largest = max(float(np.max(distance)), least[DISPLACEMENT])
