@@ -95,14 +95,22 @@ def test_first_yield_waits_for_what_the_surface_carries() -> None:
     assert stress[1] / stress[0] == pytest.approx(left, rel=0.01)
 
 
+INERTIAL = ("swings", "relaxed", "overstress", "missed", "speed", "retarded", "damped")
+"""Of a motion: what its ringing enters."""
+
+
 def test_a_bath_is_a_lesser_gravity_to_all_that_is_foreseen() -> None:
-    """But not to the inertia: motion, regime and effects chosen are those of (1 - rho_b/rho) g."""
+    """But not to the inertia: sag, strain, shares and effects chosen are those of (1 - rho_b/rho) g."""
     for name in ("ink-bridge", "silicone-thread", "gelatin-strand", "toothpaste"):
         scene = sc.load_scene(name)
         bath = {"surroundings.density": f"{0.4 * scene.filament.density!r} kg/m^3"}
         light = scene.replace({"load.gravity": f"{0.6 * scene.load.gravity!r} m/s^2"})
         motions = [dataclasses.asdict(forecast(one)) for one in (scene.replace(bath), light)]
-        assert motions[0] == pytest.approx(motions[1], rel=1e-9), name
+        # The mass that the bath adds slows the ringing.
+        still = {key for key in motions[0] if key not in INERTIAL}
+        assert {key: motions[0][key] for key in still} == pytest.approx(
+            {key: motions[1][key] for key in still}, rel=1e-9
+        )
         chosen = [choose_effects(one) for one in (scene.replace(bath), light)]
         names = [frozenset(one.reasons) for one in chosen]
         assert names[0] - {"added-mass"} == names[1] | {"buoyancy"}, name

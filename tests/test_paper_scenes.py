@@ -55,7 +55,8 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
     rows = [[found.summary["cells"], f"{sag:.3g}", found.outcome.name] for found, sag in zip(runs, sags, strict=True)]
     show("edge-of-rupture: the answer depends on the grid", ("N", "sag/L at 460", "outcome"), rows)
     assert runs[-1].outcome is sc.Outcome.localised and not runs[-1].outcome.is_success
-    assert sags[-1] > 10 * sags[0]
+    # The runs end where the neck cannot bear what hangs on it any more, not at one time.
+    assert min(sags[1:]) > 5 * sags[0]
 
 
 @pytest.mark.slow

@@ -266,7 +266,7 @@ def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypat
     descent = sc.load_scene("continual-descent", QUICK)
     vary = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
     data = sc.sweep(descent, vary, tmp_path, mode="zip", shapes=True).data
-    assert data.outcome.values.tolist() == ["solved", "localised"]
+    assert data.outcome.values.tolist() == ["solved", "descends"]
     assert str(data.message.values[1]) and str(data.regime.values[1]) == ""
     for name in ("midpoint", "sag_over_span", "midpoint_final", "largest_stretch", "x", "y", "stretch"):
         assert np.isfinite(data[name].values[0]).all() and np.isnan(data[name].values[1]).all()

@@ -21,6 +21,9 @@ _LEAST, _NOISE, _FIRMER = 1e-15, 1e-11, 10.0
 """Shifts of the stiffness over the largest, the first and the most that rounding may need, and the ratio of one to the
 next."""
 
+_ROUNDED = 1e-5
+"""Of the shift: what rounding leaves of it, a hundred times as much as was seen."""
+
 _SOFT = 1e-9
 """Of the torsional stiffness of an element."""
 
@@ -126,7 +129,7 @@ class Elements:
         Returns
         -------
         squares : ndarray, shape (free,)
-            [1/s^2]; about zero for what turns freely.
+            [1/s^2]; zero for what turns freely.
         modes : ndarray, shape (free, free)
             In columns, each of unit modal mass.
         strained : ndarray, shape (free,)
@@ -140,6 +143,7 @@ class Elements:
         root = np.linalg.inv(np.linalg.cholesky(firm + shift * mass))
         inverse, vectors = np.linalg.eigh(root @ mass @ root.T)
         squares, modes = 1 / inverse[::-1] - shift, (root.T @ vectors / np.sqrt(inverse))[:, ::-1]
+        squares[np.abs(squares) < _ROUNDED * shift] = 0.0
         return squares, modes, np.sum(modes * (self.stiffness(cells, by_strain=True) @ modes), axis=0), mass
 
     def stiffness(self, cells: Cells, *, by_strain: bool = False) -> Floats:

@@ -86,11 +86,16 @@ def _first_vibration(scene: Scene) -> Vibration | None:
         pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
         is_loaded, way = np.any(elements.force), float(np.linalg.norm(left[len(left) // 2, :3]))
         rung = modes.T @ mass @ (left.ravel()[elements.free] if is_loaded else pushed)
-        rung /= 1 if is_loaded else squares
+        if not is_loaded:
+            # What turns freely has no frequency.
+            rung = np.divide(rung, squares, out=np.zeros_like(rung), where=squares > 0)
         first = int(np.argmax(rung**2 > _EXCITED * float(np.sum(rung**2))))
     square = float(squares[first])
+    if not square > 0:
+        return None
     share = min(1.0, max(0.0, float(strained[first]) / square))
-    return Vibration(math.sqrt(square), share, way) if square > 0 else None
+    # Digits that are the same on every processor: what is chosen and printed by them is.
+    return Vibration(*(float(f"{number:.7g}") for number in (math.sqrt(square), share, way)))
 
 
 def solid_viscosity(scene: Scene) -> float:

@@ -57,7 +57,7 @@ REFUSED = "NOT TO BE TRUSTED"
 
 _STYLES = {"warning": "bold yellow", "because": "bold red"}
 
-_HARDLY = 1e-3
+_SEEN = 1e-3
 
 Rows = list[tuple[str, str]]
 
@@ -235,7 +235,7 @@ def _creep(summary: Summary) -> str:
 def _rebound(summary: Summary) -> str:
     """How far the midpoint came back up, where that tells the regime; empty where it hardly did."""
     back = float(summary.get("rebound") or 0.0)
-    told = str(summary["regime"]).startswith("arrested") and back >= _HARDLY
+    told = str(summary["regime"]).startswith("arrested") and back >= _SEEN
     return f", coming back up by {100 * back:.2g} % of its sag" if told else ""
 
 

@@ -191,8 +191,8 @@ def displacements(
     return np.asarray(places - stands - share[:, None] * moved[:, None, :])
 
 
-_LITTLE, _ROUNDED = 1e-3, 1e-12
-"""Of how far a node or the surface beside it travels, whatever carries it along, and of a span."""
+_CARRIED, _TURNED, _ROUNDED = 1e-3, 1e-2, 1e-12
+"""Of how far a node travels, whatever carries it along, of how far its surface turns, and of a span."""
 
 
 def least_displacement(scene: Scene, fields: Mapping[str, Floats]) -> float:
@@ -200,7 +200,7 @@ def least_displacement(scene: Scene, fields: Mapping[str, Floats]) -> float:
     places = [fields[name] for name in PLACES if name in fields]
     travelled = float(np.sqrt(np.max(sum((each - each[0]) ** 2 for each in places))))
     turned = float(np.max(turn_of(fields))) * scene.filament.thickness / 2 if "quaternion" in fields else 0.0
-    return max(_ROUNDED * scene.filament.span, _LITTLE * max(travelled, turned))
+    return max(_ROUNDED * scene.filament.span, _CARRIED * travelled, _TURNED * turned)
 
 
 def turn_of(fields: Mapping[str, Floats]) -> Floats:

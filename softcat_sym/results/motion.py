@@ -181,7 +181,8 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, path: Float
 
     if not terms.inertia:
         # Of what is as good as none nothing is missed.
-        shown["missed"] = missed_by(scene, time, path) * min(1.0, np.ptp(path) / scene.filament.span / motion.scale)
+        share = float(np.max(np.abs(path))) / scene.filament.span / motion.scale
+        shown["missed"] = missed_by(scene, time, path) * min(1.0, share)
     if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
