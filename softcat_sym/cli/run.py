@@ -149,8 +149,7 @@ def draw(
         require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
-    from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.files import write_results
+    from softcat_sym.files import made, write_results, written_together
     from softcat_sym.plotting.run import pictures
     from softcat_sym.results.run import check_drawable, open_run
 

@@ -10,7 +10,7 @@ import casadi as ca
 
 from softcat_sym.codegen.c_printer import SIZES, TABLES, Row, Target, Writer, helpers_of, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
-from softcat_sym.codegen.structure import Template
+from softcat_sym.codegen.template import Template
 from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.stencil import Field
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown

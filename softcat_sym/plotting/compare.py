@@ -19,20 +19,19 @@ from matplotlib.lines import Line2D
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.files import write_all
+from softcat_sym.files import write_all, write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.section import node_angles
 from softcat_sym.plotting.style import headed, legend, secondary_scale
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
-from softcat_sym.studies.compare import SHARES, moments
+from softcat_sym.studies.compare import SHARES, Comparison, moments
 
 if TYPE_CHECKING:
     from softcat_sym.reference.elements import ElementRun
-    from softcat_sym.studies.compare import Comparison
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 """The line of the reference: wide and pale, so that a filament that agrees is seen on it."""
@@ -57,6 +56,7 @@ def reference_name(comparison: Comparison) -> str:
     return f"{'elements' if comparison.engine == 'elements' else 'CalculiX'} {mesh.along} × {mesh.through}"
 
 
+@drawing.figures.register(Comparison)
 def figures(comparison: Comparison) -> dict[str, Figure]:
     """Draw what there is of a comparison."""
     drawn = {"compare_midpoint.png": midpoint_figure(comparison)}

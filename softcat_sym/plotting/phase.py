@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from rich.console import Console
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.studies.phase import (
     NO_YIELD,
@@ -30,9 +31,6 @@ from softcat_sym.studies.phase_runs import (
     DESCENDING,
     PhaseRun,
 )
-
-if TYPE_CHECKING:
-    pass
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
@@ -65,6 +63,13 @@ _FAILED: Final = _Look("+", style.PURPLE, "#f5f5f5", "no answer: other")
 def look_of(mark: str) -> _Look:
     """Shape and colours of a mark; outcomes that are no answer, and rare, share one."""
     return LOOKS.get(mark, _FAILED)
+
+
+@drawing.figures.register(PhaseDiagram)
+def phase_figures(diagram: PhaseDiagram) -> dict[str, Figure]:
+    """Regimes and local strains over each plane."""
+    pictures = {sheet.plane.name: phase_figure(diagram, sheet) for sheet in diagram.sheets}
+    return pictures | {f"{sheet.plane.name}_strain": strain_figure(diagram, sheet) for sheet in diagram.sheets}
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:

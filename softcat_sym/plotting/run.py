@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -20,9 +20,11 @@ from matplotlib.figure import Figure
 from matplotlib.image import PcolorImage
 from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
+from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import columns_csv, write_results
+from softcat_sym.plotting.files import columns_csv
 from softcat_sym.plotting.section import (
     Floats,
     Section,
@@ -35,7 +37,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
-from softcat_sym.plotting.spatial import spatial_shapes
+from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import (
     Summary,
@@ -47,6 +49,8 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
+from softcat_sym.results.fields import midpoint_table
+from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run, WrittenRun
@@ -189,7 +193,7 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
         axes.set_ylabel(f"midpoint height [{ruler.symbol}]")
         if sheet.on_screen:
             _dimensionless(axes, sheet, ruler, largest)
-            if not style.refused(sheet.summary):
+            if not refused(sheet.summary):
                 text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
                 axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
         sheet.legend(figure, ncols=2)
@@ -282,7 +286,7 @@ def shapes_figure(
     if "quaternion" in names:
         with styled_for(name):
             whole = {str(one): data[one] for one in names}
-            return spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
+            return _spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
     data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
@@ -340,6 +344,40 @@ def shapes_figure(
             label, colour = yielded_label(sheet.data, scene), style.VERMILLION
         if scene.material.yield_stress is not None or sheet.on_screen:
             sheet.legend(figure, handles=[Patch(facecolor=colour, label=label)], fontsize=max(7.0, size - 0.5))
+    return figure
+
+
+_PANELS, _PANEL = 4, 2.9
+"""Shapes at most, and the height of each [inch]."""
+
+
+def _spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
+    """Draw the filament in space at a few telling times, lengths equal along all axes.
+
+    The stripe marks one side of the section: where it winds round, the filament is twisted.
+    """
+    frames = telling_frames(sheet.data, _PANELS)
+    tubes = [tube(sheet.data, sheet.scene, frame, radius) for frame in frames]
+    corners = np.concatenate([one.reshape(-1, 3) for one in tubes])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
+    columns = min(len(frames), 2)
+    rows = -(-len(frames) // columns)
+    tall = _PANEL * rows + (style.HEADING if sheet.on_screen else 0.1)
+    figure = style.new_figure(width, tall)
+    for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
+        row, column = divmod(number, columns)
+        height = _PANEL / tall
+        place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
+        axes: Axes3D = figure.add_axes(place, projection="3d")
+        draw_tube(axes, ruler.of(shape))
+        frame_tube(axes, ruler.of(low), ruler.of(high), ruler.symbol)
+        axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
+    if sheet.on_screen:
+        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
+        style.head(figure, f"shapes with their {drawn}; the stripe is one side", sheet.summary, sheet.scene, 0.2)
+    else:
+        style.stamp(figure, sheet.summary)
     return figure
 
 
@@ -459,7 +497,7 @@ def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
 def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
     sheet = Sheet.of(data, summary, scene, name)
-    reached = None if style.refused(sheet.summary) else time_to_nine_tenths(sheet.data)
+    reached = None if refused(sheet.summary) else time_to_nine_tenths(sheet.data)
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(sheet.data, scene)
     final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
@@ -556,13 +594,6 @@ def pictures(
             with styled_for(name):
                 contents |= style.printed(what, figure, DPI)
     return {**contents, "midpoint.csv": columns_csv(midpoint_table(data, summary))}
-
-
-def midpoint_table(data: Fields, summary: Summary) -> dict[str, Iterable[object]]:
-    """Columns of ``midpoint.csv``; what is refused says so in every row."""
-    times, outcome = array(data, "time"), style.refused(summary)
-    stamped = {"refused": [outcome] * len(times)} if outcome else {}
-    return {"time_s": times, "midpoint_m": array(data, "midpoint"), **stamped}
 
 
 def write_pictures(
