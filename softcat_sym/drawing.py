@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import singledispatch
 from html import escape
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from softcat_sym.errors import SoftcatError
 
@@ -18,15 +18,13 @@ if TYPE_CHECKING:
 @singledispatch
 def plot(result: object, *what: Any, **how: Any) -> Figure:
     """Draw one picture of a result."""
-    figure: Figure = _loaded(plot, result)(result, *what, **how)
-    return figure
+    return cast("Figure", _loaded(plot, result)(result, *what, **how))
 
 
 @singledispatch
 def figures(result: object) -> dict[str, Figure]:
     """Draw all pictures of a result, by name."""
-    drawn: dict[str, Figure] = _loaded(figures, result)(result)
-    return drawn
+    return cast("dict[str, Figure]", _loaded(figures, result)(result))
 
 
 def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: object) -> Figure:
@@ -41,8 +39,7 @@ def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: o
 
 def png(figure: Figure) -> bytes:
     """Draw a figure as PNG."""
-    drawn: bytes = import_module("softcat_sym.plotting.style").png(figure)
-    return drawn
+    return cast("bytes", import_module("softcat_sym.plotting.style").png(figure))
 
 
 def html(text: str, figure: Figure) -> str:
@@ -57,5 +54,5 @@ def _loaded(drawers: Any, result: object) -> Any:
     for name in {one.__name__ for one in kind.__mro__} & drawn_in.keys():
         import_module(f"softcat_sym.plotting.{drawn_in[name]}")
     if drawers.dispatch(kind) is drawers.dispatch(object):
-        raise SoftcatError(f"no such pictures of a {kind.__name__}: there are some of {', '.join(drawn_in)}")
+        raise SoftcatError(f"no picture of a {kind.__name__}: there are some of {', '.join(drawn_in)}")
     return drawers.dispatch(kind)

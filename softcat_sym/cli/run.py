@@ -106,9 +106,10 @@ def run(
             written = trajectory.written(output)
             if not no_pictures:
                 progress.stage("drawing pictures")
-                from softcat_sym.plotting.run import draw_beside
+                from softcat_sym.plotting.run import pictures
 
-                written = draw_beside(written, trajectory, output, drawn, radius)
+                of = trajectory.fields, trajectory.summary, trajectory.scene, drawn, radius
+                written = written.joined_by(output, lambda: pictures(*of))
     except KeyboardInterrupt:
         left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
         raise interrupted(left) from None

@@ -15,8 +15,7 @@ import jinja2
 import numpy as np
 
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
-from softcat_sym.codegen.structure import Structure
-from softcat_sym.codegen.template import Model
+from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph

@@ -9,7 +9,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 from rich.console import Console
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, printable
@@ -80,7 +80,7 @@ def _refusals(found: WorkPrecision) -> list[str]:
     return [f"{found.names[key]}: {why}" for key, why in found.refusals.items()]
 
 
-@plot.register(WorkPrecision)
+@drawing.plot.register(WorkPrecision)
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
     runs = found.runs[~found.runs["key"].isin(found.refusals)].assign(problem=found.scene.title or found.name)

@@ -18,7 +18,7 @@ from matplotlib.ticker import MaxNLocator
 from rich.console import Console
 from rich.text import Text
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
@@ -193,7 +193,7 @@ _DEEPEST = 2.5
 _LINES = (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, style.GREY, style.GREEN)
 
 
-@plot.register(Card)
+@drawing.plot.register(Card)
 def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
     fields, summary = shown_part(card.run.fields, card.summary)

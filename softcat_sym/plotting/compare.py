@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -56,15 +56,17 @@ def reference_name(comparison: Comparison) -> str:
     return f"{'elements' if comparison.engine == 'elements' else 'CalculiX'} {mesh.along} × {mesh.through}"
 
 
-@drawing.figures.register(Comparison)
-def figures(comparison: Comparison) -> dict[str, Figure]:
-    """Draw what there is of a comparison."""
-    drawn = {"compare_midpoint.png": midpoint_figure(comparison)}
+def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]]:
+    """Names of the pictures that there are of a comparison, and what draws each."""
+    drawers: dict[str, Callable[[Comparison], Figure]] = {"compare_midpoint.png": midpoint_figure}
     if comparison.engine == "elements":
-        drawn["compare_shapes.png"] = shapes_figure(comparison)
-        drawn["compare_plastic_rate.png"] = rate_figure(comparison)
-        drawn["compare_clamp_strain.png"] = clamp_figure(comparison)
-    return drawn
+        drawers |= {"compare_shapes.png": shapes_figure, "compare_plastic_rate.png": rate_figure}
+        drawers["compare_clamp_strain.png"] = clamp_figure
+    return drawers
+
+
+drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.drawn(_drawers(of), what, of))
+drawing.figures.register(Comparison, lambda of: {name: draw(of) for name, draw in _drawers(of).items()})
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:

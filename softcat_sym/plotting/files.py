@@ -5,31 +5,23 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from importlib import resources
 from typing import Any
 
-import numpy as np
 
-
-def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr) -> bytes:
+def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]]) -> bytes:
     """A table; every number reads back exactly, what is not there or not finite is empty."""
 
     def text(cell: object) -> str:
         if isinstance(cell, float):
             # NumPy's own floats print their type with repr.
-            return number(float(cell)) if math.isfinite(cell) else ""
+            return repr(float(cell)) if math.isfinite(cell) else ""
         return "" if cell is None else str(cell)
 
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([list(header), *([text(cell) for cell in row] for row in rows)])
     return stream.getvalue().encode()
-
-
-def columns_csv(columns: Mapping[str, Iterable[object]]) -> bytes:
-    """A table of columns under their names."""
-    lists = [values.tolist() if isinstance(values, np.ndarray) else list(values) for values in columns.values()]
-    return csv_bytes(columns, zip(*lists, strict=True))
 
 
 def page(template: str, **values: Any) -> bytes:

@@ -179,14 +179,8 @@ def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
     return {f"{name}.png": (caption, png(figure)) for name, (caption, figure) in captioned_figures(fit).items()}
 
 
-@drawing.plot.register(Fit)
-def _of_fit(fit: Fit, what: str) -> Figure:
-    return drawing.drawn(FIGURES, what, fit)
-
-
-@drawing.figures.register(Fit)
-def _all_of_fit(fit: Fit) -> dict[str, Figure]:
-    return {name: figure for name, (_, figure) in captioned_figures(fit).items()}
+drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, what, fit))
+drawing.figures.register(Fit, lambda fit: {name: figure for name, (_, figure) in captioned_figures(fit).items()})
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:

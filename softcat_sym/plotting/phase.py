@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
@@ -65,11 +66,14 @@ def look_of(mark: str) -> _Look:
     return LOOKS.get(mark, _FAILED)
 
 
-@drawing.figures.register(PhaseDiagram)
-def phase_figures(diagram: PhaseDiagram) -> dict[str, Figure]:
-    """Regimes and local strains over each plane."""
-    pictures = {sheet.plane.name: phase_figure(diagram, sheet) for sheet in diagram.sheets}
-    return pictures | {f"{sheet.plane.name}_strain": strain_figure(diagram, sheet) for sheet in diagram.sheets}
+def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
+    """Names of the pictures of regimes and local strains over each plane, and what draws each."""
+    pictures = {sheet.plane.name: partial(phase_figure, diagram, sheet) for sheet in diagram.sheets}
+    return pictures | {f"{sheet.plane.name}_strain": partial(strain_figure, diagram, sheet) for sheet in diagram.sheets}
+
+
+drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.drawn(_drawers(of), what))
+drawing.figures.register(PhaseDiagram, lambda of: {name: draw() for name, draw in _drawers(of).items()})
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 from scipy.stats import gaussian_kde
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.fitting.posterior import Posterior
 from softcat_sym.plotting import style
@@ -30,7 +30,7 @@ _SHARES = (0.95, 0.5)
 """Of the draws, within the contours of a pair."""
 
 
-@plot.register(Posterior)
+@drawing.plot.register(Posterior)
 def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
     """Draw the density of each parameter on the diagonal, of each pair below it, and correlations above.
 

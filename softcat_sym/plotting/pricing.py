@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.text import Text
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
@@ -48,7 +48,7 @@ _MARKS: dict[str, dict[str, Any]] = {
 _NOTE = "Ratios are with the effect over without it. What needs it is left out of both runs, what it needs is in both."
 
 
-@plot.register(Pricing)
+@drawing.plot.register(Pricing)
 def pricing_figure(pricing: Pricing) -> Figure:
     """Draw a row an effect: change of the midpoint, and ratios with the effect over without it."""
     # Everything is a point of its own only where it is more than the base.

@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import cycle
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -22,9 +21,9 @@ from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-from softcat_sym.files import write_results
+from softcat_sym import drawing
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import columns_csv
+from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
     Floats,
     Section,
@@ -50,10 +49,10 @@ from softcat_sym.plotting.units import (
     time_unit,
 )
 from softcat_sym.results.fields import midpoint_table
+from softcat_sym.results.run import Run
 from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
-    from softcat_sym.results.run import Run, WrittenRun
     from softcat_sym.scene.scene import Scene
 
 WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
@@ -575,6 +574,15 @@ FIGURES = {
     "space-time": space_time_figure,
 }
 
+drawing.figures.register(
+    Run, lambda run: {what: draw(run.fields, run.summary, run.scene) for what, draw in FIGURES.items()}
+)
+
+
+@drawing.plot.register(Run)
+def _of_run(run: Run, what: str = "midpoint", radius: float = 1.0) -> Figure:
+    return drawing.drawn(figures_with(radius), what, run.fields, run.summary, run.scene)
+
 
 def figures_with(radius: float) -> dict[str, Callable[..., Figure]]:
     """The pictures, shapes drawn as many times as thick."""
@@ -593,18 +601,5 @@ def pictures(
         else:
             with styled_for(name):
                 contents |= style.printed(what, figure, DPI)
-    return {**contents, "midpoint.csv": columns_csv(midpoint_table(data, summary))}
-
-
-def write_pictures(
-    data: Fields, summary: Summary, scene: Scene, directory: str | Path, name: str = style.SCREEN
-) -> list[Path]:
-    """Write the pictures of a run and the table of its midpoint."""
-    return write_results(directory, pictures(data, summary, scene, name))
-
-
-def draw_beside(
-    written: WrittenRun, run: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0
-) -> WrittenRun:
-    """Write the pictures of a run and the table of its midpoint beside its numbers."""
-    return written.joined_by(directory, lambda: pictures(run.fields, run.summary, run.scene, name, radius))
+    table = midpoint_table(data, summary)
+    return {**contents, "midpoint.csv": csv_bytes(table, zip(*table.values(), strict=True))}

@@ -194,9 +194,7 @@ class _Members:
         style.legend(body, handles=handles, ncols=3)
 
 
-@drawing.plot.register(Sweep)
-def _of_sweep(sweep: Sweep) -> Figure:
-    return drawing.drawn({"sag": sweep_figure}, "sag", sweep)
+drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.drawn({"sag": sweep_figure}, what, sweep))
 
 
 def sweep_figure(sweep: Sweep) -> Figure | None:

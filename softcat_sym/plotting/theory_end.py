@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 from rich.console import Console
 from rich.text import Text
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
@@ -43,7 +43,7 @@ _LABELS = {
 }
 
 
-@plot.register(TheoryEnd)
+@drawing.plot.register(TheoryEnd)
 def theory_end_figure(end: TheoryEnd) -> Figure:
     """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _TITLES if name in end.names]

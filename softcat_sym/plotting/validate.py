@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.text import Text
 
-from softcat_sym.drawing import plot
+from softcat_sym import drawing
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
@@ -119,7 +119,7 @@ def _print_indented(screen: Console, text: str, width: int, look: str) -> None:
         screen.print(Text(f"  {line}", style=look))
 
 
-@plot.register(Result)
+@drawing.plot.register(Result)
 def case_figure(result: Result) -> Figure:
     """Draw what was run, as lines, beside what is published, as points."""
     case, finding = result.case, result.finding
@@ -175,7 +175,7 @@ def _relative(validation: Validation) -> list[tuple[str, float]]:
     ]
 
 
-@plot.register(Validation)
+@drawing.plot.register(Validation)
 def validation_figure(validation: Validation) -> Figure:
     """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
     found = _relative(validation)

@@ -17,8 +17,7 @@ import numpy as np
 from softcat_sym.codegen.compiler import beside
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.structure import Structure, model_for
-from softcat_sym.codegen.template import Model
+from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.section_rule import POINT, shown_of_section
 from softcat_sym.discretization.unknowns import Floats

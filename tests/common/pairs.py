@@ -9,8 +9,7 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.structure import model_for
-from softcat_sym.codegen.template import Model
+from softcat_sym.codegen.structure import Model, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
