@@ -532,7 +532,7 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
     assert [path.name for path in taken.iterdir()] == ["shapes.png"]
     with pytest.raises(OSError, match="file"):
         write_results(file, pictures(descent, summary, scene))
-    less = {name: values for name, values in descent.items() if name != "energy_kinetic"}
+    less = {name: values for name, values in descent.items() if name != "stretch"}
     with pytest.raises(KeyError):
         write_results(tmp_path / "nowhere", pictures(less, summary, scene))
     assert not (tmp_path / "nowhere").exists()

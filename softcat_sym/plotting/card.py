@@ -8,7 +8,7 @@ from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -29,10 +29,7 @@ from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.card import Card
-from softcat_sym.studies.card_rules import percent, smay_modulus_needed, unusual
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.card_rules import Rule
+from softcat_sym.studies.card_rules import Rule, percent, smay_modulus_needed, unusual
 
 RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)

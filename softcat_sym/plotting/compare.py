@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -28,10 +28,8 @@ from softcat_sym.plotting.style import headed, legend, secondary_scale
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
+from softcat_sym.reference.elements import ElementRun
 from softcat_sym.studies.compare import SHARES, Comparison, moments
-
-if TYPE_CHECKING:
-    from softcat_sym.reference.elements import ElementRun
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 """The line of the reference: wide and pale, so that a filament that agrees is seen on it."""

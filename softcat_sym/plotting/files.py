@@ -6,7 +6,6 @@ import csv
 import io
 import math
 from collections.abc import Iterable
-from importlib import resources
 from typing import Any
 
 
@@ -28,12 +27,8 @@ def page(template: str, **values: Any) -> bytes:
     """A page of the package's templates, in which no text is read as HTML unless it is marked as such."""
     import jinja2  # not needed by a run
 
-    folder = resources.files("softcat_sym.plotting") / "templates"
-    sources = {
-        entry.name: entry.read_text(encoding="utf-8") for entry in folder.iterdir() if entry.name.endswith(".html")
-    }
     environment = jinja2.Environment(
-        loader=jinja2.DictLoader(sources), autoescape=True, trim_blocks=True, lstrip_blocks=True,
+        loader=jinja2.PackageLoader("softcat_sym.plotting"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
         undefined=jinja2.StrictUndefined,
     )  # fmt: skip
     return environment.get_template(template).render(**values).encode()

@@ -31,6 +31,9 @@ from softcat_sym.studies.paper_figures import (
     PRINTED,
     SNAPSHOTS,
     THEORIES,
+    FilmedScene,
+    Panel,
+    Snapshot,
     scene_facts,
 )
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY
@@ -39,7 +42,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from softcat_sym.discretization.unknowns import Floats
-    from softcat_sym.studies.paper_figures import FilmedScene, Panel, Snapshot
     from softcat_sym.studies.phase import PhaseDiagram, PhaseSheet
 
 DPI = 240

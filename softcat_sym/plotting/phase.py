@@ -19,19 +19,8 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.phase import (
-    NO_YIELD,
-    OVERDAMPED,
-    PAPER_STRAIN,
-    UNDERDAMPED,
-    PhaseDiagram,
-    PhaseSheet,
-)
-from softcat_sym.studies.phase_runs import (
-    CLAMPS_ONLY,
-    DESCENDING,
-    PhaseRun,
-)
+from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),

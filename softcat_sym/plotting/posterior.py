@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,14 +15,12 @@ from scipy.stats import gaussian_kde
 from softcat_sym import drawing
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.fitting.posterior import Posterior
+from softcat_sym.fitting.priors import Prior
+from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_figures import headed, parameter_axis, plain
 from softcat_sym.plotting.style import legend
-
-if TYPE_CHECKING:
-    from softcat_sym.fitting.priors import Prior
-    from softcat_sym.fitting.result import Fit
-    from softcat_sym.plotting.units import Unit
+from softcat_sym.plotting.units import Unit
 
 _GRID = 200
 _COARSE = 60

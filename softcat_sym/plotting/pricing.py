@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -16,10 +16,7 @@ from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.pricing import Pricing, percent
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.pricing import PricingRow
+from softcat_sym.studies.pricing import Pricing, PricingRow, percent
 
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
 

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import cycle
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 from matplotlib import rc_context
@@ -48,12 +48,10 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
-from softcat_sym.results.fields import midpoint_table
+from softcat_sym.results.fields import audit_of, energy_imbalance, energy_label, midpoint_table
 from softcat_sym.results.run import Run
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import refused
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
 """Widths of a figure [inch]: of the screen's, one column of a journal, its whole page."""
@@ -405,8 +403,6 @@ _LOOKS = (
 
 def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
-    from softcat_sym.results.fields import audit_of, energy_imbalance, energy_label
-
     sheet = Sheet.of(data, summary, scene, name)
     time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)

@@ -19,6 +19,7 @@ from rich import box
 from rich.console import Console
 
 from softcat_sym import drawing
+from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
@@ -30,7 +31,6 @@ from softcat_sym.studies.sweep import Sweep
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.discretization.unknowns import Floats
 
 MAX_DRAWN: Final = 4000
 """Members that a picture shows one by one; of more, so many evenly from the first to the last."""

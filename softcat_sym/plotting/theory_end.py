@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -20,10 +20,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
-from softcat_sym.studies.theory_end import TheoryEnd
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.theory_end import TheoryError
+from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
 
 _LOGARITHMIC = 5.0
 """Values that span this ratio stand on a logarithmic axis."""

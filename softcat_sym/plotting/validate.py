@@ -7,7 +7,7 @@ import textwrap
 from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -21,10 +21,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
 from softcat_sym.scene.csv_reader import counted
-from softcat_sym.studies.published.case import Kind, published_scene
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.published.case import Case, Row
+from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
 HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")

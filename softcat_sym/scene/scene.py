@@ -16,14 +16,7 @@ from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
 from softcat_sym.scene.material import POLYMERS, SOLIDS, Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
-from softcat_sym.scene.parts import (
-    DOWN,
-    Numerics,
-    Part,
-    Rule,
-    dotted,
-    kinds_of,
-)
+from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
 from softcat_sym.scene.toml import Override, apply, toml_of
 from softcat_sym.scene.units import fault_of, in_si, shown
