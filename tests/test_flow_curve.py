@@ -17,6 +17,7 @@ from scipy.stats import t as student
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import json_bytes
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
     INDEX_BOUNDS,
@@ -28,7 +29,6 @@ from softcat_sym.fitting.flow_curve import (
     read_flow_curve,
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
-from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
 from tests.common.draws import draws, shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv

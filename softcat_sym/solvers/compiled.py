@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Bounds, Extremes, Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import version
 
@@ -376,6 +376,15 @@ class CModel:
     def message(self, code: int) -> str:
         """Meaning of a status code."""
         return str(self._runtime.softcat_message(code).decode())
+
+
+@runtime_checkable
+class Flagged(Protocol):
+    """A receiver that performs and stops compiled integrations itself, so that no thread need watch them."""
+
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run into its arrays."""
+        ...
 
 
 def runtime_sources() -> dict[str, str]:
