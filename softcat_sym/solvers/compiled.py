@@ -80,7 +80,7 @@ class CBounds(ct.Structure):
     kept: Floats  # The array of `longest`, which ctypes does not keep alive
 
 
-class Turns(ct.Structure):
+class CTurns(ct.Structure):
     """softcat_turns."""
 
     _fields_ = (
@@ -102,7 +102,7 @@ class Options(ct.Structure):
         ("kink_count", ct.c_int),
         ("stop", Integers),
         ("bounds", ct.POINTER(CBounds)),
-        ("turns", ct.POINTER(Turns)),
+        ("turns", ct.POINTER(CTurns)),
     )
     kept: Floats  # The array of `absolute`, which ctypes does not keep alive
 
@@ -152,7 +152,7 @@ class RunInput:
     bounds: CBounds | None = None  # Where it ends before its last time
     watched: tuple[int, int] | None = None  # Site and slot of the unknown whose turning points are sought
 
-    def options(self, stop: ct.c_int | None = None, turns: Turns | None = None) -> Options:
+    def options(self, stop: ct.c_int | None = None, turns: CTurns | None = None) -> Options:
         """Options of the C runtime."""
         absolute = np.full(self.state.shape[1], self.absolute)
         found = Options(
@@ -182,7 +182,7 @@ class Answer:
     states: Floats
     work: Floats
     status: Status
-    turns: Turns | None = None  # Of the unknown that is watched
+    turns: CTurns | None = None  # Of the unknown that is watched
     rows: Floats | None = None  # Their memory: time, value and integral of each
 
     @property
@@ -300,7 +300,7 @@ class CModel:
         if run.watched is None:
             return Answer(states, work, status)
         rows = np.zeros((_MAX_TURNS, 3))
-        return Answer(states, work, status, Turns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
+        return Answer(states, work, status, CTurns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
 
     def integrate(
         self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
@@ -356,7 +356,7 @@ class CModel:
         directions: CDirections | None,
         status: Status,
         stop: ct.c_int | None,
-        turns: Turns | None = None,
+        turns: CTurns | None = None,
     ) -> None:
         state, options = run.state.copy(), run.options(stop, turns)
         filament = self._filament(len(state), run.parameters, run.places)
