@@ -13,7 +13,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.features import SLACKEST, TAUTEST, Features, modulus_of, read_features, stiffness_number
 from softcat_sym.plotting.fit_figures import features_figure
 from softcat_sym.plotting.style import png
-from tests.common.draws import deviations, errors_away, shares
+from tests.common.draws import deviations, draws, errors_away, shares
 from tests.common.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
 
 TRUE_B = 64 / 9 * SLOPE * UNIT / SPAN**3
@@ -75,6 +75,7 @@ def test_the_errors_are_what_the_scatter_of_many_films_says() -> None:
                 off[name].append((one.value - true[name]) / one.error)
     for name, values in off.items():
         print(name, len(values), np.mean(values), np.sqrt(np.mean(np.square(values))))
+        # All of them are there: the decay, the least certain, is 6.9 to 9.5 of its standard errors.
         assert len(values) > 0.93 * count, name
         # What a frame more or less brings is no error: deviations are 0.87 to 1.03 of what is said, means 0.04 of it.
         low, high = deviations(len(values))
@@ -90,6 +91,7 @@ def slow_maxwell() -> sc.Run:
 
 
 @pytest.mark.slow
+@pytest.mark.statistical
 @pytest.mark.parametrize("noise", [0.01, 0.03])
 def test_the_ringing_of_the_slow_maxwell_scene_is_found_under_noise(noise: float) -> None:
     run = slow_maxwell()
@@ -98,12 +100,14 @@ def test_the_ringing_of_the_slow_maxwell_scene_is_found_under_noise(noise: float
     clean = read(time, midpoint, 1e-3 * scale)
     assert clean.ringing is not None
     for seed in range(2):
-        scatter = np.random.default_rng(seed).standard_normal(len(time))
+        scatter = draws(seed).standard_normal(len(time))
         found = read(time, midpoint + noise * scale * scatter)
         assert found.ringing is not None, found.frequency.reason
         there = found.ringing.middle / clean.ringing.middle
         expected = clean.ringing.frequency * there**clean.ringing.stiffening
-        assert found.ringing.frequency == pytest.approx(expected, rel=0.05)
+        # Of 60 draws the error is 0.3 to 1.5 %, and the stiffening's, of the clean film, is less than half a per cent.
+        assert found.frequency.error is not None and found.frequency.error < 0.05 * expected
+        assert abs(found.ringing.frequency - expected) < errors_away() * found.frequency.error + 0.005 * expected
         assert found.decay.value is None or found.decay.value * UNIT * 2 * 0.35 == pytest.approx(1.0, rel=1.0)
 
 
