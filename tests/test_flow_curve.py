@@ -309,7 +309,7 @@ def test_laws_on_a_bound_and_data_that_determine_little() -> None:
     with pytest.raises(SoftcatError, match="does not rise"):
         falling.overrides("herschel-bulkley")
     rate = np.geomspace(20, 90, 8)
-    error = 1 + 0.03 * np.random.default_rng(4).standard_normal(8)
+    error = 1 + 0.03 * np.array([1, -1, -1, 1, 1, -1, -1, 1])  # Of drawn ones, a hundredth determine it by chance
     narrow = fit_flow_curve(FlowCurve(rate, (1.0 + 3.4 * rate**0.43) * error))
     assert any("less than a decade" in text for text in narrow.warnings)
     tau_Y = narrow.candidate("herschel-bulkley").tau_Y
