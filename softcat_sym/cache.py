@@ -186,7 +186,7 @@ def remove(entry: Path) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class CacheEntry:
     """What is kept under a key."""
 
     path: Path
@@ -194,12 +194,12 @@ class Entry:
     used: float  # When it was last asked for [s since 1970]
 
 
-def entries(kind: str) -> list[Entry]:
+def entries(kind: str) -> list[CacheEntry]:
     """Every entry of a kind, the last used first; what is being made, and all that others put there, is left out."""
     return sorted(_named(kind, _NAME), key=lambda entry: -entry.used)
 
 
-def _named(kind: str, names: re.Pattern[str]) -> list[Entry]:
+def _named(kind: str, names: re.Pattern[str]) -> list[CacheEntry]:
     found, is_folder = [], kind in (LIBRARIES, ZIG)
     is_kept_as = stat.S_ISDIR if is_folder else stat.S_ISREG
     for place in folders(kind):
@@ -210,7 +210,7 @@ def _named(kind: str, names: re.Pattern[str]) -> list[Entry]:
                     continue
                 files = Path(one.path).rglob("*") if is_folder else [Path(one.path)]
                 size = sum(file.lstat().st_size for file in files if not file.is_dir())
-                found.append(Entry(Path(one.path), size, status.st_mtime))
+                found.append(CacheEntry(Path(one.path), size, status.st_mtime))
     return found
 
 
@@ -232,11 +232,11 @@ def trim(kind: str, limit: int, stored: str) -> None:
             remove(entry.path)
 
 
-def _abandoned(kind: str) -> list[Entry]:
+def _abandoned(kind: str) -> list[CacheEntry]:
     return [entry for entry in _named(kind, _PASSING) if time.time() - entry.used > _ABANDONED]
 
 
-def clear(*kinds: str) -> dict[str, list[Entry]]:
+def clear(*kinds: str) -> dict[str, list[CacheEntry]]:
     """Delete every entry of these kinds and what killed processes left behind, nothing else; return them by kind."""
     if reason := next(filter(None, (distrust(folder(kind)) for kind in kinds)), ""):
         raise SoftcatError(f"the cache is not cleared: {reason}")

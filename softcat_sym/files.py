@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+import json
+import math
 import os
 import secrets
 import select
@@ -11,6 +13,9 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from pathlib import Path
+from typing import Any
+
+from softcat_sym.drawing import png
 
 _waiting: ContextVar[tuple[dict[Path, Path], set[Path]] | None] = ContextVar("waiting", default=None)
 """Files that are written but not in their place yet, with their places, and folders that were made for them."""
@@ -47,6 +52,42 @@ def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path
     """Write several files into a folder, which is made if missing, :func:`written_together`."""
     with made(directory) as folder, written_together():
         return [replace_atomically(folder / name, content) for name, content in contents.items()]
+
+
+def write_results(directory: str | Path, contents: Mapping[str, object]) -> list[Path]:
+    """Write figures as PNG, frames as CSV, documents as JSON, texts and bytes as they are; each file is replaced whole.
+
+    Everything is drawn before anything is written. What is None is left out.
+    """
+    encoded = {name: _encoded(content) for name, content in contents.items() if content is not None}
+    return write_all(directory, encoded)
+
+
+def _encoded(content: Any) -> bytes:
+    if isinstance(content, bytes):
+        return content
+    if isinstance(content, str):
+        return content.encode()
+    if hasattr(content, "savefig"):
+        return png(content)
+    if hasattr(content, "to_csv"):
+        table: str = content.to_csv(index=False)
+        return table.encode()
+    return json_bytes(content)
+
+
+def json_bytes(content: object, *, is_ascii: bool = True) -> bytes:
+    """A document; what is not finite in it is null."""
+    return (json.dumps(finite(content), indent=2, allow_nan=False, ensure_ascii=is_ascii) + "\n").encode()
+
+
+def finite(value: Any) -> Any:
+    """The same with None in place of what JSON cannot say."""
+    if isinstance(value, Mapping):
+        return {name: finite(part) for name, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(part) for part in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 @contextmanager

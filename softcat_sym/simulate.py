@@ -80,13 +80,13 @@ def simulated(scene: Scene, progress: Progress | None = None, announce: Callable
     """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.solvers.price import price_of
+    from softcat_sym.solvers.run_cost import run_cost
     from softcat_sym.solvers.solution import Interrupted, Silence, watched
 
     finished = list["Run"]()
     try:
         with watched():
-            if announce is not None and (price := price_of(scene, choose_effects(scene))).is_announced:
+            if announce is not None and (price := run_cost(scene, choose_effects(scene))).is_announced:
                 announce(f"this run takes long: it {price.text}")
             return _with_all_that_matters(scene, progress or Silence(), finished)
     except KeyboardInterrupt as stopped:

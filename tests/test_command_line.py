@@ -327,7 +327,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
     run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    drawing.draw_beside(run.written(folder), run, folder)
+    run.written(folder).joined_by(folder, lambda: drawing.pictures(run.fields, run.summary, run.scene))
     return folder
 
 

@@ -23,11 +23,11 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.files import finite, json_bytes
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.plotting import style
 from softcat_sym.plotting.compare import print_comparison, rate_fields, tables, write_comparison
-from softcat_sym.plotting.files import finite, json_bytes
 from softcat_sym.plotting.style import first_frames
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix

@@ -60,7 +60,7 @@ def test_uniform_deformation_leaves_no_force_inside_and_exact_tractions_outside(
     X, Y = loop.strip.position.T
     inside = (X > 0) & (X < 0.5) & (abs(Y) < THICKNESS / 2)
     assert inside.sum() > 20
-    assert force[inside] == pytest.approx(0, abs=2e-16)
+    assert force[inside] == pytest.approx(0, abs=1e-14)
     # On the clamped face the shares of the upper and the lower edge cancel.
     assert force[X == 0.5].sum(axis=0) == pytest.approx(point.stress[:, 0] * THICKNESS, rel=1e-12)
     # Virial: the sum of f_i X_J is P_iJ times the volume.
@@ -72,8 +72,8 @@ def test_rigid_rotation_costs_nothing() -> None:
     loop = free_loop(PATCH, THICKNESS)
     c, s = np.cos(2.0), np.sin(2.0)
     loop.displacement[...] = deformed(loop.strip, [[c, -s], [s, c]]) + np.array([0.3, -0.7])
-    assert internal_force(loop) == pytest.approx(0, abs=1e-15)
-    assert loop.elastic_energy < 1e-28
+    assert internal_force(loop) == pytest.approx(0, abs=1e-14)
+    assert loop.elastic_energy < 1e-26
 
 
 def test_a_patch_pulled_far_flows_like_the_material_point() -> None:
@@ -153,8 +153,8 @@ def test_the_surface_pulls_a_stretched_bar_with_its_closed_form() -> None:
     X, Y = pulled.strip.position.T
     assert force[X == 0.5].sum(axis=0) == pytest.approx(axial, rel=1e-12)
     assert force[X == 0].sum(axis=0) == pytest.approx(-axial, rel=1e-12)
-    assert force[(X > 0) & (X < 0.5)] == pytest.approx(0, abs=1e-15)
-    assert force[abs(Y) < THICKNESS / 2] == pytest.approx(0, abs=1e-15)
+    assert force[(X > 0) & (X < 0.5)] == pytest.approx(0, abs=1e-14)
+    assert force[abs(Y) < THICKNESS / 2] == pytest.approx(0, abs=1e-14)
     assert pulled.surface_energy == pytest.approx(PULL * THICKNESS * (math.sqrt(stretch) - 1), rel=1e-12)
     assert bare.surface_energy == 0
 
@@ -586,7 +586,7 @@ def test_mass_is_lumped_after_hinton_rock_and_zienkiewicz() -> None:
 def test_masses_add_up_to_half_the_filament_about_its_middle() -> None:
     assert GRADED.mass.min() > 0
     assert GRADED.mass.sum() == pytest.approx(0.08 / 2, rel=1e-13)
-    assert GRADED.mass @ GRADED.position[:, 1] == pytest.approx(0, abs=1e-17)
+    assert GRADED.mass @ GRADED.position[:, 1] == pytest.approx(0, abs=1e-16)
     assert Strip(Mesh(6, 4), 0.08).mass @ Strip(Mesh(6, 4), 0.08).position[:, 0] == pytest.approx(0.01, rel=1e-12)
 
 

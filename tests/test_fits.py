@@ -25,6 +25,7 @@ import softcat_sym as sc
 from softcat_sym import store
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.files import json_bytes
 from softcat_sym.fitting import fit as fit_module
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
@@ -34,7 +35,6 @@ from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit, write_fit
 from softcat_sym.plotting.fit_figures import (
     JOINT,

@@ -17,6 +17,7 @@ from scipy.stats import t as student
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import json_bytes
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
     INDEX_BOUNDS,
@@ -28,7 +29,6 @@ from softcat_sym.fitting.flow_curve import (
     read_flow_curve,
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
-from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
 from tests.common.draws import draws, shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
@@ -309,7 +309,7 @@ def test_laws_on_a_bound_and_data_that_determine_little() -> None:
     with pytest.raises(SoftcatError, match="does not rise"):
         falling.overrides("herschel-bulkley")
     rate = np.geomspace(20, 90, 8)
-    error = 1 + 0.03 * np.random.default_rng(4).standard_normal(8)
+    error = 1 + 0.03 * np.array([1, -1, -1, 1, 1, -1, -1, 1])  # Of drawn ones, a hundredth determine it by chance
     narrow = fit_flow_curve(FlowCurve(rate, (1.0 + 3.4 * rate**0.43) * error))
     assert any("less than a decade" in text for text in narrow.warnings)
     tau_Y = narrow.candidate("herschel-bulkley").tau_Y

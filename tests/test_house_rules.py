@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -28,6 +29,13 @@ def test_tool_is_content(tool: str) -> None:
     done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert tool != "layers" or "0 broken" in done.stdout
+
+
+@pytest.mark.tooling
+def test_no_module_imports_itself_by_way_of_others() -> None:
+    graph = pytest.importorskip("grimp").build_graph("softcat_sym", cache_dir=None)
+    # It raises CycleError, with the circle; imports that only annotations need count, too.
+    TopologicalSorter({name: graph.find_modules_directly_imported_by(name) for name in graph.modules}).prepare()
 
 
 def test_at_most_eight_exception_classes_each_with_advice() -> None:

@@ -21,6 +21,7 @@ from softcat_sym.fitting.model_selection import (
     LIMITS,
     FittedLaw,
     LawComparison,
+    ModelChoice,
     choose_model,
     fit_law,
     fit_laws,
@@ -30,7 +31,7 @@ from softcat_sym.fitting.model_selection import (
 )
 from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.scene.material import CONSTANTS
-from tests.common.draws import draws
+from tests.common.draws import draws, gain
 from tests.marks import few
 
 
@@ -287,20 +288,29 @@ def _fallen(law: str, noise: float, outliers: int = 0) -> tuple[sc.Scene, Measur
     return scene, Measurements.of(run.time.values[1:], height)
 
 
+def _gained(choice: ModelChoice, readings: int) -> float:
+    """What the film of a Newtonian filament has gained in N ln(RSS) by a spring."""
+    squares = {row.law.name: row.law.squares for row in choice.table}
+    return readings * math.log(squares["newtonian"] / squares["kelvin-voigt"])
+
+
 @pytest.mark.slow
+@pytest.mark.statistical
 def test_a_film_of_a_bingham_filament() -> None:
     scene, film = _fallen("bingham", 0.01)
-    found = fit_laws(film, scene, ["newtonian", "bingham"], starts=0)
+    # Without a camera and a theory that may err, which would count beside the residuals.
+    found = fit_laws(film, scene, ["newtonian", "bingham"], starts=0, calibrated=True, discrepancy=False)
     assert found.choice.verdict == "bingham"
     assert found.sentence.startswith("the films speak for bingham")
     assert not found.failures
-    # The criterion by hand, from the residuals in units of the largest height.
-    best = found.choice.table[0]
-    unit = float(np.max(np.abs(film.series[0].midpoint)))
-    residuals = (found.fits["bingham"].films[0].model - film.series[0].midpoint) / unit
-    aic = 60 * math.log(float(residuals @ residuals) / 60) + 2 * 4
-    assert best.aic == pytest.approx(aic, rel=1e-9)
-    assert best.criterion == pytest.approx(aic - 8 + sum(charge(60, k) for k in (1, 2, 3)), rel=1e-9)
+    # The criterion by hand, up to what is common to both laws; the noise is found to a thousandth.
+    ranked = {row.law.name: row for row in found.choice.table}
+    seen = film.series[0].midpoint
+    squares = {name: float(np.sum((one.films[0].model - seen) ** 2)) for name, one in found.fits.items()}
+    gained = 60 * math.log(squares["newtonian"] / squares["bingham"])
+    assert ranked["newtonian"].aic - ranked["bingham"].aic == pytest.approx(gained - 4, rel=1e-3)
+    charged = charge(60, 2) + charge(60, 3)
+    assert ranked["newtonian"].criterion - ranked["bingham"].criterion == pytest.approx(gained - charged, rel=1e-3)
 
 
 @pytest.mark.slow
@@ -314,10 +324,11 @@ def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.statistical
 def test_a_robust_comparison_does_not_follow_outliers() -> None:
     scene, film = _fallen("newtonian", 0.01, outliers=6)
     robust = fit_laws(film, scene, ["newtonian", "kelvin-voigt"], starts=0, loss=Loss("cauchy", 2.0))
-    assert "newtonian" in robust.choice.close
+    assert _gained(robust.choice, 60) < gain(60, 2)
     plain = robust.fits["newtonian"]
     # Charged alike: by the least of the scales, and not by the squares that the outliers make.
     assert robust.choice.table[0].law.squares < 0.5 * plain.squares
@@ -366,6 +377,7 @@ def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> Non
 
 
 @pytest.mark.slow
+@pytest.mark.statistical
 def test_a_wider_law_starts_again_from_the_one_inside() -> None:
     """A solid's modulus that is far too large cannot be left behind by its own starts, whose bounds lie about it."""
     scene = _oil("newtonian")
@@ -380,7 +392,7 @@ def test_a_wider_law_starts_again_from_the_one_inside() -> None:
     assert alone.squares > 10 * found.fits["kelvin-voigt"].squares
     # What has one constant more is no worse, but for how little its modulus may be made.
     assert found.fits["kelvin-voigt"].squares < 1.01 * found.fits["newtonian"].squares
-    assert "newtonian" in found.choice.close
+    assert _gained(found.choice, 40) < gain(40, 2)
 
 
 def test_the_narrower_comes_first() -> None:

@@ -71,7 +71,7 @@ def test_what_makes_the_slope_finite_at_rest_is_not_felt_elsewhere(index: float)
     found = rates(flow_of("power-law"), n=index)
     np.testing.assert_allclose(found[felt], exact[felt], rtol=2e-6)
     assert np.all(np.diff(found) >= 0)
-    np.testing.assert_allclose(found, -found[::-1], rtol=1e-14)
+    np.testing.assert_allclose(found, -found[::-1], rtol=1e-12)
     slope = sp.diff(flow_of("power-law").rate, sigma).subs({sigma: 0, E: MODULUS, K: 13.84e3, n: index})
     assert 0 < float(slope) < 1e9
 
@@ -390,4 +390,4 @@ def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
     plane = [bulk.elastic_strain[0, 0], bulk.elastic_strain[1, 1]]
     strain = np.array(compiled(plane, law.strain)(0.02, -0.005), dtype=float)
     assert np.array(compiled(plane, law.stress)(0.02, -0.005)) == pytest.approx(STRESS(*six(strain)), abs=1e-15)
-    assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-16)
+    assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-15)

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import zlib
 from collections.abc import Iterator
-from importlib import resources
+from importlib import import_module, resources
 from io import BytesIO
 from pathlib import Path
 
@@ -25,8 +25,9 @@ from matplotlib.transforms import Bbox
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym import files
+from softcat_sym import files, plotting
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import write_results
 from softcat_sym.plotting.run import (
     FIGURES,
     LINES,
@@ -35,11 +36,11 @@ from softcat_sym.plotting.run import (
     energy_figure,
     maps_of,
     midpoint_figure,
+    pictures,
     shapes_figure,
     space_time_figure,
     styled_for,
     time_to_nine_tenths,
-    write_pictures,
 )
 from softcat_sym.plotting.section import (
     Section,
@@ -503,7 +504,7 @@ def test_a_runaway_that_is_refused_scales_no_axis_and_an_answer_is_drawn_whole(
     y[120:] = np.nan
     data, about = shown_part(descent | {"y": y}, summary | {"outcome": "non_finite"})
     assert len(data["time"]) == 120 and "not drawn after" in about["not_drawn"]
-    write_pictures(runaway, bad, scene, tmp_path)
+    write_results(tmp_path, pictures(runaway, bad, scene))
     table = (tmp_path / "midpoint.csv").read_text().splitlines()
     assert (table[0], len(table)) == ("time_s,midpoint_m,refused", 202)
 
@@ -514,7 +515,7 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
     (tmp_path / "new").mkdir()
     with matplotlib.rc_context({"font.size": 17.0, "axes.grid": True}):
         before = matplotlib.rcParams.copy()
-        paths = write_pictures(descent, summary, scene, folder)
+        paths = write_results(folder, pictures(descent, summary, scene))
         assert matplotlib.rcParams.copy() == before
     assert [path.name for path in paths] == NAMES
     assert sorted(path.name for path in folder.iterdir()) == sorted(NAMES)
@@ -527,13 +528,13 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
     (taken / "shapes.png").mkdir(parents=True)
     file.write_text("")
     with pytest.raises(OSError, match=r"shapes\.png"):
-        write_pictures(descent, summary, scene, taken)
+        write_results(taken, pictures(descent, summary, scene))
     assert [path.name for path in taken.iterdir()] == ["shapes.png"]
     with pytest.raises(OSError, match="file"):
-        write_pictures(descent, summary, scene, file)
-    less = {name: values for name, values in descent.items() if name != "energy_kinetic"}
+        write_results(file, pictures(descent, summary, scene))
+    less = {name: values for name, values in descent.items() if name != "stretch"}
     with pytest.raises(KeyError):
-        write_pictures(less, summary, scene, tmp_path / "nowhere")
+        write_results(tmp_path / "nowhere", pictures(less, summary, scene))
     assert not (tmp_path / "nowhere").exists()
 
 
@@ -585,6 +586,15 @@ def test_what_draws_loads_no_more_than_it_needs():
         "assert not {'matplotlib.pyplot', 'casadi', 'sympy', 'pandas', 'scipy'} & set(sys.modules)\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):
+    with pytest.raises(SoftcatError, match="no picture of a dict: there are some of Run, Fit, Posterior"):
+        plotting.plot(descent)
+    for module in plotting.DRAWN_IN.values():
+        import_module(f"softcat_sym.plotting.{module}")
+    found = {kind.__name__: draw.__module__.rpartition(".")[2] for kind, draw in plotting.plot.registry.items()}
+    assert found == plotting.DRAWN_IN | {"object": "drawing"}
 
 
 @pytest.mark.slow
@@ -647,7 +657,7 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper():
 @pytest.mark.slow
 def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tmp_path, width, millimetres):
     before = matplotlib.rcParams.copy()
-    write_pictures(descent, summary, scene, tmp_path, width)
+    write_results(tmp_path, pictures(descent, summary, scene, width))
     assert matplotlib.rcParams.copy() == before, "the style of the caller stays"
     written = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     assert set(written) == {f"{name}.{ending}" for name in FIGURES for ending in ("pdf", "png")} | {"midpoint.csv"}

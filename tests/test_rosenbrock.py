@@ -407,10 +407,10 @@ def test_a_jump_of_pace_costs_nothing_where_it_is_announced() -> None:
             assert integrate(what, [0.0], times, Settings(method=method)).status.rejected > 3
 
 
-def watched(capacity: int, slot: int = 0) -> tuple[compiled.Turns, np.ndarray]:
+def watched(capacity: int, slot: int = 0) -> tuple[compiled.CTurns, np.ndarray]:
     """Turning points to be found, and their memory."""
     rows = np.full((capacity, 3), np.nan)
-    return compiled.Turns(0, slot, capacity, rows=compiled.doubles(rows)), rows
+    return compiled.CTurns(0, slot, capacity, rows=compiled.doubles(rows)), rows
 
 
 @pytest.mark.parametrize("method", METHODS)

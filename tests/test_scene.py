@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.bundled import bundled_names, bundled_text
-from softcat_sym.scene.parts import Filament, farthest, nearest
+from softcat_sym.scene.parts import Filament
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import (
     Scene,
@@ -32,6 +32,7 @@ from softcat_sym.scene.scene import (
     stress_free_length,
     undeformed_area,
 )
+from softcat_sym.scene.tables import farthest, nearest
 from softcat_sym.scene.units import COMMON, measured_by_pint
 from tests.common.scenes import BINGHAM, LAWS, faults_of, refused, spoiled
 

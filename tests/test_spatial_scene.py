@@ -23,11 +23,12 @@ from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.bundled import bundled_names
-from softcat_sym.scene.dimensions import DOWN, is_spatial, out_of_plane, reason_for_dimensions
+from softcat_sym.scene.dimensions import is_spatial, out_of_plane, reason_for_dimensions
 from softcat_sym.scene.material import POLYMERS
-from softcat_sym.scene.parts import farthest, nearest
+from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, is_symmetric
+from softcat_sym.scene.tables import farthest, nearest
 from softcat_sym.studies.explanation import explain
 from tests.common.scenes import BINGHAM, LAWS, faults_of, scene_of, spoiled
 

@@ -66,7 +66,7 @@ def effects(
 def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
     """Price every bundled scene: ``effects_<scene>.json`` and ``.png`` of each, ``pricing.md`` over all so far."""
     from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.plotting.files import write_results
+    from softcat_sym.files import write_results
     from softcat_sym.plotting.pricing import pricing_table
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.scene.bundled import bundled_names

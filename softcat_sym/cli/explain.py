@@ -55,7 +55,7 @@ def explain(
         asked = scene_of(scene, changes)
     else:
         asked, output = scene_and_directory(scene, changes, output, "explain")
-    from softcat_sym.plotting.files import write_results
+    from softcat_sym.files import write_results
     from softcat_sym.studies.explanation import explain as explained
 
     explanation = explained(asked)

@@ -106,9 +106,10 @@ def run(
             written = trajectory.written(output)
             if not no_pictures:
                 progress.stage("drawing pictures")
-                from softcat_sym.plotting.run import draw_beside
+                from softcat_sym.plotting.run import pictures
 
-                written = draw_beside(written, trajectory, output, drawn, radius)
+                of = trajectory.fields, trajectory.summary, trajectory.scene, drawn, radius
+                written = written.joined_by(output, lambda: pictures(*of))
     except KeyboardInterrupt:
         left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
         raise interrupted(left) from None
@@ -149,8 +150,7 @@ def draw(
         require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
-    from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.files import write_results
+    from softcat_sym.files import made, write_results, written_together
     from softcat_sym.plotting.run import pictures
     from softcat_sym.results.run import check_drawable, open_run
 

@@ -5,22 +5,24 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 import casadi as ca
 
 from softcat_sym.codegen.c_printer import SIZES, TABLES, Row, Target, Writer, helpers_of, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
-from softcat_sym.codegen.structure import Template
 from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.stencil import Field
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown
 from softcat_sym.errors import PrintingError
 
+Template = TypeVar("Template")
+
 _MARK = "@"  # stands in the text for what is known only later
 
 
-def template_of(program: Program) -> Template:
-    """C text of a filament."""
+def template_of(program: Program, made_of: Callable[..., Template]) -> Template:
+    """C text of a filament, made of its parts."""
     if any(one.summed for one in program.fields):
         raise PrintingError("there is no C of a filament whose sites all read one sum: that of small deflections")
     writer, leaves = Writer(program), program.leaves
@@ -60,7 +62,7 @@ def template_of(program: Program) -> Template:
     text = f"{helpers_of(text)}\n{text}"
     shown, observables, scratch = _observables(program)
     signature = replace(program.signature, shown=shown)
-    return Template(text, observables, signature, powers, entries, writer.scratch, scratch, moves)
+    return made_of(text, observables, signature, powers, entries, writer.scratch, scratch, moves)
 
 
 _OBSERVE = """\

@@ -308,4 +308,5 @@ def _made(structure: Structure) -> Template:
 
     theory = structure.theory
     rule = one_of(theory.fibres) if theory.fibres else theory.rule
-    return template_of(build(equations_of(structure.formulation), theory.model, structure.ends, structure.body, rule))
+    program = build(equations_of(structure.formulation), theory.model, structure.ends, structure.body, rule)
+    return template_of(program, Template)

@@ -14,7 +14,6 @@ from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
-from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import (
     Scene,
     groups_of,
@@ -22,6 +21,7 @@ from softcat_sym.scene.scene import (
     is_slack,
     stress_free_length,
 )
+from softcat_sym.scene.tables import farthest
 
 TURNS_BACK = 0.05
 """A filament is underdamped if it springs back by more than this share of its sag, the criterion of finished runs.

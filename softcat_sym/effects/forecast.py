@@ -14,8 +14,8 @@ from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.effects.law import is_solid
 from softcat_sym.physics.beams import ramp_gain
-from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, is_slack, rest_length, undeformed_area
+from softcat_sym.scene.tables import farthest
 
 
 def shaken_share(scene: Scene) -> float:

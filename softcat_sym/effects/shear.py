@@ -11,8 +11,8 @@ from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
 from softcat_sym.scene.dimensions import is_spatial, needed_in_space
-from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
+from softcat_sym.scene.tables import farthest
 
 
 def elastic_stretch(scene: Scene) -> float:

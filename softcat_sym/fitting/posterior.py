@@ -17,6 +17,7 @@ from scipy.linalg import solve_triangular
 from scipy.optimize import minimize
 from scipy.special import expit, log_expit, logit
 
+from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
@@ -161,9 +162,7 @@ class Posterior:
 
     def plot(self, fit: Fit) -> Figure:
         """Draw the densities of all parameters and pairs beside the best fit and its intervals."""
-        from softcat_sym.plotting.posterior import posterior_figure
-
-        return posterior_figure(fit, self)
+        return drawing.plot(self, fit)
 
 
 def posterior_of(

@@ -12,6 +12,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy import stats
 
+from softcat_sym import drawing
 from softcat_sym.fitting.features import Features
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.identifiability import (
@@ -257,16 +258,11 @@ class Fit:
         SoftcatError
             If there is no such picture.
         """
-        from softcat_sym.plotting.fit_figures import FIGURES
-        from softcat_sym.plotting.notebook import drawn
-
-        return drawn(FIGURES, what, self)
+        return drawing.plot(self, what)
 
     def figures(self) -> dict[str, Figure]:
         """Pictures of the fit, by the names of their files."""
-        from softcat_sym.plotting.fit import captioned_figures
-
-        return {name: figure for name, (_, figure) in captioned_figures(self).items()}
+        return drawing.figures(self)
 
     def __repr__(self) -> str:
         lines = [f"Fit {self.scene.title!r}: {self.outcome.name}"]
@@ -277,9 +273,7 @@ class Fit:
         return "\n  ".join(lines)
 
     def _repr_html_(self) -> str:
-        from softcat_sym.plotting.notebook import html
-
-        return html(repr(self), self.plot())
+        return drawing.html(repr(self), self.plot())
 
     @property
     def notes(self) -> list[str]:

@@ -1,1 +1,10 @@
 """Pictures, tables and terminal output of runs and studies. Matplotlib and rich are loaded when they are used."""
+
+from softcat_sym.drawing import plot as plot
+
+DRAWN_IN = {
+    "Run": "run", "Fit": "fit", "Posterior": "posterior", "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
+    "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "pricing", "WorkPrecision": "accuracy",
+    "Validation": "validate", "Result": "validate",
+}  # fmt: skip
+"""Module in which the pictures of each result are registered."""

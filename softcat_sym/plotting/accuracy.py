@@ -9,8 +9,9 @@ import pandas as pd
 from matplotlib.figure import Figure
 from rich.console import Console
 
+from softcat_sym import drawing
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import legend, plain_log, printable
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.progress import seconds_text
@@ -79,6 +80,7 @@ def _refusals(found: WorkPrecision) -> list[str]:
     return [f"{found.names[key]}: {why}" for key, why in found.refusals.items()]
 
 
+@drawing.plot.register(WorkPrecision)
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
     runs = found.runs[~found.runs["key"].isin(found.refusals)].assign(problem=found.scene.title or found.name)

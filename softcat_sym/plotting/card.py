@@ -8,7 +8,7 @@ from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -18,19 +18,18 @@ from matplotlib.ticker import MaxNLocator
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
 from softcat_sym.effects.scaling_estimates import yield_stress_of
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import page, write_results
+from softcat_sym.plotting.files import page
 from softcat_sym.plotting.section import Section, outline, quads_outside, section_at, vertical_stretch, yielding_of
 from softcat_sym.plotting.style import headed, png, printable, shown_part
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies.card_rules import percent, smay_modulus_needed, unusual
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.card import Card
-    from softcat_sym.studies.card_rules import Rule
+from softcat_sym.studies.card import Card
+from softcat_sym.studies.card_rules import Rule, percent, smay_modulus_needed, unusual
 
 RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)
@@ -191,6 +190,7 @@ _DEEPEST = 2.5
 _LINES = (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, style.GREY, style.GREEN)
 
 
+@drawing.plot.register(Card)
 def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
     fields, summary = shown_part(card.run.fields, card.summary)

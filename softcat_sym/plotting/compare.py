@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -19,20 +19,17 @@ from matplotlib.lines import Line2D
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.files import write_all
+from softcat_sym.files import write_all, write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.section import node_angles
 from softcat_sym.plotting.style import headed, legend, secondary_scale
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
-from softcat_sym.studies.compare import SHARES, moments
-
-if TYPE_CHECKING:
-    from softcat_sym.reference.elements import ElementRun
-    from softcat_sym.studies.compare import Comparison
+from softcat_sym.reference.elements import ElementRun
+from softcat_sym.studies.compare import SHARES, Comparison, moments
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 """The line of the reference: wide and pale, so that a filament that agrees is seen on it."""
@@ -57,14 +54,17 @@ def reference_name(comparison: Comparison) -> str:
     return f"{'elements' if comparison.engine == 'elements' else 'CalculiX'} {mesh.along} × {mesh.through}"
 
 
-def figures(comparison: Comparison) -> dict[str, Figure]:
-    """Draw what there is of a comparison."""
-    drawn = {"compare_midpoint.png": midpoint_figure(comparison)}
+def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]]:
+    """Names of the pictures that there are of a comparison, and what draws each."""
+    drawers: dict[str, Callable[[Comparison], Figure]] = {"compare_midpoint.png": midpoint_figure}
     if comparison.engine == "elements":
-        drawn["compare_shapes.png"] = shapes_figure(comparison)
-        drawn["compare_plastic_rate.png"] = rate_figure(comparison)
-        drawn["compare_clamp_strain.png"] = clamp_figure(comparison)
-    return drawn
+        drawers |= {"compare_shapes.png": shapes_figure, "compare_plastic_rate.png": rate_figure}
+        drawers["compare_clamp_strain.png"] = clamp_figure
+    return drawers
+
+
+drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.drawn(_drawers(of), what, of))
+drawing.figures.register(Comparison, lambda of: {name: draw(of) for name, draw in _drawers(of).items()})
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.fit_figures import plain
 from softcat_sym.plotting.style import plain_log
 from softcat_sym.plotting.units import length_unit

@@ -13,7 +13,10 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from softcat_sym.plotting.files import json_bytes, page, write_results
+from softcat_sym import drawing
+from softcat_sym.files import json_bytes, write_results
+from softcat_sym.fitting.result import Fit
+from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
 from softcat_sym.plotting.fit_words import (
     GAP_HEADINGS,
@@ -35,7 +38,6 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.posterior import Posterior
-    from softcat_sym.fitting.result import Fit
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 """Headings of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""
@@ -175,6 +177,10 @@ _CAPTIONS = {
 def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
     """Names of files with captions and pictures."""
     return {f"{name}.png": (caption, png(figure)) for name, (caption, figure) in captioned_figures(fit).items()}
+
+
+drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, what, fit))
+drawing.figures.register(Fit, lambda fit: {name: figure for name, (_, figure) in captioned_figures(fit).items()})
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from softcat_sym.fitting.result import FEATURES
+from softcat_sym.fitting.result import FEATURES, Fit, FittedFilm, FittedParameter
 from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
 
 if TYPE_CHECKING:
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.model_selection import LawComparison, Ranked
     from softcat_sym.fitting.posterior import Posterior
     from softcat_sym.fitting.resolution import Moved
-    from softcat_sym.fitting.result import Fit, FittedFilm, FittedParameter
 
 NONE = "–"
 

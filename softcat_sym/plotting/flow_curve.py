@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from softcat_sym.files import write_results
 from softcat_sym.fitting.flow_curve import CONVERSION, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import legend
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant

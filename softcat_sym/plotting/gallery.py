@@ -15,8 +15,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from softcat_sym import store
+from softcat_sym.files import json_bytes, write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import csv_bytes, json_bytes, page, write_results
+from softcat_sym.plotting.files import csv_bytes, page
 from softcat_sym.plotting.run import Shape, largest_sag, shapes_of
 from softcat_sym.plotting.section import array, telling_frames, vertical_stretch
 from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png

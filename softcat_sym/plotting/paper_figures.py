@@ -16,9 +16,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from softcat_sym.files import json_bytes
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
 from softcat_sym.plotting.style import legend
 from softcat_sym.scene.scene import elastic_time, groups_of
@@ -31,6 +31,9 @@ from softcat_sym.studies.paper_figures import (
     PRINTED,
     SNAPSHOTS,
     THEORIES,
+    FilmedScene,
+    Panel,
+    Snapshot,
     scene_facts,
 )
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY
@@ -39,7 +42,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from softcat_sym.discretization.unknowns import Floats
-    from softcat_sym.studies.paper_figures import FilmedScene, Panel, Snapshot
     from softcat_sym.studies.phase import PhaseDiagram, PhaseSheet
 
 DPI = 240

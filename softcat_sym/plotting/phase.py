@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,26 +14,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from rich.console import Console
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.phase import (
-    NO_YIELD,
-    OVERDAMPED,
-    PAPER_STRAIN,
-    UNDERDAMPED,
-    PhaseDiagram,
-    PhaseSheet,
-)
-from softcat_sym.studies.phase_runs import (
-    CLAMPS_ONLY,
-    DESCENDING,
-    PhaseRun,
-)
-
-if TYPE_CHECKING:
-    pass
+from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
@@ -65,6 +53,16 @@ _FAILED: Final = _Look("+", style.PURPLE, "#f5f5f5", "no answer: other")
 def look_of(mark: str) -> _Look:
     """Shape and colours of a mark; outcomes that are no answer, and rare, share one."""
     return LOOKS.get(mark, _FAILED)
+
+
+def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
+    """Names of the pictures of regimes and local strains over each plane, and what draws each."""
+    pictures = {sheet.plane.name: partial(phase_figure, diagram, sheet) for sheet in diagram.sheets}
+    return pictures | {f"{sheet.plane.name}_strain": partial(strain_figure, diagram, sheet) for sheet in diagram.sheets}
+
+
+drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.drawn(_drawers(of), what))
+drawing.figures.register(PhaseDiagram, lambda of: {name: draw() for name, draw in _drawers(of).items()})
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:

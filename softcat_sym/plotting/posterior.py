@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,16 +12,15 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 from scipy.stats import gaussian_kde
 
+from softcat_sym import drawing
 from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.fitting.posterior import Posterior
+from softcat_sym.fitting.priors import Prior
+from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_figures import headed, parameter_axis, plain
 from softcat_sym.plotting.style import legend
-
-if TYPE_CHECKING:
-    from softcat_sym.fitting.posterior import Posterior
-    from softcat_sym.fitting.priors import Prior
-    from softcat_sym.fitting.result import Fit
-    from softcat_sym.plotting.units import Unit
+from softcat_sym.plotting.units import Unit
 
 _GRID = 200
 _COARSE = 60
@@ -29,15 +28,16 @@ _SHARES = (0.95, 0.5)
 """Of the draws, within the contours of a pair."""
 
 
-def posterior_figure(fit: Fit, posterior: Posterior) -> Figure:
+@drawing.plot.register(Posterior)
+def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
     """Draw the density of each parameter on the diagonal, of each pair below it, and correlations above.
 
     Parameters
     ----------
-    fit : Fit
-        Whose best values and 95 % intervals are marked.
     posterior : Posterior
         What was drawn.
+    fit : Fit
+        Whose best values and 95 % intervals are marked.
     """
     priors = posterior.priors
     count = len(priors)

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.pricing import Pricing, percent
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.pricing import PricingRow
+from softcat_sym.studies.pricing import Pricing, PricingRow, percent
 
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
 
@@ -47,6 +45,7 @@ _MARKS: dict[str, dict[str, Any]] = {
 _NOTE = "Ratios are with the effect over without it. What needs it is left out of both runs, what it needs is in both."
 
 
+@drawing.plot.register(Pricing)
 def pricing_figure(pricing: Pricing) -> Figure:
     """Draw a row an effect: change of the midpoint, and ratios with the effect over without it."""
     # Everything is a point of its own only where it is more than the base.

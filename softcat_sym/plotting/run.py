@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from itertools import cycle
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 from matplotlib import rc_context
@@ -20,9 +19,11 @@ from matplotlib.figure import Figure
 from matplotlib.image import PcolorImage
 from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
+from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from softcat_sym import drawing
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import columns_csv, write_results
+from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
     Floats,
     Section,
@@ -35,7 +36,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
-from softcat_sym.plotting.spatial import spatial_shapes
+from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import (
     Summary,
@@ -47,10 +48,10 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
-
-if TYPE_CHECKING:
-    from softcat_sym.results.run import Run, WrittenRun
-    from softcat_sym.scene.scene import Scene
+from softcat_sym.results.fields import audit_of, energy_imbalance, energy_label, midpoint_table
+from softcat_sym.results.run import Run
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import refused
 
 WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
 """Widths of a figure [inch]: of the screen's, one column of a journal, its whole page."""
@@ -189,7 +190,7 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
         axes.set_ylabel(f"midpoint height [{ruler.symbol}]")
         if sheet.on_screen:
             _dimensionless(axes, sheet, ruler, largest)
-            if not style.refused(sheet.summary):
+            if not refused(sheet.summary):
                 text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
                 axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
         sheet.legend(figure, ncols=2)
@@ -282,7 +283,7 @@ def shapes_figure(
     if "quaternion" in names:
         with styled_for(name):
             whole = {str(one): data[one] for one in names}
-            return spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
+            return _spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
     data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
@@ -343,6 +344,40 @@ def shapes_figure(
     return figure
 
 
+_PANELS, _PANEL = 4, 2.9
+"""Shapes at most, and the height of each [inch]."""
+
+
+def _spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
+    """Draw the filament in space at a few telling times, lengths equal along all axes.
+
+    The stripe marks one side of the section: where it winds round, the filament is twisted.
+    """
+    frames = telling_frames(sheet.data, _PANELS)
+    tubes = [tube(sheet.data, sheet.scene, frame, radius) for frame in frames]
+    corners = np.concatenate([one.reshape(-1, 3) for one in tubes])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
+    columns = min(len(frames), 2)
+    rows = -(-len(frames) // columns)
+    tall = _PANEL * rows + (style.HEADING if sheet.on_screen else 0.1)
+    figure = style.new_figure(width, tall)
+    for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
+        row, column = divmod(number, columns)
+        height = _PANEL / tall
+        place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
+        axes: Axes3D = figure.add_axes(place, projection="3d")
+        draw_tube(axes, ruler.of(shape))
+        frame_tube(axes, ruler.of(low), ruler.of(high), ruler.symbol)
+        axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
+    if sheet.on_screen:
+        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
+        style.head(figure, f"shapes with their {drawn}; the stripe is one side", sheet.summary, sheet.scene, 0.2)
+    else:
+        style.stamp(figure, sheet.summary)
+    return figure
+
+
 def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     """Body, yielded zones, outline, the line between the ends."""
     body = ruler.of(shape.outline)
@@ -368,8 +403,6 @@ _LOOKS = (
 
 def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
-    from softcat_sym.results.fields import audit_of, energy_imbalance, energy_label
-
     sheet = Sheet.of(data, summary, scene, name)
     time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)
@@ -459,7 +492,7 @@ def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
 def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
     sheet = Sheet.of(data, summary, scene, name)
-    reached = None if style.refused(sheet.summary) else time_to_nine_tenths(sheet.data)
+    reached = None if refused(sheet.summary) else time_to_nine_tenths(sheet.data)
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(sheet.data, scene)
     final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
@@ -537,6 +570,15 @@ FIGURES = {
     "space-time": space_time_figure,
 }
 
+drawing.figures.register(
+    Run, lambda run: {what: draw(run.fields, run.summary, run.scene) for what, draw in FIGURES.items()}
+)
+
+
+@drawing.plot.register(Run)
+def _of_run(run: Run, what: str = "midpoint", radius: float = 1.0) -> Figure:
+    return drawing.drawn(figures_with(radius), what, run.fields, run.summary, run.scene)
+
 
 def figures_with(radius: float) -> dict[str, Callable[..., Figure]]:
     """The pictures, shapes drawn as many times as thick."""
@@ -555,25 +597,5 @@ def pictures(
         else:
             with styled_for(name):
                 contents |= style.printed(what, figure, DPI)
-    return {**contents, "midpoint.csv": columns_csv(midpoint_table(data, summary))}
-
-
-def midpoint_table(data: Fields, summary: Summary) -> dict[str, Iterable[object]]:
-    """Columns of ``midpoint.csv``; what is refused says so in every row."""
-    times, outcome = array(data, "time"), style.refused(summary)
-    stamped = {"refused": [outcome] * len(times)} if outcome else {}
-    return {"time_s": times, "midpoint_m": array(data, "midpoint"), **stamped}
-
-
-def write_pictures(
-    data: Fields, summary: Summary, scene: Scene, directory: str | Path, name: str = style.SCREEN
-) -> list[Path]:
-    """Write the pictures of a run and the table of its midpoint."""
-    return write_results(directory, pictures(data, summary, scene, name))
-
-
-def draw_beside(
-    written: WrittenRun, run: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0
-) -> WrittenRun:
-    """Write the pictures of a run and the table of its midpoint beside its numbers."""
-    return written.joined_by(directory, lambda: pictures(run.fields, run.summary, run.scene, name, radius))
+    table = midpoint_table(data, summary)
+    return {**contents, "midpoint.csv": csv_bytes(table, zip(*table.values(), strict=True))}

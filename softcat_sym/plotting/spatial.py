@@ -13,14 +13,13 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym.plotting import style
 from softcat_sym.plotting.pictures import Pictures
-from softcat_sym.plotting.section import Floats, array, telling_frames
+from softcat_sym.plotting.section import Floats, array
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import length_unit, time_unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from softcat_sym.plotting.run import Sheet
     from softcat_sym.plotting.units import Summary
     from softcat_sym.scene.scene import Scene
 
@@ -65,41 +64,8 @@ def tube(data: Fields, scene: Scene, frame: int, radius: float) -> Floats:
 _WIDE, _TALL = 12.8, 8.0
 """Of a film [inch]."""
 
-_PANELS, _PANEL = 4, 2.9
-"""Shapes at most, and the height of each [inch]."""
 
-
-def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
-    """Draw the filament in space at a few telling times, lengths equal along all axes.
-
-    The stripe marks one side of the section: where it winds round, the filament is twisted.
-    """
-    frames = telling_frames(sheet.data, _PANELS)
-    tubes = [tube(sheet.data, sheet.scene, frame, radius) for frame in frames]
-    corners = np.concatenate([one.reshape(-1, 3) for one in tubes])
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
-    columns = min(len(frames), 2)
-    rows = -(-len(frames) // columns)
-    tall = _PANEL * rows + (style.HEADING if sheet.on_screen else 0.1)
-    figure = style.new_figure(width, tall)
-    for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
-        row, column = divmod(number, columns)
-        height = _PANEL / tall
-        place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
-        axes: Axes3D = figure.add_axes(place, projection="3d")
-        _draw(axes, ruler.of(shape))
-        _frame(axes, ruler.of(low), ruler.of(high), ruler.symbol)
-        axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
-    if sheet.on_screen:
-        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
-        style.head(figure, f"shapes with their {drawn}; the stripe is one side", sheet.summary, sheet.scene, 0.2)
-    else:
-        style.stamp(figure, sheet.summary)
-    return figure
-
-
-def _frame(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
+def frame_tube(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     """Room for all shapes, to one scale."""
     middle, half = (low + high) / 2, np.maximum((high - low) / 2, 0.12 * float((high - low).max()))
     for part, least, most in zip("xyz", middle - half, middle + half, strict=True):
@@ -141,7 +107,7 @@ class SpatialAnimation(Pictures):
             self.figure: Figure = style.new_figure(_WIDE, _TALL)
             self.figure.set_dpi(width / _WIDE)
             self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
-            _frame(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
+            frame_tube(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
             title = style.printable(scene.title, 70) or "Filament"
             self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
             self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
@@ -164,7 +130,7 @@ class SpatialAnimation(Pictures):
         with style.styled():
             if self._body is not None:
                 self._body.remove()
-            self._body = _draw(self.axes, self._shapes[number])
+            self._body = draw_tube(self.axes, self._shapes[number])
             time, height = self._shown[number]
             self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
             self._now.set_text(f"t = {self._clock.text(time)}")
@@ -172,7 +138,7 @@ class SpatialAnimation(Pictures):
         return self.pixels()
 
 
-def _draw(axes: Axes3D, rings: Floats) -> Poly3DCollection:
+def draw_tube(axes: Axes3D, rings: Floats) -> Poly3DCollection:
     """Faces between neighbouring rings; the first few sides are the stripe."""
     following = np.roll(rings, -1, axis=1)
     faces = np.stack([rings[:-1], following[:-1], following[1:], rings[1:]], axis=2)

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.units import Summary, time_unit
-from softcat_sym.solvers.outcome import ANSWERS
+from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
     from matplotlib.text import Text
@@ -151,12 +151,6 @@ def _glyphs() -> frozenset[int]:
 
 
 STAMP: Final = "REFUSED: "
-
-
-def refused(summary: Summary) -> str:
-    """Outcome of a result that is refused; empty of one that may be used, or of which nothing is known."""
-    outcome = str(summary.get("outcome") or "")
-    return "" if outcome in ANSWERS else outcome
 
 
 def stamp(figure: Figure, summary: Summary) -> list[Text]:

@@ -18,18 +18,19 @@ from matplotlib.lines import Line2D
 from rich import box
 from rich.console import Console
 
+from softcat_sym import drawing
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
+from softcat_sym.studies.sweep import Sweep
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.discretization.unknowns import Floats
-    from softcat_sym.studies.sweep import Sweep
 
 MAX_DRAWN: Final = 4000
 """Members that a picture shows one by one; of more, so many evenly from the first to the last."""
@@ -191,6 +192,9 @@ class _Members:
             label = f"no answer: {outcome} ({count})"
             handles.append(Line2D([], [], linestyle="", marker="x", color=style.GREY, markersize=4.5, label=label))
         style.legend(body, handles=handles, ncols=3)
+
+
+drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.drawn({"sag": sweep_figure}, what, sweep))
 
 
 def sweep_figure(sweep: Sweep) -> Figure | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,14 +14,13 @@ from matplotlib.patches import Patch
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
+from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
 
 _LOGARITHMIC = 5.0
 """Values that span this ratio stand on a logarithmic axis."""
@@ -41,6 +40,7 @@ _LABELS = {
 }
 
 
+@drawing.plot.register(TheoryEnd)
 def theory_end_figure(end: TheoryEnd) -> Figure:
     """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _TITLES if name in end.names]

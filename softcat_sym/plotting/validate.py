@@ -7,7 +7,7 @@ import textwrap
 from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,14 +15,13 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym import drawing
+from softcat_sym.files import write_results
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import page, write_results
+from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
 from softcat_sym.scene.csv_reader import counted
-from softcat_sym.studies.published.case import Kind, published_scene
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.published.case import Case, Row
+from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
 HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
@@ -117,6 +116,7 @@ def _print_indented(screen: Console, text: str, width: int, look: str) -> None:
         screen.print(Text(f"  {line}", style=look))
 
 
+@drawing.plot.register(Result)
 def case_figure(result: Result) -> Figure:
     """Draw what was run, as lines, beside what is published, as points."""
     case, finding = result.case, result.finding
@@ -172,6 +172,7 @@ def _relative(validation: Validation) -> list[tuple[str, float]]:
     ]
 
 
+@drawing.plot.register(Validation)
 def validation_figure(validation: Validation) -> Figure:
     """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
     found = _relative(validation)

@@ -15,11 +15,10 @@ from scipy.spatial.transform import Rotation
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, made, replace_atomically, written_together
-from softcat_sym.reference.elements import ElementField, element_fields, strip_of
+from softcat_sym.reference.elements import ElementField, ElementRun, element_fields, strip_of
 from softcat_sym.results.fields import VARIABLES, variable_of
 
 if TYPE_CHECKING:
-    from softcat_sym.reference.elements import ElementRun
     from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
 

@@ -26,7 +26,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.reference.material_point import LAWS, PointCode
-from softcat_sym.scene.dimensions import DOWN
+from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
 
 _ONLY: dict[str, object] = {

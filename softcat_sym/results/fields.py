@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -12,8 +12,9 @@ from softcat_sym.discretization.parameters import energy_scale, heat_unit
 from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.scene.natural_curve import has_shape
-from softcat_sym.scene.parts import right_places
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
+from softcat_sym.scene.tables import right_places
+from softcat_sym.solvers.outcome import refused
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
 
@@ -323,3 +324,10 @@ def heat_residual(fields: Mapping[str, Floats]) -> float:
     imbalance = np.sum(list(values.values()), axis=0)
     scale = max(float(np.abs(value).max()) for value in values.values())
     return float(np.max(np.abs(imbalance - imbalance[0]))) / scale if scale > 0 else 0.0
+
+
+def midpoint_table(data: Mapping[Any, Any], summary: Mapping[str, Any]) -> dict[str, Iterable[object]]:
+    """Columns of ``midpoint.csv``; what is refused says so in every row."""
+    times, outcome = np.asarray(data["time"], dtype=float), refused(summary)
+    stamped = {"refused": [outcome] * len(times)} if outcome else {}
+    return {"time_s": times, "midpoint_m": np.asarray(data["midpoint"], dtype=float), **stamped}

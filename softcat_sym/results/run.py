@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import surface_note
@@ -20,12 +21,14 @@ from softcat_sym.effects.free_vibration import damping_note
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import Break, break_frame
 from softcat_sym.results.fields import (
     COORDINATES,
     displacements,
     energy_residual,
+    midpoint_table,
     min_energy,
     node_positions,
     variables_of,
@@ -90,8 +93,6 @@ class WrittenRun:
 
     def joined_by(self, directory: str | Path, contents: Callable[[], Mapping[str, object]]) -> WrittenRun:
         """Write more beside it; the summary states how long all but itself took."""
-        from softcat_sym.plotting.files import write_results
-
         began = perf_counter()
         files = write_results(directory, contents())
         spent, wall = perf_counter() - began, self.summary["wall_s"]
@@ -265,22 +266,15 @@ class Run:
         SoftcatError
             If there is no such picture, or the radius is not positive.
         """
-        from softcat_sym.plotting.notebook import drawn
-        from softcat_sym.plotting.run import figures_with
-
-        return drawn(figures_with(radius), what, self.fields, self.summary, self.scene)
+        return drawing.plot(self, what, radius)
 
     def figures(self) -> dict[str, Figure]:
         """All pictures of the run, by name."""
-        from softcat_sym.plotting.run import FIGURES
-
-        return {what: draw(self.fields, self.summary, self.scene) for what, draw in FIGURES.items()}
+        return drawing.figures(self)
 
     def to_frame(self) -> pd.DataFrame:
         """What ``midpoint.csv`` holds."""
         import pandas as pd
-
-        from softcat_sym.plotting.run import midpoint_table
 
         return pd.DataFrame(midpoint_table(self.fields, self.summary))
 
@@ -289,9 +283,7 @@ class Run:
         return self.summary
 
     def _repr_html_(self) -> str:
-        from softcat_sym.plotting.notebook import html
-
-        return html(repr(self), self.plot())
+        return drawing.html(repr(self), self.plot())
 
     def files(self) -> dict[str, Any]:
         """What a folder of the run holds, pictures apart."""
@@ -305,8 +297,6 @@ class Run:
         OSError
             If the directory cannot be made or written.
         """
-        from softcat_sym.plotting.files import write_results
-
         return write_results(directory, self.files())
 
     def written(self, directory: str | Path) -> WrittenRun:

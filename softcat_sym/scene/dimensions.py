@@ -4,22 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from softcat_sym.scene.natural_curve import misses_supports
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.parts import Rule
-    from softcat_sym.scene.scene import Scene
-
-DOWN = (0.0, -1.0, 0.0)
-"""Direction of gravity unless a scene states another."""
+from softcat_sym.scene.parts import DOWN, Rule
+from softcat_sym.scene.tables import Tables
 
 _IN_THE_PLANE = 3
 """Values in a row of a motion that stays in the plane: time, right and up."""
 
 
-def out_of_plane(scene: Scene) -> str:
+def out_of_plane(scene: Tables) -> str:
     """Reason why the equations of the plane do not hold for a scene; empty if everything lies in one plane.
 
     Gravity that is tilted within the plane, and what acts on a free end, are planar; only the theory in three
@@ -44,25 +38,25 @@ def out_of_plane(scene: Scene) -> str:
     return next((why for holds, why in reasons if holds), "")
 
 
-def is_spatial(scene: Scene) -> bool:
+def is_spatial(scene: Tables) -> bool:
     """Tell whether a scene is followed in three dimensions."""
     asked = scene.run.dimensions
     return asked == 3 or (asked == "auto" and out_of_plane(scene) != "")
 
 
-def reason_for_dimensions(scene: Scene) -> str:
+def reason_for_dimensions(scene: Tables) -> str:
     """Say why a scene is followed in its plane, or in three dimensions."""
     if is_spatial(scene):
         return out_of_plane(scene) or "run.dimensions asks for them"
     return "everything lies in one plane"
 
 
-def needed_in_space(scene: Scene) -> str:
+def needed_in_space(scene: Tables) -> str:
     """Reason why a scene cannot do without what its theory in three dimensions holds; empty in the plane."""
     return f"three dimensions: {reason_for_dimensions(scene)}" if is_spatial(scene) else ""
 
 
-def dimension_rules(scene: Scene) -> Iterator[Rule]:
+def dimension_rules(scene: Tables) -> Iterator[Rule]:
     """List what goes neither with the ends nor with the dimensions of a scene."""
     ends, load, out = scene.ends, scene.load, "leaving it out"
     found = f"given, but the right end is {ends.right}"
@@ -87,7 +81,7 @@ def dimension_rules(scene: Scene) -> Iterator[Rule]:
         yield from _of_space(scene)
 
 
-def _of_centreline(scene: Scene) -> Iterator[Rule]:
+def _of_centreline(scene: Tables) -> Iterator[Rule]:
     """List what does not go with a filament that begins on a given curve."""
     points = scene.initial.centreline
     if not points:
@@ -102,7 +96,7 @@ def _of_centreline(scene: Scene) -> Iterator[Rule]:
     yield scene.material.law == "newtonian", "initial.centreline", newtonian, "another law"
 
 
-def _of_space(scene: Scene) -> Iterator[Rule]:
+def _of_space(scene: Tables) -> Iterator[Rule]:
     """List what only a filament in its plane has so far."""
     filament, material, surroundings, out = scene.filament, scene.material, scene.surroundings, "leaving it out"
     asked = needed_in_space(scene)

@@ -8,11 +8,11 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
+from softcat_sym.scene.tables import Tables
 
 if TYPE_CHECKING:
     from softcat_sym.scene.curve import Curve
     from softcat_sym.scene.parts import Filament, Point, Rule
-    from softcat_sym.scene.scene import Scene
 
 _STEP = 0.05
 """Part of a turn, over 2 pi, by which the end of a helix is sought."""
@@ -22,12 +22,12 @@ _APART = 1e-9
 """Part of the span by which a curve may miss a support."""
 
 
-def has_shape(scene: Scene) -> bool:
+def has_shape(scene: Tables) -> bool:
     """Tell whether `filament.shape` says anything but straight."""
     return scene.filament.shape != STRAIGHT
 
 
-def is_curved(scene: Scene) -> bool:
+def is_curved(scene: Tables) -> bool:
     """Tell whether a relaxed filament is bent or twisted."""
     filament = scene.filament
     return filament.curvature != 0 or filament.twist != 0 or has_shape(scene)
@@ -72,14 +72,14 @@ def _of_helix(distance: float, curvature: float, twist: float) -> float:
     return _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
 
 
-def natural_curve(scene: Scene) -> Curve:
+def natural_curve(scene: Tables) -> Curve:
     """Return the curve of a filament that has a shape, from its first end to its last one."""
     filament = scene.filament
     chord = (filament.span, 0.0 - scene.ends.drop, 0.0)
     return _curve(filament.shape, chord, filament.twist, filament.curvature, filament.rest_length)
 
 
-def shape_rules(scene: Scene) -> Iterator[Rule]:
+def shape_rules(scene: Tables) -> Iterator[Rule]:
     """List what does not go with a shape."""
     filament, ends, out = scene.filament, scene.ends, "leaving it out"
     if not has_shape(scene):
@@ -130,7 +130,7 @@ def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
     yield abs(turns) > _TURNS, "filament.shape", f"'helix' of up to {abs(turns):.3g} turns", accepted
 
 
-def misses_supports(scene: Scene, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
+def misses_supports(scene: Tables, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
     """List the ends that are held away from those of a curve."""
     ends, span = scene.ends, scene.filament.span
     supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (span, 0.0 - ends.drop, 0.0))

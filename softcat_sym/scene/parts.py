@@ -5,11 +5,11 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     BaseModel,
@@ -21,7 +21,6 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.scene.dimensions import DOWN
 from softcat_sym.scene.shapes import Shape
 from softcat_sym.scene.units import (
     Choice,
@@ -40,9 +39,6 @@ from softcat_sym.scene.units import (
     refusal,
     shown,
 )
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 
 class Part(BaseModel):
@@ -104,9 +100,8 @@ def kinds_of(part: type[BaseModel]) -> Mapping[str, Kind]:
 @cache
 def meanings_of(part: type[BaseModel]) -> dict[str, str]:
     """Return the sentence below each field of a part's source, which pydantic would parse at every start."""
-    body = [
-        line for text in ast.parse(inspect.getsource(part)).body if isinstance(text, ast.ClassDef) for line in text.body
-    ]
+    sources = [inspect.getsource(one) for one in part.__mro__ if issubclass(one, Part)]
+    body = [line for text in sources for whole in ast.parse(text).body for line in getattr(whole, "body", ())]
     return {
         field.target.id: inspect.cleandoc(str(below.value.value))
         for field, below in pairwise(body)
@@ -208,60 +203,6 @@ Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
 
-def right_places(scene: Scene) -> list[Point]:
-    """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
-    first = (scene.filament.span, -scene.ends.drop)
-    aside = (*first, 0.0)
-    return [first, *(tuple(map(sum, zip(aside, moved, strict=False))) for _, *moved in scene.ends.motion)]
-
-
-def farthest(scene: Scene) -> float:
-    """Return the greatest distance of the supports at any time [m]; a straight path has it at one of its ends."""
-    return max(math.hypot(*place) for place in right_places(scene))
-
-
-def nearest(scene: Scene) -> float:
-    """Return the least distance of the supports at any time [m]."""
-    path = right_places(scene)
-    return min((_to_origin(a, b) for a, b in pairwise(path)), default=math.hypot(*path[0]))
-
-
-def motion_rules(scene: Scene) -> Iterator[Rule]:
-    """List what may be wrong with the motion and the twist of the right support."""
-    thickness, path = scene.filament.thickness, "ends.motion"
-    still = 'a first row without displacement, such as ["0.0 s", "0 m", "0 m"]'
-    yield from _rules_of_rows(path, scene.ends.motion, "moves the support at once", still)
-    if scene.ends.motion:
-        found = f"the supports come within {nearest(scene):.4g} m of each other"
-        yield nearest(scene) < thickness, path, found, f"a path that keeps them the thickness apart, {thickness:g} m"
-    still = 'a first row without turn, such as ["0.0 s", "0 deg"]'
-    yield from _rules_of_rows("ends.right_twist", scene.ends.right_twist, "turns the clamp at once", still)
-
-
-def _rules_of_rows(path: str, rows: tuple[tuple[float, ...], ...], at_once: str, accepted: str) -> Iterator[Rule]:
-    """List what may be wrong with rows of a time and what has changed by then."""
-    if not rows:
-        return
-    times = [row[0] for row in rows]
-    yield min(times) < 0, path, f"a row at {min(times):g} s, before the start", "times from 0 s on"
-    back = next(((before, after) for before, after in pairwise(times) if after <= before), None)
-    if back:
-        yield True, path, f"a row at {back[1]:g} s after one at {back[0]:g} s", "times that increase from row to row"
-    yield any(rows[0][1:]), path, f"the first row, at {times[0]:g} s, {at_once}", accepted
-
-
-def _to_origin(start: Point, end: Point) -> float:
-    """Distance of the origin from the straight line between two points."""
-    # The first place of all has no third coordinate.
-    start = (*start, 0.0)[: len(end)]
-    along = [after - before for before, after in zip(start, end, strict=True)]
-    squared = sum(one**2 for one in along)
-    if squared == 0:
-        return math.hypot(*start)
-    at = min(1.0, max(0.0, -sum(a * b for a, b in zip(start, along, strict=True)) / squared))
-    return math.hypot(*(a + at * b for a, b in zip(start, along, strict=True)))
-
-
 End = Literal["clamped", "pinned", "free"]
 _END = Choice(End)
 _ANGLE = Quantity("angle", "10 deg", "any")
@@ -301,6 +242,10 @@ class Ends(Part):
 
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
 _TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
+
+
+DOWN = (0.0, -1.0, 0.0)
+"""Direction of gravity unless a scene states another."""
 
 
 class Load(Part):

@@ -18,17 +18,16 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
-from softcat_sym.scene.shapes import COLUMNS
 from softcat_sym.scene.units import NotAQuantity, shown
 
 _NO_NUMBER = "not a number", "a finite number in every cell"
 
 
-def points_in(file: Path) -> tuple[tuple[float, ...], ...]:
-    """Rows of a file."""
-    table = table_in(text_of(file, "polyline", f"a CSV file with {COLUMNS}"))
+def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
+    """Rows of a file with the columns that are accepted."""
+    table = table_in(text_of(file, "polyline", f"a CSV file with {accepted}"))
     if table is None:
-        raise refusal("polyline", file, [Fault("", "the file holds no data", COLUMNS)])
+        raise refusal("polyline", file, [Fault("", "the file holds no data", accepted)])
     pattern, columns, faults = header_pattern("xyz"), dict[str, Column](), list[Fault]()
     for place, name in enumerate(table.header):
         match = pattern.fullmatch(name.strip())
@@ -38,9 +37,9 @@ def points_in(file: Path) -> tuple[tuple[float, ...], ...]:
         try:
             columns[axis] = Column(name, place, unit_of(unit, "length", "m"))
         except NotAQuantity as found:
-            faults.append(Fault(f"line {table.line}", f"column {shown(name)}: {found}", COLUMNS))
+            faults.append(Fault(f"line {table.line}", f"column {shown(name)}: {found}", accepted))
     missing = [axis for axis in "xyz" if axis not in columns]
-    faults = faults or [absent(f"column {axis}", axis, COLUMNS, table, pattern) for axis in missing]
+    faults = faults or [absent(f"column {axis}", axis, accepted, table, pattern) for axis in missing]
     if not faults:
         values, faults = numbers_in(table, columns, lambda _, value: None if np.isfinite(value) else _NO_NUMBER)
         points = np.column_stack([values[axis] for axis in "xyz"])

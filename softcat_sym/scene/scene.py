@@ -6,34 +6,20 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal
+from typing import Any
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.dimensions import DOWN, dimension_rules, is_spatial
+from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import POLYMERS, SOLIDS, EffectTable, EffectTables, Material, Parameter, power
+from softcat_sym.scene.material import POLYMERS, SOLIDS, Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
-from softcat_sym.scene.parts import (
-    Ends,
-    Filament,
-    Initial,
-    Load,
-    Numerics,
-    Part,
-    Rule,
-    RunSettings,
-    Surroundings,
-    dotted,
-    farthest,
-    kinds_of,
-    motion_rules,
-)
-from softcat_sym.scene.temperature import Temperature, is_even, temperature_rules
+from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
+from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
 from softcat_sym.scene.toml import Override, apply, toml_of
-from softcat_sym.scene.units import Choice, Text, fault_of, in_si, shown
+from softcat_sym.scene.units import fault_of, in_si, shown
 
 _ROUNDING = 1e-12
 
@@ -107,9 +93,15 @@ def is_symmetric(scene: Scene) -> bool:
         and mirrored
         and ends.drop == 0
         and not ends.motion
-        and is_even(scene)
+        and _is_even(scene)
         and all(values == values[::-1] for values in along)
     )
+
+
+def _is_even(scene: Scene) -> bool:
+    """Tell whether the furnace leaves left and right alike."""
+    heated = scene.temperature.heated
+    return not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=1e-12)
 
 
 def chord_angle(scene: Scene) -> float:
@@ -138,7 +130,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
     checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
-    others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
+    others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
     rules = (rule for check in (*checks, *others) for rule in check(scene))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
@@ -201,6 +193,13 @@ def _of_reach(scene: Scene) -> Iterator[Rule]:
     )
     broken = scene.material.law in SOLIDS and is_held(scene) and reach > limit
     yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
+
+
+def _of_heated(scene: Scene) -> Iterator[Rule]:
+    heat, length = scene.temperature, rest_length(scene)
+    end = heat.heated[1] if heat.present and heat.heated else 0.0
+    found = f"to {end:.4g} m, but the filament is {length:.4g} m long"
+    yield end > length * (1 + 1e-9), "temperature.heated", found, f"places from 0 to {length:.4g} m"
 
 
 def _of_slack(scene: Scene) -> Iterator[Rule]:
@@ -298,10 +297,9 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
 
 
 LATE = "late overrides"
-Model = Literal["filament", "small-deflection"]
 
 
-class Scene(Part):
+class Scene(Tables):
     """All that is asked of one run; frozen, every value plain SI.
 
     Build one with `load_scene`, from keywords, one a table of the scene file (``Scene(filament={"span": 0.2, ...},
@@ -322,22 +320,6 @@ class Scene(Part):
     SceneError
         With every fault at once.
     """
-
-    title: Annotated[str, Text()] = ""
-    """Title for pictures and tables."""
-    model: Annotated[Model, Choice(Model)] = "filament"
-    """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
-    filament: Filament
-    material: Material
-    ends: Ends = Ends()
-    load: Load = Load()
-    initial: Initial = Initial()
-    surroundings: Surroundings = Surroundings()
-    temperature: Temperature = Temperature()
-    run: RunSettings
-    numerics: Numerics = Numerics()
-    effects: Annotated[tuple[EffectTable, ...], EffectTables()] = ()
-    """Constants of effects that other packages register, a table [effects.NAME] each."""
 
     def __init__(self, **tables: Any) -> None:
         super().__init__(**_from_python(tables))

@@ -42,7 +42,7 @@ class Shape(Kind):
         from softcat_sym.scene.polyline import points_in
 
         try:
-            return points_in(file)
+            return points_in(file, COLUMNS)
         except SoftcatError as error:
             # The first fault says enough, and what is accepted is said below.
             first = str(error).splitlines()[1].partition("; accepted: ")[0].strip()

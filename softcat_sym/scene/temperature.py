@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene.history import History, read_table, table_history
-from softcat_sym.scene.parts import Part, Rule
+from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     SI,
     Choice,
@@ -24,9 +24,6 @@ from softcat_sym.scene.units import (
     shown,
     split_quantity,
 )
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -193,18 +190,6 @@ class Stretch(Kind):
 Softened = Literal["constant", "vft", "wlf", "arrhenius"]
 Correlation = Literal["none", "cylinder-in-air"]
 
-_OF_LAW: dict[str, tuple[str, ...]] = {
-    "constant": (),
-    "vft": ("B", "T_0"),
-    "wlf": ("C1", "C2", "reference"),
-    "arrhenius": ("activation_energy", "reference"),
-}
-"""Constants that each law of the viscosity needs; VFT also A or reference."""
-
-VISCOUS = ("maxwell", "newtonian", "kelvin-voigt", "standard-linear", "multimode-maxwell")
-VISCOUS_TOO = ("bingham", "power-law", "herschel-bulkley")
-"""Laws of the material that have a viscosity or a consistency."""
-
 
 class Temperature(Part):
     """Heat of the filament; temperatures in K."""
@@ -297,110 +282,3 @@ class Temperature(Part):
         elif self.ambient is not None:
             found.append(self.ambient)
         return min(found), max(found)
-
-
-def temperature_rules(scene: Scene) -> Iterator[Rule]:
-    """List what may be wrong with the table [temperature]."""
-    heat = scene.temperature
-    if not heat.present:
-        fields = type(heat).model_fields
-        given = sorted(name for name in heat.model_fields_set if getattr(heat, name) != fields[name].default)
-        needs = f"missing, but temperature.{given[0]} is given" if given else ""
-        yield given, "temperature.initial", needs, 'a temperature, such as "20 degC", or no table [temperature]'
-        return
-    yield from _of_exchange(scene, heat)
-    yield from _of_the_law(scene, heat)
-    yield from _of_the_extremes(scene, heat)
-
-
-def _of_exchange(scene: Scene, heat: Temperature) -> Iterator[Rule]:
-    out, either = "leaving it out", "temperature.heat_transfer, or temperature.correlation"
-    found = "missing: it says how much heat a temperature is"
-    yield heat.heat_capacity is None, "temperature.heat_capacity", found, 'such as "1200 J/(kg*K)"'
-    small = scene.model == "small-deflection"
-    yield small, "temperature", "given with model 'small-deflection'", f'{out}, or model = "filament"'
-    printed = scene.run.closure == "printed"
-    yield printed, "temperature", "given with run.closure = 'printed'", f'{out}, or run.closure = "material"'
-    named, twice = heat.correlation != "none", "given twice, here and as temperature.correlation"
-    yield named and heat.heat_transfer is not None, "temperature.heat_transfer", twice, "one of the two"
-    round_ = scene.filament.section == "circle"
-    found = f"'{heat.correlation}', but the section is a {scene.filament.section}"
-    yield named and not round_, "temperature.correlation", found, "temperature.heat_transfer, or a circle"
-    weightless = named and scene.load.gravity == 0
-    found = f"'{heat.correlation}', but load.gravity is zero, without which no air rises"
-    yield weightless, "temperature.correlation", found, "temperature.heat_transfer"
-    alone, deaf = heat.ambient is not None, "given, but no heat passes the surface"
-    yield alone and not named and heat.heat_transfer is None, "temperature.ambient", deaf, either
-    lost = named or heat.heat_transfer
-    yield lost and not alone, "temperature.ambient", "missing, but heat passes the surface", 'such as "20 degC"'
-    if heat.heated:
-        from softcat_sym.scene.scene import rest_length
-
-        length = rest_length(scene)
-        found = f"to {heat.heated[1]:.4g} m, but the filament is {length:.4g} m long"
-        yield heat.heated[1] > length * (1 + 1e-9), "temperature.heated", found, f"places from 0 to {length:.4g} m"
-    found = "missing: temperature.heated leaves a part of the filament out of the furnace"
-    yield heat.heated and heat.outside is None, "temperature.outside", found, 'a temperature, such as "20 degC"'
-    found = "given, but the whole filament is at temperature.ambient"
-    yield heat.outside is not None and not heat.heated, "temperature.outside", found, f"{out}, or temperature.heated"
-
-
-def _of_the_law(scene: Scene, heat: Temperature) -> Iterator[Rule]:
-    law, needed, material = heat.law, _OF_LAW[heat.law], scene.material.law
-    every = {name for names in _OF_LAW.values() for name in names} | {"A"}
-    allowed = {*needed, *(("A", "reference") if law == "vft" else ())}
-    for name in sorted(every):
-        given = getattr(heat, name) is not None
-        others = ", ".join(other for other, names in _OF_LAW.items() if name in (*names, *("A",) * (other == "vft")))
-        found = f"given, but the law of the viscosity is '{law}'"
-        yield given and name not in allowed, f"temperature.{name}", found, f"leaving it out, or law = {others}"
-        found = f"missing: the law '{law}' needs it"
-        yield not given and name in needed, f"temperature.{name}", found, f"a value, or a law other than '{law}'"
-    if law == "vft":
-        both, neither = heat.A is not None and heat.reference is not None, heat.A is None and heat.reference is None
-        found = "given with temperature.reference: each says how large the viscosity is"
-        yield both, "temperature.A", found, "one of the two"
-        found = "missing, and so is temperature.reference: nothing says how large the viscosity is"
-        yield neither, "temperature.A", found, "one of the two"
-    fixed = law != "constant" and material not in (*VISCOUS, *VISCOUS_TOO)
-    found = f"'{law}', but the material's law '{material}' states no viscosity"
-    yield fixed, "temperature.law", found, f"constant, or one of the laws {', '.join((*VISCOUS, *VISCOUS_TOO))}"
-    viscous = material in ("newtonian", "kelvin-voigt") or scene.material.has_loss
-    found = f"given, but the law '{material}' has a viscous stress, which the rate of the expansion would need"
-    path, accepted = "temperature.expansion", "leaving it out, or a law without a viscous stress or a loss below yield"
-    yield heat.expansion and viscous, path, found, accepted
-    stiff = heat.modulus is not None and material == "newtonian"
-    yield stiff, "temperature.modulus", "given, but a newtonian fluid has no modulus", "leaving it out"
-
-
-def _of_the_extremes(scene: Scene, heat: Temperature) -> Iterator[Rule]:
-    """A law ends where its viscosity would be infinite."""
-    low, high = heat.extremes(scene.run.duration)
-    if heat.law == "vft" and heat.T_0 is not None:
-        for name, kelvin in (("reference", heat.reference), ("coldest temperature", low)):
-            if kelvin is not None:
-                found = f"{heat.T_0:g} K, not below the {name} {kelvin:g} K: the viscosity would be infinite"
-                yield kelvin <= heat.T_0, "temperature.T_0", found, f"a temperature below {kelvin:g} K"
-    if heat.law == "wlf" and heat.C2 is not None and heat.reference is not None:
-        found = f"{heat.C2:g} K, but the coldest temperature is {heat.reference - low:g} K below the reference"
-        broken = heat.C2 + low - heat.reference <= 0
-        yield broken, "temperature.C2", found, f"more than {heat.reference - low:g} K, or temperature.reference nearer"
-    for kelvin in {low, high}:
-        factor = heat.viscosity_factor(kelvin)
-        found = f"'{heat.law}', whose viscosity at {kelvin:g} K is {factor:.3g} times that of [material]"
-        broken = not 1e-25 < factor < 1e25 and factor != math.inf
-        yield broken, "temperature.law", found, "constants that fit the temperatures of the scene"
-
-
-def is_even(scene: Scene) -> bool:
-    """Tell whether the furnace leaves left and right alike."""
-    from softcat_sym.scene.scene import rest_length
-
-    heated = scene.temperature.heated
-    return not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=1e-12)
-
-
-def kinks(scene: Scene) -> tuple[float, ...]:
-    """Return the times at which the surroundings begin or cease to change [s]."""
-    ambient = scene.temperature.ambient
-    return tuple(time for time, _ in ambient.table) if isinstance(ambient, History) else ()

@@ -7,16 +7,13 @@ import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from softcat_sym.errors import Fault
 from softcat_sym.scene.material import INDEXED, Material, twins
 from softcat_sym.scene.parts import Filament, Part, meanings_of
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import shown
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 _FORM = "dotted.key=value, such as material.yield_stress=5 kPa"
 
@@ -90,7 +87,7 @@ _IDLE = {
 """Keys that say nothing at their defaults."""
 
 
-def toml_of(scene: Scene, *, every_default: bool = False) -> str:
+def toml_of(scene: Part, *, every_default: bool = False) -> str:
     """Write a scene so that reading it again gives an equal one."""
     lines = ["# The scene as resolved: physical values, SI units.", *_table_lines(scene, every_default)]
     for name in type(scene).model_fields:

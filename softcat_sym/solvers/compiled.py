@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Bounds, Extremes, Flagged, Progress, Solution, is_torn, watched
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import version
 
@@ -80,7 +80,7 @@ class CBounds(ct.Structure):
     kept: Floats  # The array of `longest`, which ctypes does not keep alive
 
 
-class Turns(ct.Structure):
+class CTurns(ct.Structure):
     """softcat_turns."""
 
     _fields_ = (
@@ -102,7 +102,7 @@ class Options(ct.Structure):
         ("kink_count", ct.c_int),
         ("stop", Integers),
         ("bounds", ct.POINTER(CBounds)),
-        ("turns", ct.POINTER(Turns)),
+        ("turns", ct.POINTER(CTurns)),
     )
     kept: Floats  # The array of `absolute`, which ctypes does not keep alive
 
@@ -152,7 +152,7 @@ class RunInput:
     bounds: CBounds | None = None  # Where it ends before its last time
     watched: tuple[int, int] | None = None  # Site and slot of the unknown whose turning points are sought
 
-    def options(self, stop: ct.c_int | None = None, turns: Turns | None = None) -> Options:
+    def options(self, stop: ct.c_int | None = None, turns: CTurns | None = None) -> Options:
         """Options of the C runtime."""
         absolute = np.full(self.state.shape[1], self.absolute)
         found = Options(
@@ -182,7 +182,7 @@ class Answer:
     states: Floats
     work: Floats
     status: Status
-    turns: Turns | None = None  # Of the unknown that is watched
+    turns: CTurns | None = None  # Of the unknown that is watched
     rows: Floats | None = None  # Their memory: time, value and integral of each
 
     @property
@@ -300,7 +300,7 @@ class CModel:
         if run.watched is None:
             return Answer(states, work, status)
         rows = np.zeros((_MAX_TURNS, 3))
-        return Answer(states, work, status, Turns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
+        return Answer(states, work, status, CTurns(*run.watched, _MAX_TURNS, rows=doubles(rows)), rows)
 
     def integrate(
         self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
@@ -356,7 +356,7 @@ class CModel:
         directions: CDirections | None,
         status: Status,
         stop: ct.c_int | None,
-        turns: Turns | None = None,
+        turns: CTurns | None = None,
     ) -> None:
         state, options = run.state.copy(), run.options(stop, turns)
         filament = self._filament(len(state), run.parameters, run.places)
@@ -376,6 +376,15 @@ class CModel:
     def message(self, code: int) -> str:
         """Meaning of a status code."""
         return str(self._runtime.softcat_message(code).decode())
+
+
+@runtime_checkable
+class Flagged(Protocol):
+    """A receiver that performs and stops compiled integrations itself, so that no thread need watch them."""
+
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run into its arrays."""
+        ...
 
 
 def runtime_sources() -> dict[str, str]:

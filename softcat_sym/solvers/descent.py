@@ -9,8 +9,8 @@ from softcat_sym.effects.expected_regime import worst_gravity_number
 from softcat_sym.effects.law import is_solid
 from softcat_sym.physics import beams
 from softcat_sym.physics.terms import Terms
-from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, is_held, rest_length
+from softcat_sym.scene.tables import farthest
 from softcat_sym.solvers.solution import Bounds
 
 FALLEN = 10.0

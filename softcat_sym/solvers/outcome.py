@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
+from typing import Any
 
 THREAD = 1000.0
 """Stretch beyond which a filament is a mere thread, a thirtieth as thick, for which the theory does not hold."""
@@ -78,3 +80,9 @@ class Outcome(Enum):
 
 ANSWERS = tuple(outcome.name for outcome in Outcome if outcome.is_answer)
 """Names of the outcomes whose answer may be used."""
+
+
+def refused(summary: Mapping[str, Any]) -> str:
+    """Outcome of a result that is refused; empty of one that may be used, or of which nothing is known."""
+    outcome = str(summary.get("outcome") or "")
+    return "" if outcome in ANSWERS else outcome

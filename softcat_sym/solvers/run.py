@@ -29,7 +29,7 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.temperature import kinks as temperature_kinks
+from softcat_sym.scene.tables import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
 from softcat_sym.solvers.descent import bounds_of
 from softcat_sym.solvers.initial_state import starting_state

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from types import FrameType
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -15,9 +15,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.physics.terms import Terms
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
-
-if TYPE_CHECKING:
-    from softcat_sym.solvers.compiled import Answer, CModel, RunInput
 
 
 class Progress(Protocol):
@@ -37,15 +34,6 @@ class Progress(Protocol):
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Receive the time reached [s] and the mean step since the last call [s]."""
-        ...
-
-
-@runtime_checkable
-class Flagged(Protocol):
-    """A receiver that performs and stops compiled integrations itself, so that no thread need watch them."""
-
-    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
-        """Integrate a run into its arrays."""
         ...
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
+from softcat_sym import drawing
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight_stress, yield_stress_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
@@ -234,20 +235,15 @@ class Card:
 
     def figures(self) -> dict[str, Figure]:
         """Figure of the final shape, the descent with the rules, and the exponents; none if the run has one frame."""
-        from softcat_sym.plotting.card import card_figure
-
-        return {} if self.descent is None else {"card": card_figure(self)}
+        return {} if self.descent is None else {"card": self.plot()}
 
     def plot(self) -> Figure:
         """Draw the final shape, the descent and the rules beside it."""
-        from softcat_sym.plotting.card import card_figure
-
-        return card_figure(self)
+        return drawing.plot(self)
 
     def _repr_html_(self) -> str:
-        from softcat_sym.plotting.notebook import html
-
-        return html(f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}", self.plot())
+        text = f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}"
+        return drawing.html(text, self.plot())
 
 
 LIMIT = "5 %"

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import pandas as pd
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.files import folder_of
@@ -173,9 +174,7 @@ class Comparison:
 
     def figures(self) -> dict[str, Figure]:
         """Pictures by their file names."""
-        from softcat_sym.plotting.compare import figures
-
-        return figures(self)
+        return drawing.figures(self)
 
 
 def _midpoints(time: Floats, midpoint: Floats) -> dict[str, Any]:

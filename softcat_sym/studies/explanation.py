@@ -18,8 +18,8 @@ from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import groups_of
-from softcat_sym.solvers.price import price_of
 from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.run_cost import run_cost
 from softcat_sym.solvers.settings import choose_backend, settings_for
 
 if TYPE_CHECKING:
@@ -188,7 +188,7 @@ def explain(scene: SceneLike) -> Explanation:
     }
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
-    price = price_of(scene, effects)
+    price = run_cost(scene, effects)
     return Explanation(
         title=scene.title,
         law=scene.material.law,

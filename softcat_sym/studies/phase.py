@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
@@ -410,10 +411,7 @@ class PhaseDiagram:
 
     def figures(self) -> dict[str, Figure]:
         """Regimes and local strains over each plane."""
-        from softcat_sym.plotting.phase import phase_figure, strain_figure
-
-        pictures = {sheet.plane.name: phase_figure(self, sheet) for sheet in self.sheets}
-        return pictures | {f"{sheet.plane.name}_strain": strain_figure(self, sheet) for sheet in self.sheets}
+        return drawing.figures(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``phase.json``."""

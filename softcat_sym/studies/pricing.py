@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
+from softcat_sym import drawing
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Decision, choose_effects
@@ -267,9 +268,7 @@ class Pricing:
 
     def figures(self) -> dict[str, Figure]:
         """Change of the midpoint and ratios of cost, effect by effect."""
-        from softcat_sym.plotting.pricing import pricing_figure
-
-        return {"effects": pricing_figure(self)}
+        return {"effects": drawing.plot(self)}
 
 
 def percent(value: float) -> str:

@@ -19,7 +19,7 @@ from typing import IO, TYPE_CHECKING, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym import store
+from softcat_sym import drawing, store
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.ensemble.centre import RESOLUTION, Centre, centre_of, used, used_by
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
@@ -414,19 +414,14 @@ class Sweep:
         SoftcatError
             If no key takes two values.
         """
-        from softcat_sym.plotting.notebook import drawn
-        from softcat_sym.plotting.sweep import sweep_figure
-
-        return drawn({"sag": sweep_figure}, "sag", self)
+        return drawing.plot(self)
 
     def __repr__(self) -> str:
         outcomes = ", ".join(f"{name} {count}" for name, count in sorted(self.counts.outcomes.items()))
         return f"Sweep {self.plan.scene.title!r}: {len(self)} filaments ({outcomes})\n  .data, .to_dict(), {self.path}"
 
     def _repr_html_(self) -> str:
-        from softcat_sym.plotting.notebook import html
-
-        return html(repr(self), self.plot())
+        return drawing.html(repr(self), self.plot())
 
     def in_memory(self) -> Sweep:
         """The sweep with its data loaded into memory, independent of the file."""

@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
+from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
@@ -300,9 +301,7 @@ class TheoryEnd:
 
     def figures(self) -> dict[str, Figure]:
         """Errors over the variable."""
-        from softcat_sym.plotting.theory_end import theory_end_figure
-
-        return {"compare_vary": theory_end_figure(self)}
+        return {"compare_vary": drawing.plot(self)}
 
 
 def _key(name: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import pandas as pd
 
-from softcat_sym import store
+from softcat_sym import drawing, store
 from softcat_sym.codegen.compiler import build_identity
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
@@ -102,24 +102,18 @@ class Validation:
 
     def figures(self) -> dict[str, Figure]:
         """Pictures by the names of their cases, where there are any."""
-        from softcat_sym.plotting.validate import case_figure
-
         return {
-            result.case.name: case_figure(result)
+            result.case.name: drawing.plot(result)
             for result in self.results
             if result.finding is not None and result.finding.picture is not None
         }
 
     def plot(self) -> Figure:
         """Draw all differences in one picture."""
-        from softcat_sym.plotting.validate import validation_figure
-
-        return validation_figure(self)
+        return drawing.plot(self)
 
     def _repr_html_(self) -> str:
-        from softcat_sym.plotting.notebook import html
-
-        return html(self.to_frame().to_string(), self.plot())
+        return drawing.html(self.to_frame().to_string(), self.plot())
 
 
 def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:

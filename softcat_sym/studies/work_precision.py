@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
+from softcat_sym import drawing
 from softcat_sym.discretization.assembly import choose_fibres, choose_grid
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -359,9 +360,7 @@ class WorkPrecision:
 
     def figures(self) -> dict[str, Figure]:
         """Figure of error over time, one line for each program."""
-        from softcat_sym.plotting.accuracy import accuracy_figure
-
-        return {"accuracy": accuracy_figure(self)}
+        return {"accuracy": drawing.plot(self)}
 
 
 def study(

@@ -46,6 +46,12 @@ def shares(number: int, probability: float, comparisons: int = 1) -> tuple[float
     return float(binomial.ppf(tail)) / number, float(binomial.isf(tail)) / number
 
 
+def gain(readings: int, constants: int, comparisons: int = 1) -> float:
+    """By how much at most so many constants without meaning lower N ln(RSS) of normal deviates."""
+    left = stats.beta((readings - constants) / 2, constants / 2)
+    return -readings * math.log(left.ppf(RARE / comparisons))
+
+
 def deviations(freedom: int, comparisons: int = 1) -> tuple[float, float]:
     """Between which ratios to the true one lies a standard deviation of so many degrees of freedom."""
     chi_square, tail = stats.chi2(freedom), RARE / comparisons / 2

@@ -70,12 +70,15 @@ def values(problem: FilamentProblem, q: Floats) -> dict[str, float]:
     return {one.name: one.value(float(x)) for one, x in zip(problem.free, q, strict=True)}
 
 
-def is_sound(found: Fit) -> bool:
-    """Whether a fit is solved, or but accuses residuals that are noise, as it does one set in a hundred."""
+def is_noise(found: Fit) -> bool:
+    """Whether residuals are noise, of which one set in a hundred is accused."""
     tests = found.checks.tests
-    return found.outcome is FitOutcome.solved or (
-        found.outcome is FitOutcome.model_error and min(one.p_value for one in tests) > RARE / len(tests)
-    )
+    return found.checks.verdict == "white" or min(one.p_value for one in tests) > RARE / len(tests)
+
+
+def is_sound(found: Fit) -> bool:
+    """Whether a fit is solved, or but accuses residuals that are noise."""
+    return found.outcome is FitOutcome.solved or (found.outcome is FitOutcome.model_error and is_noise(found))
 
 
 def rows_of(title: str, found: Fit, truth: Mapping[str, float]) -> list[list[object]]:

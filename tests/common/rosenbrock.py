@@ -12,7 +12,7 @@ import numpy as np
 
 import softcat_sym.codegen
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.solvers.compiled import CDirections, Filament, Integers, Options, Status, Turns
+from softcat_sym.solvers.compiled import CDirections, CTurns, Filament, Integers, Options, Status
 
 RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"
@@ -136,7 +136,7 @@ class Settings:
     method: int = RODAS5P
     kinks: Sequence[float] = ()
     stop: c.c_int | None = None
-    turns: Turns | None = None
+    turns: CTurns | None = None
     kept: list[object] = field(default_factory=list)
 
     def options(self, slots: int) -> Options:

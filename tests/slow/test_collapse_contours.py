@@ -21,6 +21,7 @@ from softcat_sym.fitting.collapse_test import CollapseTest, collapse_test
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.scene import groups_of
+from tests.common.draws import misses
 from tests.common.elements import elements
 from tests.common.strand import Line, photograph, strand, write
 from tests.common.table import show
@@ -114,6 +115,7 @@ def _found(name: str, path: Path) -> tuple[CollapseTest, dict[str, float]]:
     return collapse_test(file, guess, profiles=False), truth
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("name", STRANDS)
 def test_contours_of_the_elements_have_their_constants(name: str, tmp_path: Path) -> None:
     found, truth = _found(name, tmp_path)
@@ -139,7 +141,7 @@ def test_contours_of_the_elements_have_their_constants(name: str, tmp_path: Path
     show("", header, gaps)
     assert found.fit.outcome.converged
     for key, one in found.fit.parameters.items():
-        low, high = one.ci95
-        assert (low is None or low < truth[key]) and (high is None or high > truth[key]), key
+        # What the contours are off by is the theory's, and the noise of some 800 points: both are in the interval.
+        assert not misses(one.best, one.ci95, truth[key]), key
     assert found.fit.parameters["yield_stress"].verdict == "identified"
     assert min(one.closed_form or 0 for one in found.results) > truth["yield_stress"]

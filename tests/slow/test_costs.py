@@ -22,7 +22,7 @@ import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.single_run import build
-from softcat_sym.solvers.price import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
+from softcat_sym.solvers.run_cost import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
 from softcat_sym.solvers.solution import Silence
 from tests.common.table import show
 

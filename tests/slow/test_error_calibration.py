@@ -5,8 +5,9 @@ in the user's cache, so that an interrupted study goes on.
 
 The inks are gels, bioinks, ceramics, chocolate and toothpaste, strands of which span a gap, as users have them. Numbers
 are drawn once and for all (the seed is fixed), evenly in the logarithm between limits that the literature of direct ink
-writing, food and rheology gives for each kind; E is three times G'. Nothing is ramped, and nobody says how accurate the
-answer is to be.
+writing, food and rheology gives for each kind; E is three times G', two digits each, so that every machine has the same
+scenes. Nothing is ramped, and nobody says how accurate the answer is to be. No chance is left in what is
+counted: rounding moves a ratio by less than a per cent, and a scene or two that lie at a limit may change sides.
 """
 
 from __future__ import annotations

@@ -20,8 +20,8 @@ from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import Fit, FitOutcome
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
 from tests.common import rk4_filament
-from tests.common.draws import draws
-from tests.common.fitting import CONSTANTS, WRONG, beside, constants, film
+from tests.common.draws import draws, misses
+from tests.common.fitting import CONSTANTS, WRONG, beside, constants, film, is_sound
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -116,6 +116,7 @@ def _rows(name: str) -> Iterator[list[object]]:
         yield [name, key, f"{truth[key]:.5g}", *told, cells, f"{seconds:.0f}", seen.before]
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("name", CASES)
 def test_intervals_hold_the_truth_or_it_is_said(name: str) -> None:
     rows = list(_rows(name))
@@ -123,10 +124,18 @@ def test_intervals_hold_the_truth_or_it_is_said(name: str) -> None:
     show(f"{name}; camera: {_camera(_fitted(name)[1])}", header, rows)
     outcome = _fitted(name)[1].outcome
     if name.endswith("linear"):
+        # Twenty readings are off by up to fifty standard deviations.
         assert outcome is FitOutcome.outliers
         return
-    assert all(row[4] for row in rows)
-    assert outcome in (FitOutcome.solved, FitOutcome.not_identified, FitOutcome.discretization_error)
+    seen, found, _ = _fitted(name)
+    truth = constants(seen.scene, seen.asked)
+    for key, one in found.parameters.items():
+        # Where nothing is drawn the interval itself holds it.
+        drawn = not name.startswith("oracle")
+        assert not misses(one.best, one.ci95, truth[key], FRAMES - 6) if drawn else rows[[*truth].index(key)][4], key
+    # Residuals that are noise are called otherwise once in a hundred.
+    sound = outcome is FitOutcome.model_error and is_sound(found)
+    assert sound or outcome in (FitOutcome.solved, FitOutcome.not_identified, FitOutcome.discretization_error)
 
 
 def _camera(found: Fit) -> str:

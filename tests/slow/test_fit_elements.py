@@ -18,6 +18,7 @@ import pytest
 
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.measurements import Measurements
+from tests.common.draws import misses, shares
 from tests.common.element_films import HELD, KNOWN, film
 from tests.common.fitting import CONSTANTS, WRONG, beside, noisy
 from tests.common.kept_answers import fingerprint, kept
@@ -27,7 +28,8 @@ pytestmark = pytest.mark.slow
 
 THEORIES: Mapping[str, Mapping[str, object]] = {"default": {}, "published": {"run.effects": "paper"}}
 NOISE, SEEDS = (1e-2, 1e-3), (0,)
-LEAST = 0.90
+HOLD = 0.90
+"""Of intervals: 93.8 and 90.1 % did, 17 and 16 of the 18 of films kept back."""
 TIME_LIMIT = 600.0
 """Of a fit [s]: that of the ringing film at 0.1 % noise was not at its end after an hour beside other work."""
 
@@ -96,6 +98,7 @@ def _cell(one: Said, name: str) -> str:
     return f"{100 * (one.constants[name] - 1):+.2f} ({' to '.join(ends)}){star}"
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("theory", THEORIES)
 def test_intervals_hold_the_constants_of_the_elements(theory: str) -> None:
     rows, outcomes, seconds = list[list[object]](), list[str](), 0.0
@@ -118,13 +121,15 @@ def test_intervals_hold_the_constants_of_the_elements(theory: str) -> None:
     title += f"identified; {seconds:.0f} s"
     header = ["film", "noise", "E, %", "eta, %", "sY, %", "outcome", "cells, fibres, moved", "s", "noise alone had"]
     show(title, header, rows)
-    assert every >= LEAST
-    # Two of 18 intervals of the films kept back are those of the elastic film.
-    assert kept_from >= LEAST or theory == "published"
+    # Binomials, as if the errors of the theory were drawn too: 70 % of 91, and 7 of 18. Intervals half as wide would
+    # hold 64 %.
+    for found in ([*within, *held], held):
+        assert np.mean(found) >= shares(len(found), HOLD)[0]
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize(("name", "theory"), TRACED)
 def test_profiles_hold_them_too(name: str, theory: str) -> None:
     one = said(name, theory, NOISE[0], 0, profiles=True)
     show(f"{name}, {theory}, profiles: {one.seconds:.0f} s", CONSTANTS, [[_cell(one, key) for key in CONSTANTS]])
-    assert all(one.holds(key) for key in one.constants)
+    assert not any(misses(one.constants[key], one.ends[key], 1.0) for key in one.constants)

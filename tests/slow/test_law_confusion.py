@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 
 import numpy as np
@@ -13,7 +14,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import CANNOT, fit_laws
 from softcat_sym.scene.material import CONSTANTS
-from tests.common.draws import draws
+from tests.common.draws import draws, gain, shares
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -21,8 +22,13 @@ pytestmark = pytest.mark.slow
 LAWS = ("newtonian", "maxwell", "kelvin-voigt", "bingham", "power-law")
 FRAMES = 40
 NARROWER = "a narrower law, nothing gained by the true one"
+BY_CHANCE = "a wrong law, by no more than chance"
 WRONG = 2.0
 """Factor by which the constants that a fit is given are off."""
+
+FIRST, TOLD = {0.01: 0.8, 0.002: 0.85}, {0.002: 0.85}
+"""By noise, shares of films whose law is first, and told with certainty, where the theory is exact: 22 and 12 of 25, 9
+and 9 of 10 were. Of 25 films of which every other one is told, none need be."""
 
 # Published physics on six cells, without the ringing that would tell springs at once.
 PLAIN = {"run.effects": "paper", "numerics.cells": 6, "run.frames": FRAMES + 1, "run.duration": "1 s"}
@@ -58,9 +64,17 @@ def _verdict(law: str, film: int, noise: float, correlation: float, *, theory: b
     print(f"{law} {film}: {found.sentence}")
     if law in found.choice.wider:
         return NARROWER
-    return found.choice.verdict if found.choice.verdict != CANNOT else f"{CANNOT}, {found.choice.table[0].law.name}"
+    best, squares = found.choice.table[0].law, {row.law.name: row.law.squares for row in found.choice.table}
+    if found.choice.verdict == CANNOT:
+        return f"{CANNOT}, {best.name}"
+    # A difference of ten is passed by chance once in some thousand films; what 70 films have by chance, 280 laws, is
+    # far less than what one law's film is apart from another law at this noise.
+    allowed = gain(FRAMES, best.unknowns, comparisons=280)
+    lucky = best.name != law and FRAMES * math.log(squares[law] / best.squares) < allowed
+    return BY_CHANCE if lucky else best.name
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize(
     ("films", "noise", "correlation", "theory"),
     [
@@ -80,10 +94,16 @@ def test_no_wrong_law_wins_with_certainty(films: range, noise: float, correlatio
     """Without shear and fibres the theory errs by 2 to 5 %: as much as laws differ, which then cannot be told."""
     verdicts = {law: Counter(_verdict(law, film, noise, correlation, theory=theory) for film in films) for law in LAWS}
     rows = [
-        [truth, *(found[law] for law in LAWS), found[NARROWER], *(found[f"{CANNOT}, {law}"] for law in LAWS)]
+        [
+            truth,
+            *(found[law] for law in LAWS),
+            found[NARROWER],
+            found[BY_CHANCE],
+            *(found[f"{CANNOT}, {law}"] for law in LAWS),
+        ]
         for truth, found in verdicts.items()
     ]
-    header = ["truth", *LAWS, NARROWER, *(f"{CANNOT}: {law} first" for law in LAWS)]
+    header = ["truth", *LAWS, NARROWER, BY_CHANCE, *(f"{CANNOT}: {law} first" for law in LAWS)]
     count = len(LAWS) * len(films)
     known = "may err" if theory else "is exact"
     show(f"{count} films, noise of {noise:.1%} correlated by {correlation:g}, theory {known}: verdicts", header, rows)
@@ -92,4 +112,8 @@ def test_no_wrong_law_wins_with_certainty(films: range, noise: float, correlatio
     first = told + sum(found[f"{CANNOT}, {law}"] for law, found in verdicts.items())
     print(f"\ntold: {told} of {count}; first, told or not: {first}; wrong with certainty: {wrong}")
     assert wrong == 0
-    assert theory or (told >= 0.4 * count and first >= 0.8 * count)
+    # Binomials: at least 8 of 25, where a law by lot would be the first of 5; and 1 and 1 of 10, which a criterion that
+    # rules nothing out has not.
+    if not theory:
+        assert first / count >= shares(count, FIRST[noise])[0]
+        assert told / count >= shares(count, TOLD.get(noise, 0.0))[0]

@@ -277,6 +277,7 @@ def test_ranks_of_the_truth_are_uniform() -> None:
     assert min(_chi_square(found[:, k]) for k in range(len(BELIEFS))) > RARE
 
 
+@pytest.mark.statistical
 def test_profiles_and_posterior_agree() -> None:
     """One percent of noise, not stated; a flat prior in the logarithms."""
     scene = sc.load_scene("continual-descent", {"run.effects": "paper", "numerics.cells": 6})
@@ -295,6 +296,8 @@ def test_profiles_and_posterior_agree() -> None:
         away = np.abs(np.array(found.parameters[name]["eti95"]) - [low, high]).max() / (high - low)
         interval = "{:.5g} to {:.5g}".format(*found.parameters[name]["eti95"])
         rows.append([name, f"{low:.5g} to {high:.5g}", interval, f"{away:.1%}"])
-        assert away < 0.15, rows
+        # Both intervals approximate differently, by up to a tenth; to what draws tell of an end, as above.
+        independent = float(found.parameters[name]["ess_tail"])
+        assert away < 0.1 + errors_away() * 2.7 / independent**0.5 / 4, rows
     show("95 % intervals", ["parameter", "profile", "posterior", "ends apart, of the width"], rows)
     print(f"\n{found.message}; {found.evaluations} evaluations, {found.seconds:.0f} s")

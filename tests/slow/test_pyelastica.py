@@ -21,8 +21,8 @@ import pandas as pd
 import pytest
 
 from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.files import write_results
 from softcat_sym.plotting.accuracy import work_precision_figure
-from softcat_sym.plotting.files import write_results
 from tests.common.table import show
 
 if TYPE_CHECKING:

@@ -289,7 +289,8 @@ def test_a_hanging_fibre_is_judged_by_its_elongation(says: Says) -> None:
         "of a hanging fibre 0.44 % of the elongation was stated as 0.006 %",
         f"{told}; true {true[DISPLACEMENT]:.2%}",
     )
-    assert not why_not and 0.3 < true[DISPLACEMENT] / estimate < 3
+    # Too large it may be: steps are few.
+    assert not why_not and true[DISPLACEMENT] < 3 * estimate
 
 
 BENT = {
@@ -389,8 +390,10 @@ def test_bundled_scenes_ring_as_was_foreseen(says: Says, name: str, before: floa
     scene = sc.load_scene(name)
     foreseen = ringing(scene).frequency / (2 * np.pi)
     length = {"run.duration": f"{scene.load.ramp + 6 / foreseen} s", "run.frames": 401, "numerics.estimate": False}
-    run = sc.simulate(scene.replace(length))
-    period = run.summary["frames_a_period"] * run.summary["time_final_s"] / 400
+    data = sc.simulate(scene.replace(length)).data
+    above = data.midpoint.values > float(data.midpoint.mean())
+    crossed = data.time.values[1:][above[1:] != above[:-1]]
+    period = 2 * float(crossed[-1] - crossed[0]) / (len(crossed) - 1)
     says("B4", f"{name}: {before:g} Hz by a closed form", f"rings at {1 / period:.3g} Hz, foreseen {foreseen:.3g} Hz")
     assert 1 / period == pytest.approx(foreseen, rel=within)
     assert abs(before * period - 1) > 2 * within
@@ -516,7 +519,9 @@ def test_a_long_run_tells_its_price_before_it_begins(says: Says, tmp_path: Path)
     ended = timed("run", scene, "-q", "-o", str(tmp_path / "out"), "--time-limit", "15")
     price = re.search(r"about (\S+) s of the\s+processor", " ".join(explained.out.split()))
     assert price is not None and float(price[1]) > 1e8
-    assert f"this run takes long: it rings some 23632115370 periods of 66.8 s: about {price[1]} s" in ended.err
+    assert re.search(
+        rf"this run takes long: it rings some \d+ periods of [\d.]+ s: about {re.escape(price[1])} s", ended.err
+    )
     assert "load.ramp" in ended.err and "--time-limit" in ended.err and ended.status == 1
     says("C1", "beam-for-50000-years.toml starts what takes 4e8 s and says nothing", ended.err.split(";")[0])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cache
 
@@ -10,9 +11,10 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.model_selection import LawComparison, fit_laws
+from softcat_sym.fitting.model_selection import CANNOT, LIMITS, LawComparison, fit_laws
 from softcat_sym.fitting.result import FitOutcome
-from tests.common.draws import draws
+from tests.common.draws import draws, gain
+from tests.common.fitting import is_sound
 from tests.common.table import show
 
 LAWS = ("maxwell", "bingham", "newtonian")
@@ -23,28 +25,27 @@ pytestmark = pytest.mark.slow
 
 @dataclass(frozen=True)
 class Film:
-    """How it was filmed, and what may be said of it."""
+    """How it was filmed, and whether it tells the law from those that it is no limit of."""
 
     law: str
     noise: float
     frames: int
-    verdicts: tuple[str, ...]
+    tells: bool = False
 
 
-CANNOT = "cannot tell"
 FAR = 100.0
 """Difference of the criterion beyond which the residuals of a wrong law must be seen to be no noise."""
 
 FILMS = (
-    Film("maxwell", 0.01, 100, ("maxwell",)),
-    Film("bingham", 0.01, 100, ("bingham",)),
+    Film("maxwell", 0.01, 100, tells=True),
+    Film("bingham", 0.01, 100, tells=True),
     # Maxwell with a stiff spring and Bingham with a low yield stress are Newtonian too.
-    Film("newtonian", 0.01, 100, ("newtonian", CANNOT)),
-    Film("newtonian", 0.2, 60, ("newtonian", CANNOT)),
-    Film("maxwell", 0.2, 20, ("maxwell", CANNOT)),
-    Film("bingham", 0.2, 20, ("bingham", CANNOT)),
-    Film("maxwell", 0.01, 8, ("maxwell", CANNOT)),
-    Film("bingham", 0.01, 8, ("bingham", CANNOT)),
+    Film("newtonian", 0.01, 100),
+    Film("newtonian", 0.2, 60),
+    Film("maxwell", 0.2, 20),
+    Film("bingham", 0.2, 20),
+    Film("maxwell", 0.01, 8),
+    Film("bingham", 0.01, 8),
 )
 
 
@@ -70,9 +71,11 @@ def _compared(film: Film) -> LawComparison:
     return fit_laws(readings, scene, LAWS, starts=0)
 
 
+@pytest.mark.statistical
 @pytest.mark.parametrize("film", FILMS, ids=lambda film: f"{film.law}, {film.noise:g} noise, {film.frames} frames")
 def test_the_right_law_wins_or_it_cannot_be_told(film: Film) -> None:
     found = _compared(film)
+    ranked = {row.law.name: row for row in found.choice.table}
     rows = [
         [
             row.law.name,
@@ -86,13 +89,24 @@ def test_the_right_law_wins_or_it_cannot_be_told(film: Film) -> None:
     ]
     title = f"{film.law}, {film.noise:.0%} noise, {film.frames} frames: {found.sentence}"
     show(title, ["law", "constants", "criterion", "BIC", "difference", "failure"], rows)
-    assert found.choice.verdict in film.verdicts
-    # Of few readings the wider law may have more unknowns, those of camera and theory among them, than there are.
-    assert film.law in (*found.choice.close, *found.failures)
+    if film.law in found.failures or math.isinf(ranked[film.law].criterion):
+        # Of few readings a law may have more unknowns, those of camera and theory among them, than there are.
+        assert film.frames < 10 and found.choice.verdict == CANNOT
+        return
+    # Noise of a hundredth and wrong laws are apart by hundreds. Where a law wins that is not the film's, it has gained
+    # no more than its constants do by chance; laws that were confused, or misfits that were miscounted, would.
+    true, best = ranked[film.law].law, found.choice.table[0].law
+    if best.name != film.law:
+        chance = gain(film.frames, best.unknowns)
+        assert film.frames * math.log(true.squares / best.squares) < chance
     if found.choice.verdict == CANNOT:
         assert found.sentence.startswith("cannot tell: ")
-        return
-    assert found.fits[film.law].outcome is not FitOutcome.model_error
+    if film.tells:
+        # A law that has the film's as a limit gains by its further constant now and then; no other is left.
+        assert all(name == film.law or film.law in LIMITS.get(name, {}) for name in found.choice.close)
+    # Residuals that are noise are called otherwise once in a hundred.
+    fit = found.fits[film.law]
+    assert fit.outcome is not FitOutcome.model_error or is_sound(fit)
     if film.noise <= 0.01:
-        far = [row.law.name for row in found.choice.table if row.difference > FAR]
+        far = [row.law.name for row in found.choice.table if FAR < row.difference < math.inf]
         assert all(found.fits[name].checks.verdict == "not white" for name in far)

@@ -47,7 +47,7 @@ _UNKNOWNS = {False: 10, True: 55}
 
 
 @dataclass(frozen=True, slots=True)
-class Price:
+class RunCost:
     """What a run costs."""
 
     seconds: float  # Of the processor, to a factor of two or three
@@ -59,7 +59,7 @@ class Price:
         return self.seconds >= ANNOUNCED
 
 
-def price_of(scene: Scene, effects: Effects) -> Price:
+def run_cost(scene: Scene, effects: Effects) -> RunCost:
     """Foretell the processor time of a run: of its steps while it rings, and of its equations without a compiler."""
     rings = ringing(scene)
     compiled, size, runs = choose_backend(scene, effects).compiled, 0, BESIDE if scene.numerics.estimate else 1.0
@@ -71,7 +71,7 @@ def price_of(scene: Scene, effects: Effects) -> Price:
     if not effects.terms().inertia or not audible:
         about = float(f"{building:.1g}")
         text = f"takes about {about:g} s of the processor, to write the equations of {size} unknowns without a compiler"
-        return Price(building, f"{text}; fewer numerics.cells or numerics.fibres cut it" if building >= LONG else "")
+        return RunCost(building, f"{text}; fewer numerics.cells or numerics.fibres cut it" if building >= LONG else "")
     frequency, damped = rings.frequency / (2 * math.pi), rings.decay > 0
     lasts = min(scene.run.duration, -math.log(scene.run.accuracy) / rings.decay if damped else math.inf)
     at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
@@ -87,7 +87,7 @@ def price_of(scene: Scene, effects: Effects) -> Price:
         text += "inertia cut it, and --time-limit ends it"
     elif not damped and seconds >= LONG:
         text += "; set load.ramp or material.loss_tangent"
-    return Price(seconds, text)
+    return RunCost(seconds, text)
 
 
 def unknowns_of(scene: Scene, effects: Effects) -> int:
