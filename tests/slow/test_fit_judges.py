@@ -163,10 +163,11 @@ def test_robust_losses_withstand_wild_points(seed: int) -> None:
     asked = CONSTANTS[1:]
     truth = constants(scene, asked)
     start = beside(scene, {name: WRONG[name] for name in asked})
-    rows, far = [], {}
+    rows, far, outcome = [], {}, {}
     for loss in (LINEAR, *ROBUST):
         found = fit(data, start, asked, loss=loss, starts=0, profiles=False, **EXACT)
         rows += rows_of(loss.kind, found, truth)
+        outcome[loss.kind] = found.outcome
         far[loss.kind] = max(
             abs(np.log(one.best / truth[key])) * one.best / one.std for key, one in found.parameters.items() if one.std
         )
@@ -175,9 +176,9 @@ def test_robust_losses_withstand_wild_points(seed: int) -> None:
     # takes up sqrt(n)/(sqrt(E psi^2)/E psi') standard errors at most: 1.2 with soft-l1, 0.1 with cauchy.
     for loss in ROBUST:
         assert far[loss.kind] < errors_away() + _one_sided(loss), loss
-    # Linear, it is 35 standard errors times the mean of ten uniform deviates, of which viscosity has 0.8: with noise,
-    # that is below one once in ten million.
-    assert far["linear"] > 1
+    # Linear, how far constants are off is chance. That it is said is not: two outliers are enough, and with each of ten
+    # beyond six deviations nine times in ten, fewer are found once in 2e7 films.
+    assert outcome["linear"] is FitOutcome.outliers
 
 
 def _one_sided(loss: Loss) -> float:

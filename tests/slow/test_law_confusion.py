@@ -116,4 +116,4 @@ def test_no_wrong_law_wins_with_certainty(films: range, noise: float, correlatio
     # rules nothing out has not.
     if not theory:
         assert first / count >= shares(count, FIRST[noise])[0]
-        assert told / count >= shares(count, TOLD.get(noise, 0.0))[0]
+        assert noise not in TOLD or told / count >= shares(count, TOLD[noise])[0]

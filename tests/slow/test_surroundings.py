@@ -121,6 +121,7 @@ def test_a_fit_reads_the_bath_off_a_film(tmp_path: Path) -> None:
     low, high = deviations(78)
     for (name, found, error, exact), told in zip(rows, errors[:2], strict=True):
         assert abs(found - exact) < errors_away(78) * error, name
+        # A tenth for what is not linear between the fit's constants and the true ones.
         assert 0.9 * low < error / (exact * told) < 1.1 * high, name
 
 
