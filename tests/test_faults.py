@@ -277,6 +277,7 @@ def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tm
             assert (done.status, done.err) == (2, f"softcat: cannot write the results: {disk} cannot be written\n")
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # older NumPy leaves the archive open
 def test_the_checkpoint_of_elements_is_whole_or_the_old_one(tmp_path: Path) -> None:
     with tiny_disk(tmp_path / "disk", 40) as disk:
         path = disk / "elements.npz"

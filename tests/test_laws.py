@@ -40,7 +40,9 @@ def flow_of(law: str, *, yields: bool = False) -> Flow:
 def rates(flow: Flow, **material: float) -> np.ndarray:
     known = {"E": MODULUS, "eta": 13.84e3, "K": 13.84e3, "n": 1.0, "sigma_Y": 9.32e3} | material
     at = {symbol: known[symbol.name] for symbol in flow.rate.free_symbols - {sigma}}
-    return np.asarray(sp.lambdify(sigma, flow.rate.xreplace(at), modules="numpy")(STRESSES), dtype=float)
+    # One by one: of arrays older releases of SymPy print a maximum that NumPy refuses.
+    rate = sp.lambdify(sigma, flow.rate.xreplace(at), modules="numpy")
+    return np.array([float(rate(stress)) for stress in STRESSES])
 
 
 def test_herschel_bulkley_of_index_one_is_bingham() -> None:
