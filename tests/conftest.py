@@ -30,6 +30,7 @@ PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 COMPILING = re.compile(
     "backend|c_printer|cache|calculix|codegen|compar|compil|elements|ensemble|external|figures|in_c|material_point|native|necking"
     "|phase|reference|ringings|rivals|rosenbrock|slenderness|solvers|theory_end|vtk"
+    "|forward_model|generated|test_ends|web_model|without_sympy"
 )
 """Files of tests, or their folders, that need a compiler."""
 

@@ -519,11 +519,12 @@ def test_an_explanation_can_be_written_whatever_its_title_and_groups(softcat: So
 def test_what_rings_long_is_told_beforehand_and_what_to_do_about_it() -> None:
     changes = {"run.duration": "60 s", "run.accuracy": 0.01}
     undamped = explain(sc.load_scene("agar-bar", {**changes, "material.loss_tangent": 0.0}))
-    assert "rings some 602 periods" in undamped.ringing and "set load.ramp" in undamped.ringing
+    # Without a compiler it takes more than a minute, and more is told that cuts it.
+    assert "rings some 602 periods" in undamped.ringing and "load.ramp" in undamped.ringing
     assert undamped.damping == ""
     damped = explain(sc.load_scene("agar-bar", changes))
     assert damped.damping.startswith("first natural frequency 10.03 Hz; loss tangent 0.05")
-    assert "rings some" in damped.ringing and "set load.ramp" not in damped.ringing
+    assert "rings some" in damped.ringing and "load.ramp" not in damped.ringing
     assert explain(sc.load_scene("cold-honey")).ringing == ""
 
 
