@@ -1,18 +1,71 @@
-"""Pictures of results: a result asks for its own here, and knows nothing of plotting, which says how each is drawn."""
+"""Results as people see them: a result asks here for its pictures and its report, which plotting registers."""
 
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import singledispatch
 from html import escape
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import figure_bytes, write_results
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from rich.console import Console, RenderableType
+
+
+@dataclass(frozen=True)
+class Report:
+    """A result as people read it: on a terminal, and as files.
+
+    Attributes
+    ----------
+    files : mapping of str to object
+        Contents by file name: figures, tables, documents, texts or bytes, or functions that make them when the report
+        is written. None stands for a file that this result does not have.
+    texts : sequence of renderables
+        Texts and tables for a terminal, in their order.
+    title : str
+        Heading above them.
+    stale : sequence of str
+        Patterns of files that an earlier result may have left, to be removed where this one does not replace them.
+    """
+
+    files: Mapping[str, object]
+    texts: Sequence[RenderableType] = ()
+    title: str = ""
+    stale: Sequence[str] = ()
+
+    def write(self, directory: str | Path) -> list[Path]:
+        """Write all files into a folder, which is made if missing; each file is replaced whole."""
+        written = write_results(directory, self.files)
+        for path in (path for pattern in self.stale for path in Path(directory).glob(pattern)):
+            if path not in written:
+                path.unlink()
+        return written
+
+    def print(self, console: Console | None = None) -> None:
+        """Print title, tables and texts; none of them is read as markup."""
+        from rich.console import Console
+        from rich.text import Text
+
+        screen = console or Console()
+        for text in ([Text(self.title, style="bold")] if self.title else []) + [*self.texts]:
+            screen.print(text, markup=False, highlight=False)
+
+    def figures(self) -> dict[str, Figure]:
+        """Draw the pictures among the files, by name without ending."""
+        made = {
+            name.removesuffix(".png"): content() if callable(content) else content
+            for name, content in self.files.items()
+            if name.endswith(".png")
+        }
+        return {name: cast("Figure", figure) for name, figure in made.items() if hasattr(figure, "savefig")}
 
 
 @singledispatch
@@ -22,9 +75,28 @@ def plot(result: object, *what: Any, **how: Any) -> Figure:
 
 
 @singledispatch
-def figures(result: object) -> dict[str, Figure]:
-    """Draw all pictures of a result, by name."""
-    return cast("dict[str, Figure]", _loaded(figures, result)(result))
+def report(result: object, **beside: Any) -> Report:
+    """Report a result, with what belongs `beside` it."""
+    return cast("Report", _loaded(report, result)(result, **beside))
+
+
+class Drawable:
+    """A result with pictures, files and a printed form, which plotting registers for its type."""
+
+    def plot(self, *what: Any, **how: Any) -> Figure:
+        """Draw one picture of the result."""
+        return plot(self, *what, **how)
+
+    def figures(self) -> dict[str, Figure]:
+        """Draw all pictures of the result, by the names of their files."""
+        return report(self).figures()
+
+    def write(self, directory: str | Path, **beside: Any) -> list[Path]:
+        """Write the files of the result into a folder."""
+        return report(self, **beside).write(directory)
+
+    def _repr_html_(self) -> str:
+        return html(repr(self), self.plot())
 
 
 def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: object) -> Figure:
@@ -37,22 +109,17 @@ def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: o
     return figure
 
 
-def png(figure: Figure) -> bytes:
-    """Draw a figure as PNG."""
-    return cast("bytes", import_module("softcat_sym.plotting.style").png(figure))
-
-
 def html(text: str, figure: Figure) -> str:
     """Lines of text and a picture as HTML that needs no other file."""
-    picture = b64encode(png(figure)).decode()
+    picture = b64encode(figure_bytes(figure)).decode()
     return f'<pre>{escape(text)}</pre><img style="max-width:100%" alt="" src="data:image/png;base64,{picture}">'
 
 
 def _loaded(drawers: Any, result: object) -> Any:
-    """What draws a result, once the module that registers it has been loaded, and Matplotlib with it."""
+    """What draws or reports a result, once the module that registers it has been loaded, and Matplotlib with it."""
     kind, drawn_in = type(result), import_module("softcat_sym.plotting").DRAWN_IN
     for name in {one.__name__ for one in kind.__mro__} & drawn_in.keys():
         import_module(f"softcat_sym.plotting.{drawn_in[name]}")
     if drawers.dispatch(kind) is drawers.dispatch(object):
-        raise SoftcatError(f"no picture of a {kind.__name__}: there are some of {', '.join(drawn_in)}")
+        raise SoftcatError(f"no {drawers.__name__} of a {kind.__name__}: there are some of {', '.join(drawn_in)}")
     return drawers.dispatch(kind)

@@ -10,12 +10,13 @@ import secrets
 import select
 import stat
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from importlib import import_module
 from pathlib import Path
 from typing import Any
-
-from softcat_sym.drawing import png
 
 _waiting: ContextVar[tuple[dict[Path, Path], set[Path]] | None] = ContextVar("waiting", default=None)
 """Files that are written but not in their place yet, with their places, and folders that were made for them."""
@@ -50,17 +51,20 @@ def replace_atomically(path: Path, content: bytes) -> Path:
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
     """Write several files into a folder, which is made if missing, :func:`written_together`."""
-    with made(directory) as folder, written_together():
-        return [replace_atomically(folder / name, content) for name, content in contents.items()]
+    with ExitStack() as folders, written_together():
+        paths = [Path(directory) / name for name in contents]
+        for folder in dict.fromkeys(path.parent for path in paths):
+            folders.enter_context(made(folder))
+        return [replace_atomically(path, content) for path, content in zip(paths, contents.values(), strict=True)]
 
 
 def write_results(directory: str | Path, contents: Mapping[str, object]) -> list[Path]:
     """Write figures as PNG, frames as CSV, documents as JSON, texts and bytes as they are; each file is replaced whole.
 
-    Everything is drawn before anything is written. What is None is left out.
+    A content may be a function that makes it. Everything is drawn before anything is written. What is None is left out.
     """
-    encoded = {name: _encoded(content) for name, content in contents.items() if content is not None}
-    return write_all(directory, encoded)
+    made = ((name, content() if callable(content) else content) for name, content in contents.items())
+    return write_all(directory, {name: _encoded(content) for name, content in made if content is not None})
 
 
 def _encoded(content: Any) -> bytes:
@@ -69,24 +73,38 @@ def _encoded(content: Any) -> bytes:
     if isinstance(content, str):
         return content.encode()
     if hasattr(content, "savefig"):
-        return png(content)
+        return figure_bytes(content)
     if hasattr(content, "to_csv"):
-        table: str = content.to_csv(index=False)
+        table: str = content.to_csv(index=False, lineterminator="\n")
         return table.encode()
     return json_bytes(content)
 
 
+def figure_bytes(figure: Any) -> bytes:
+    """Draw a figure of Matplotlib as PNG, in the style of this package."""
+    content: bytes = import_module("softcat_sym.plotting.style").png(figure)
+    return content
+
+
 def json_bytes(content: object, *, is_ascii: bool = True) -> bytes:
-    """A document; what is not finite in it is null."""
+    """A document, dataclasses and arrays in it as JSON has them; what is not finite is null."""
     return (json.dumps(finite(content), indent=2, allow_nan=False, ensure_ascii=is_ascii) + "\n").encode()
 
 
 def finite(value: Any) -> Any:
-    """The same with None in place of what JSON cannot say."""
+    """The same in JSON's types, with None in place of numbers that JSON cannot say."""
     if isinstance(value, Mapping):
         return {name: finite(part) for name, part in value.items()}
     if isinstance(value, list | tuple):
         return [finite(part) for part in value]
+    if is_dataclass(value):
+        return {part.name: finite(getattr(value, part.name)) for part in fields(value)}
+    if isinstance(value, Enum) and not isinstance(value, str):
+        return value.name
+    if hasattr(value, "tolist"):  # an array or number of NumPy
+        return finite(value.tolist())
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 

@@ -25,6 +25,7 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import cache as cached
+from softcat_sym import drawing
 from softcat_sym.cli import plain, print_whatever_the_terminal_takes
 from softcat_sym.cli.application import output_directory
 from softcat_sym.cli.completing import complete_change, complete_scene
@@ -35,7 +36,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.fitting.measurements import read_measurements
-from softcat_sym.plotting import run as drawing
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
@@ -313,11 +313,11 @@ def test_an_interrupted_run_writes_what_there_is(tmp_path: Path) -> None:
 
 
 def test_whoever_stops_it_while_it_draws_has_the_numbers(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
-    def stopped(*_: object) -> None:
+    def stopped(*_: object) -> bytes:
         assert json.loads(Path("out/summary.json").read_text())["wall_s"]["write"] > 0
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(drawing, "pictures", stopped)
+    monkeypatch.setattr("softcat_sym.plotting.run.midpoint_csv", stopped)
     done = softcat("run", "cold-honey", "-q", "-o", "out", *sets("run.frames=3", "numerics.estimate=false"))
     again = "its pictures are not: softcat draw out -o out\n"
     assert (done.status, done.err) == (130, f"softcat: interrupted; the run is in out, {again}")
@@ -330,7 +330,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
     run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    run.written(folder).joined_by(folder, lambda: drawing.pictures(run.fields, run.summary, run.scene))
+    run.written(folder).joined_by(folder, drawing.report(run).files)
     return folder
 
 

@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 
 import softcat_sym as sc
+from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
 from softcat_sym.effects.choosing import choose_effects
@@ -27,7 +28,7 @@ from softcat_sym.files import finite, json_bytes
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.plotting import style
-from softcat_sym.plotting.compare import print_comparison, rate_fields, tables, write_comparison
+from softcat_sym.plotting.compare import rate_fields, tables
 from softcat_sym.plotting.style import first_frames
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix
@@ -235,14 +236,14 @@ def check_layout(figure: Figure) -> None:
 def test_pictures_documents_and_tables_of_whatever_happens(comparison: Comparison) -> None:
     for case in (lambda c: c, run_away, at_rest, alone):
         found = case(comparison)
-        assert set(found.figures()) == PICTURES and set(tables(found)) == TABLES
+        assert {f"{name}.png" for name in found.figures()} == PICTURES and set(tables(found)) == TABLES
         for figure in found.figures().values():
             check_layout(figure)
         assert b"NaN" not in json_bytes(found.to_dict())
     assert finite(run_away(comparison).to_dict())["filament"]["midpoint_final_m"] is None
     assert finite(at_rest(comparison).to_dict())["errors"]["filament"]["mean"] is None
     screen = Console(file=io.StringIO(), width=80, color_system=None)
-    print_comparison(run_away(comparison), screen)
+    drawing.report(run_away(comparison)).print(screen)
     written = screen.file.getvalue()  # type: ignore[attr-defined]
     assert "…" not in written and max(map(len, written.splitlines())) <= 80
     assert "–" in written and "filament: no_convergence" in written
@@ -250,7 +251,7 @@ def test_pictures_documents_and_tables_of_whatever_happens(comparison: Compariso
 
 def test_tables_read_back_exactly(comparison: Comparison, tmp_path: Path) -> None:
     broken = run_away(comparison)
-    write_comparison(broken, tmp_path)
+    broken.write(tmp_path)
     errors = pd.read_csv(tmp_path / "compare_errors.csv")
     assert [*errors["what"]] == ["error"] * 4 + ["mean error", "largest error"]
     assert np.isnan(errors["filament"][[3, 4]]).all()
@@ -267,7 +268,7 @@ def test_a_comparison_that_cannot_be_drawn_writes_nothing(
 ) -> None:
     monkeypatch.setattr("softcat_sym.plotting.compare.clamp_figure", lambda _: 1 / 0)
     with pytest.raises(ZeroDivisionError):
-        write_comparison(comparison, tmp_path / "out")
+        comparison.write(tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 

@@ -14,11 +14,11 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
+from softcat_sym import drawing
 from softcat_sym.design.critical_span import Limit, critical_span, crossings, polished
 from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
 from softcat_sym.design.information import Noise, Unknowns, exact_film, film_times, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.plotting.design import write_experiment
 from tests.common.in_process import Softcat, sets
 
 _GRAVITY, _DENSITY, _THICKNESS, _DURATION, _VISCOSITY = 9.81, 1300.0, 2e-3, 3.0, 5e7
@@ -277,7 +277,7 @@ def test_nuisance_costs_and_roughness_is_the_worst_corner() -> None:
 def test_pictures_and_tables_are_written(tmp_path: Path) -> None:
     """The scene can be run; the table holds the best, the scene as given and every trial."""
     found = _filmed()
-    written = {path.name: path for path in write_experiment(found, tmp_path)}
+    written = {path.name: path for path in drawing.report(found).write(tmp_path)}
     assert written["experiment.png"].read_bytes().startswith(b"\x89PNG")
     assert sc.load_scene(written["scene.toml"]) == found.scene
     rows = list(csv.DictReader(written["experiment.csv"].read_text().splitlines()))

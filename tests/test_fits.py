@@ -22,7 +22,7 @@ from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym import store
+from softcat_sym import drawing, store
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import json_bytes
@@ -35,7 +35,7 @@ from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit, write_fit
+from softcat_sym.plotting.fit import fit_page, fitted_toml
 from softcat_sym.plotting.fit_figures import (
     JOINT,
     correlation_figure,
@@ -199,7 +199,7 @@ def two_fitted() -> sc.Fit:
 
 @pytest.mark.slow
 def test_a_fit_gives_the_pictures_of_its_files(two_fitted: sc.Fit, tmp_path: Path) -> None:
-    written = {path.stem for path in write_fit(two_fitted, tmp_path) if path.suffix == ".png"}
+    written = {path.stem for path in two_fitted.write(tmp_path) if path.suffix == ".png"}
     assert written == set(two_fitted.figures()) >= {"fit", "starts", "correlation"}
 
 
@@ -377,7 +377,7 @@ def test_the_document_has_what_the_contract_says_and_no_nan(one_fitted: sc.Fit) 
 def test_terminal_page_and_scene_say_what_is_not_known(one_fitted: sc.Fit) -> None:
     fit = unknown(one_fitted)
     screen = Console(file=io.StringIO(), width=80, color_system=None)
-    print_fit(fit, screen)
+    drawing.report(fit).print(screen)
     printed = " ".join(screen.file.getvalue().split())  # type: ignore[attr-defined]
     page = fit_page(fit, {}, "softcat fit 'a <b>.csv'").decode()
     assert "<no & why>" in printed and "&lt;no &amp; why&gt;" in page and "<no" not in page and "<shear" not in page

@@ -16,6 +16,7 @@ from scipy.stats import chi2
 from scipy.stats import t as student
 
 import softcat_sym as sc
+from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting.criterion import charge
@@ -29,7 +30,7 @@ from softcat_sym.fitting.flow_curve import (
     read_flow_curve,
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
-from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
+from softcat_sym.plotting.flow_curve import flow_curve_figure
 from tests.common.draws import draws, shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
 from tests.common.in_process import Softcat, sets
@@ -389,6 +390,6 @@ def test_picture_table_and_document_of_every_case() -> None:
         low, high = above.get_ylim()
         assert all(low < one.fitted.min() and one.fitted.max() < high for one in fit.candidates), name
         screen = Console(file=io.StringIO(), width=80, color_system=None)
-        print_flow_curve(fit, screen)
+        drawing.report(fit).print(screen)
         assert "…" not in screen.file.getvalue(), name  # type: ignore[attr-defined]
         assert set(json.loads(json_bytes(fit.to_dict()))["candidates"]) == set(LAWS), name

@@ -8,10 +8,11 @@ import re
 import subprocess
 import sys
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from importlib import import_module, resources
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -27,7 +28,6 @@ from PIL import Image
 import softcat_sym as sc
 from softcat_sym import files, plotting
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import write_results
 from softcat_sym.plotting.run import (
     FIGURES,
     LINES,
@@ -36,7 +36,6 @@ from softcat_sym.plotting.run import (
     energy_figure,
     maps_of,
     midpoint_figure,
-    pictures,
     shapes_figure,
     space_time_figure,
     styled_for,
@@ -73,6 +72,8 @@ from softcat_sym.plotting.units import (
     time_unit,
 )
 from softcat_sym.results.fields import energy_imbalance
+from softcat_sym.results.run import Run
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
 from tests.common.catenary import descent, make_run, make_scene, scene, summary
 
@@ -80,6 +81,10 @@ __all__ = ["descent", "make_run", "make_scene", "scene", "summary"]
 
 TIMES = np.linspace(0, 2, 201)
 NAMES = ["midpoint.png", "shapes.png", "energy.png", "space-time.png", "midpoint.csv"]
+
+
+def run_of(data: Mapping[str, np.ndarray], summary: dict[str, Any], scene: Scene) -> Run:
+    return Run(scene, data, summary, Outcome[summary["outcome"]], {})
 
 
 def yielded_quads(section: Section, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
@@ -504,7 +509,7 @@ def test_a_runaway_that_is_refused_scales_no_axis_and_an_answer_is_drawn_whole(
     y[120:] = np.nan
     data, about = shown_part(descent | {"y": y}, summary | {"outcome": "non_finite"})
     assert len(data["time"]) == 120 and "not drawn after" in about["not_drawn"]
-    write_results(tmp_path, pictures(runaway, bad, scene))
+    run_of(runaway, bad, scene).write(tmp_path)
     table = (tmp_path / "midpoint.csv").read_text().splitlines()
     assert (table[0], len(table)) == ("time_s,midpoint_m,refused", 202)
 
@@ -515,7 +520,7 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
     (tmp_path / "new").mkdir()
     with matplotlib.rc_context({"font.size": 17.0, "axes.grid": True}):
         before = matplotlib.rcParams.copy()
-        paths = write_results(folder, pictures(descent, summary, scene))
+        paths = run_of(descent, summary, scene).write(folder)
         assert matplotlib.rcParams.copy() == before
     assert [path.name for path in paths] == NAMES
     assert sorted(path.name for path in folder.iterdir()) == sorted(NAMES)
@@ -528,13 +533,13 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
     (taken / "shapes.png").mkdir(parents=True)
     file.write_text("")
     with pytest.raises(OSError, match=r"shapes\.png"):
-        write_results(taken, pictures(descent, summary, scene))
+        run_of(descent, summary, scene).write(taken)
     assert [path.name for path in taken.iterdir()] == ["shapes.png"]
     with pytest.raises(OSError, match="file"):
-        write_results(file, pictures(descent, summary, scene))
+        run_of(descent, summary, scene).write(file)
     less = {name: values for name, values in descent.items() if name != "stretch"}
     with pytest.raises(KeyError):
-        write_results(tmp_path / "nowhere", pictures(less, summary, scene))
+        run_of(less, summary, scene).write(tmp_path / "nowhere")
     assert not (tmp_path / "nowhere").exists()
 
 
@@ -589,7 +594,7 @@ def test_what_draws_loads_no_more_than_it_needs():
 
 
 def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):
-    with pytest.raises(SoftcatError, match="no picture of a dict: there are some of Run, Fit, Posterior"):
+    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, Posterior"):
         plotting.plot(descent)
     for module in plotting.DRAWN_IN.values():
         import_module(f"softcat_sym.plotting.{module}")
@@ -657,7 +662,7 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper():
 @pytest.mark.slow
 def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tmp_path, width, millimetres):
     before = matplotlib.rcParams.copy()
-    write_results(tmp_path, pictures(descent, summary, scene, width))
+    run_of(descent, summary, scene).write(tmp_path, name=width)
     assert matplotlib.rcParams.copy() == before, "the style of the caller stays"
     written = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     assert set(written) == {f"{name}.{ending}" for name in FIGURES for ending in ("pdf", "png")} | {"midpoint.csv"}

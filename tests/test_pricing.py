@@ -14,9 +14,10 @@ import pytest
 from rich.console import Console
 
 import softcat_sym as sc
+from softcat_sym import drawing
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.plotting.pricing import pricing_figure, pricing_table, print_pricing
+from softcat_sym.plotting.pricing import pricing_figure, pricing_table
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.pricing import (
     EVERYTHING,
@@ -194,7 +195,7 @@ def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
     lines = pricing_table({"honey": altered, "broken": "no | such law"}).splitlines()
     assert len(lines) == 4 and all(line.count("|") == lines[0].count("|") for line in lines)
     screen = Console(file=io.StringIO(), width=80, color_system=None)
-    print_pricing(altered, screen)
+    drawing.report(altered).print(screen)
     written = screen.file.getvalue()  # type: ignore[attr-defined]
     assert "…" not in written and "25 %" in written and "step_limit" in written and "cannot be had" in written
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
@@ -13,6 +14,7 @@ from softcat_sym.cli.application import (
     SetOption,
     commands,
     interrupted,
+    present,
     scene_and_directory,
 )
 
@@ -41,7 +43,6 @@ def accuracy(
     confirmed by a rival. The programs share the time; measurements that are cut off are listed. Nothing comes from the
     store.
     """
-    from softcat_sym.plotting.accuracy import print_accuracy, write_accuracy
     from softcat_sym.progress import Display
     from softcat_sym.studies.work_precision import LIMIT, LIMIT_OF_ALL, study
     from softcat_sym.studies.work_precision_programs import PROGRAMS, RIVALS
@@ -54,7 +55,5 @@ def accuracy(
             found = study(scene, asked, programs, limit or usual, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
         raise interrupted("nothing was written") from None
-    written = write_accuracy(found, output)
-    if not quiet:
-        print_accuracy(found)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    report = drawing.report(found)
+    present(report, report.write(output), output, quiet=quiet)

@@ -6,7 +6,7 @@ import contextlib
 import os
 import re
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -20,6 +20,7 @@ from softcat_sym.cli.overview import COMMANDS, HELP, INSTANT, SUMMARY, home_of, 
 from softcat_sym.interrupts import ending
 
 if TYPE_CHECKING:
+    from softcat_sym.drawing import Report
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
 
@@ -207,6 +208,18 @@ def scene_and_directory(
     """Return the scene and the DIR of a command; faults of the scene and of its effects are reported first."""
     asked = scene_of(name, [*settings, *(changes or [])])
     return asked, output_directory(output, command, name, asked)
+
+
+def present(report: Report, written: Iterable[Path], output: Path, *, quiet: bool) -> None:
+    """Print a report, and the files that were written into DIR."""
+    if not quiet:
+        report.print()
+        print_written(written, output)
+
+
+def print_written(written: Iterable[Path], output: Path) -> None:
+    """Print the names of files in DIR."""
+    typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
 
 
 def judge(outcome: Outcome, message: str, *, quiet: bool) -> None:

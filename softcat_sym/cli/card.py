@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
     OptionalScene,
@@ -16,6 +17,7 @@ from softcat_sym.cli.application import (
     commands,
     judge,
     output_directory,
+    present,
     scene_and_directory,
     study,
 )
@@ -88,7 +90,6 @@ def card(
         given = ", ".join(f"--{name}" for name in flags)
         text = f"a scene and {given}: change the scene with --set, or leave it out"
         raise typer.BadParameter(text, param_hint="SCENE")
-    from softcat_sym.plotting.card import print_card, write_card
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.card import card as make_card
     from softcat_sym.studies.card import scene_from_flags
@@ -107,12 +108,11 @@ def card(
         found = make_card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
         live, why = _live_page(found, progress)
         progress.stage("drawing")
-        written = write_card(found, output, shlex.join([*words, "-o", "DIR"]), live)
-    if not quiet:
-        print_card(found)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
-        if why:
-            typer.echo(f"no live page: {why}")
+        report = drawing.report(found, command=shlex.join([*words, "-o", "DIR"]), live=live)
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)
+    if why and not quiet:
+        typer.echo(f"no live page: {why}")
     judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 

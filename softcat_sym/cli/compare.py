@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
     OutputOption,
@@ -17,6 +18,8 @@ from softcat_sym.cli.application import (
     SetOption,
     commands,
     judge,
+    present,
+    print_written,
     scene_and_directory,
     scene_of,
     study,
@@ -40,7 +43,6 @@ def _compare_once(
     scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, fresh: bool, quiet: bool
 ) -> None:
     """Run the elements, or resume them, and the filament; write, print and judge."""
-    from softcat_sym.plotting.compare import print_comparison, write_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.vtk import vtk_available, write_vtk
     from softcat_sym.studies.compare import compare as run_comparison
@@ -59,30 +61,24 @@ def _compare_once(
             checkpoint=checkpoint,
             progress=lambda what: IntegrationProgress(scene.run.duration, what, quiet=quiet),
         )
-        written = write_comparison(comparison, output)
+        report = drawing.report(comparison)
+        written = report.write(output)
     if engine is Engine.ELEMENTS and vtk_available():
         written.append(write_vtk(scene, comparison.elements, output / "vtk")[0])
-    if not quiet:
-        print_comparison(comparison)
-        _print_written(written, output)
+    present(report, written, output, quiet=quiet)
     own = comparison.filament.trajectory
     judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
 def _write_deck(scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
     """Write the deck of CalculiX, which need not be installed."""
-    from softcat_sym.files import write_all
+    from softcat_sym.files import write_results
     from softcat_sym.reference.calculix import calculix_deck
 
-    deck = calculix_deck(scene, mesh, clamp=clamp).text.encode("ascii")
-    written = write_all(output / "calculix", {"deck.inp": deck})
-    written += write_all(output, {"scene.toml": scene.to_toml().encode()})
+    deck = calculix_deck(scene, mesh, clamp=clamp).text
+    written = write_results(output, {"calculix/deck.inp": deck, "scene.toml": scene.to_toml()})
     if not quiet:
-        _print_written(written, output)
-
-
-def _print_written(paths: list[Path], output: Path) -> None:
-    typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in paths)} to {output}")
+        print_written(written, output)
 
 
 def _compare_varied(
@@ -101,7 +97,6 @@ def _compare_varied(
     The elements keep their states in DIR/elements; finished ones are not run again.
     """
     from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.plotting.theory_end import print_theory_end, write_theory_end
     from softcat_sym.studies.theory_end import read_variation, where_theory_ends
 
     variation = read_variation(vary)
@@ -128,10 +123,8 @@ def _compare_varied(
             clamp=clamp,
             progress=listening,
         )
-    written = write_theory_end(end, output)
-    if not quiet:
-        print_theory_end(end)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    report = drawing.report(end)
+    present(report, report.write(output), output, quiet=quiet)
 
 
 MeshOption = Annotated[

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
     OptionalScene,
@@ -16,6 +17,7 @@ from softcat_sym.cli.application import (
     commands,
     judge,
     output_directory,
+    present,
     scene_and_directory,
     scene_of,
     study,
@@ -49,17 +51,15 @@ def effects(
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
     asked, output = scene_and_directory(scene, changes, output, "effects")
-    from softcat_sym.plotting.pricing import print_pricing, write_pricing
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.pricing import price_effects
 
     with study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         pricing = price_effects(asked, progress, scene)
         progress.stage("drawing")
-        written = write_pricing(pricing, output)
-    if not quiet:
-        print_pricing(pricing)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        report = drawing.report(pricing)
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)
     judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
 
 
@@ -91,7 +91,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
                     done[name] = pricing = price_effects(asked, progress, name)
                 contents = {
                     f"effects_{name}.json": pricing.to_dict(),
-                    f"effects_{name}.png": pricing.figures()["effects"],
+                    f"effects_{name}.png": pricing.plot(),
                 }
             # CasADi raises RuntimeError for an integrator that cannot start.
             except (SoftcatError, RuntimeError) as error:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, TypedDict
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
     OutputOption,
@@ -13,6 +14,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     commands,
+    present,
     read_pair,
     scene_and_directory,
     study,
@@ -104,7 +106,6 @@ def experiment(
     asked, output = scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
     from softcat_sym.design.experiment import design_experiment
-    from softcat_sym.plotting.design import write_experiment
     from softcat_sym.progress import StudyDisplay
 
     how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
@@ -114,10 +115,9 @@ def experiment(
         critical = None if sag is None else _critical(asked, sag, progress)
         design = design_experiment(asked, free, noise, within, **how, progress=progress)
         progress.stage("drawing")
-        written = write_experiment(design, output, critical)
-    if not quiet:
-        typer.echo("\n".join((*design.text, *(() if critical is None else critical.text))))
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        report = drawing.report(design, critical=critical)
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)
 
 
 class _How(TypedDict):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     UNTRUSTED,
     FreshOption,
@@ -17,6 +18,7 @@ from softcat_sym.cli.application import (
     SetOption,
     checked_limit,
     commands,
+    present,
     print_error,
     read_pair,
     scene_and_directory,
@@ -181,7 +183,6 @@ def fit(
     from softcat_sym.fitting.collapse_test import read_contour
     from softcat_sym.fitting.measurements import read_measurements
     from softcat_sym.fitting.posterior import packages, posterior_of
-    from softcat_sym.plotting.fit import print_collapse, print_fit, print_laws, write_fit
     from softcat_sym.progress import StudyDisplay
 
     if posterior:
@@ -198,14 +199,9 @@ def fit(
         drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
-        written = write_fit(found, output, command, compared, drawn, collapse)
-    if not quiet:
-        if compared is not None:
-            print_laws(compared)
-        print_fit(found, posterior=drawn)
-        if collapse is not None:
-            print_collapse(collapse)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)
     if not found.outcome.converged:
         if quiet:
             print_error(f"{found.outcome.word}: {found.outcome.value}")

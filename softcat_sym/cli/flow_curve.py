@@ -6,7 +6,8 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, commands, output_directory
+from softcat_sym import drawing
+from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, commands, output_directory, present
 from softcat_sym.cli.completing import complete_scene
 
 
@@ -47,12 +48,9 @@ def flow_curve(
     if changes and scene is None:
         raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")
     from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
-    from softcat_sym.plotting.flow_curve import print_flow_curve, write_flow_curve
 
     fit = fit_flow_curve(curve, sample)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
     output = output_directory(output, "flow-curve", scene, handed_on)
-    written = write_flow_curve(fit, output, law, handed_on)
-    if not quiet:
-        print_flow_curve(fit)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    report = drawing.report(fit, law=law, scene=handed_on)
+    present(report, report.write(output), output, quiet=quiet)

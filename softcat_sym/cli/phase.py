@@ -6,12 +6,14 @@ from typing import Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
     OutputOption,
     QuietOption,
     SetOption,
     commands,
+    present,
     scene_and_directory,
     study,
 )
@@ -49,7 +51,6 @@ def phase(
     filament has 40 graded cells. After Ctrl-C the same command resumes from the finished runs.
     """
     from softcat_sym.ensemble.ensemble import MembersBar
-    from softcat_sym.plotting.phase import print_phase_diagram, write_phase_diagram
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
     from softcat_sym.studies.phase_runs import PLANES
 
@@ -66,7 +67,6 @@ def phase(
                 local_cluster=local_cluster,
                 progress=bar,
             )
-        written = write_phase_diagram(diagram, output)
-    if not quiet:
-        print_phase_diagram(diagram)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        report = drawing.report(diagram)
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)

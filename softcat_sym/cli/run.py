@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
@@ -19,6 +20,7 @@ from softcat_sym.cli.application import (
     judge,
     output_directory,
     print_error,
+    print_written,
     scene_and_directory,
 )
 from softcat_sym.interrupts import ending
@@ -106,10 +108,8 @@ def run(
             written = trajectory.written(output)
             if not no_pictures:
                 progress.stage("drawing pictures")
-                from softcat_sym.plotting.run import pictures
-
-                of = trajectory.fields, trajectory.summary, trajectory.scene, drawn, radius
-                written = written.joined_by(output, lambda: pictures(*of))
+                report = drawing.report(trajectory, name=drawn, radius=radius)
+                written = written.joined_by(output, report.files)
     except KeyboardInterrupt:
         left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
         raise interrupted(left) from None
@@ -151,7 +151,6 @@ def draw(
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, write_results, written_together
-    from softcat_sym.plotting.run import pictures
     from softcat_sym.results.run import check_drawable, open_run
 
     run = open_run(trajectory)
@@ -159,13 +158,13 @@ def draw(
     try:
         with made(output), written_together():
             beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
-            files = write_results(output, pictures(run.fields, run.summary, run.scene, drawn, radius) | beside)
+            files = write_results(output, {**drawing.report(run, name=drawn, radius=radius).files, **beside})
             files += [] if order is None else [_film(order, output, run, quiet=quiet)]
             files += write_run_vtk(run, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
         raise interrupted("nothing was written") from None
     if not quiet:
-        typer.echo(f"wrote {', '.join(path.name for path in files)} to {output}")
+        print_written(files, output)
 
 
 def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     UNTRUSTED,
     FreshOption,
@@ -15,6 +16,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     commands,
+    present,
     print_error,
     scene_and_directory,
     study,
@@ -93,7 +95,6 @@ def sweep(
     """
     from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.ensemble.executor import check_executor
-    from softcat_sym.plotting.sweep import print_sweep, write_sweep
     from softcat_sym.studies.sweep import run_sweep
     from softcat_sym.studies.sweep_table import plan_sweep
 
@@ -106,11 +107,9 @@ def sweep(
     with study(output, fresh=fresh):
         with MembersBar("sweep", quiet=quiet) as bar:
             done = run_sweep(plan, output, where, bar)
-        written = write_sweep(done, output)
-    if not quiet:
-        print_sweep(done)
-        names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]
-        typer.echo(f"wrote {', '.join(names)} to {output}")
+        report = drawing.report(done)
+        written = [output / "sweep.nc", output / "sweep.csv", *report.write(output)]
+    present(report, written, output, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
         print_error("no member is an answer; sweep.csv has the reason of each")
         raise typer.Exit(UNTRUSTED)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from softcat_sym import drawing
 from softcat_sym.cli.application import (
     UNTRUSTED,
     FreshOption,
@@ -14,6 +15,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     commands,
     output_directory,
+    present,
     print_error,
     study,
 )
@@ -44,15 +46,13 @@ def validate(
     chosen = chosen_cases(names)
     output = output_directory(output, "validate")
     from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.plotting.validate import print_validation, write_validation
 
     with study(output, fresh=fresh), StepProgress(len(chosen), "cases", quiet=quiet) as progress:
         validation = compare_with_published(names, progress)
         progress.stage("drawing")
-        written = write_validation(validation, output, shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
-    if not quiet:
-        print_validation(validation)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+        report = drawing.report(validation, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
+        written = report.write(output)
+    present(report, written, output, quiet=quiet)
     for result in validation.failures:
         print_error(f"{result.case.name}: {result.failure}")
     if validation.failures:

@@ -162,7 +162,7 @@ class FittedFilm:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(drawing.Drawable):
     """Result of a fit to measurements.
 
     Attributes
@@ -260,10 +260,6 @@ class Fit:
         """
         return drawing.plot(self, what)
 
-    def figures(self) -> dict[str, Figure]:
-        """Pictures of the fit, by the names of their files."""
-        return drawing.figures(self)
-
     def __repr__(self) -> str:
         lines = [f"Fit {self.scene.title!r}: {self.outcome.name}"]
         for name, one in self.parameters.items():
@@ -271,9 +267,6 @@ class Fit:
             error = f" +- {one.std:.2g}" if one.std is not None else ""
             lines.append(f"{name} = {value}{error} {one.unit}: {one.verdict}")
         return "\n  ".join(lines)
-
-    def _repr_html_(self) -> str:
-        return drawing.html(repr(self), self.plot())
 
     @property
     def notes(self) -> list[str]:

@@ -5,6 +5,6 @@ from softcat_sym.drawing import plot as plot
 DRAWN_IN = {
     "Run": "run", "Fit": "fit", "Posterior": "posterior", "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
     "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "pricing", "WorkPrecision": "accuracy",
-    "Validation": "validate", "Result": "validate",
+    "Validation": "validate", "Result": "validate", "FlowCurveFit": "flow_curve", "Experiment": "design",
 }  # fmt: skip
-"""Module in which the pictures of each result are registered."""
+"""Module in which the pictures and the report of each result are registered."""

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
-from rich.console import Console
 
 from softcat_sym import drawing
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, printable
 from softcat_sym.plotting.terminal import text_table
@@ -112,23 +109,17 @@ def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
     return rows
 
 
-def print_accuracy(found: WorkPrecision, console: Console | None = None) -> None:
-    """Print what each program takes to which error, and what the reference is worth."""
-    terminal = console or Console()
+@drawing.report.register(WorkPrecision)
+def accuracy_report(found: WorkPrecision) -> Report:
+    """What each program takes to which error, and what the reference is worth."""
     header = ("program", *(f"{100 * level:g} %" for level in LEVELS), "us/step", "")
     title = f"{found.scene.title or found.name}: quickest warm solve with at most this error"
-    terminal.print(text_table(header, program_rows(found), title=title))
     lines = [f"No answer: {line}" for line in _refusals(found)]
     lines += [found.sentence, f"Reference: {found.reference.note}."]
-    terminal.print("\n".join(lines), markup=False, highlight=False)
-
-
-def write_accuracy(found: WorkPrecision, directory: str | Path) -> list[Path]:
-    """Write ``accuracy.csv``, ``accuracy.json``, ``accuracy.png`` and ``scene.toml``."""
-    contents = {
-        "accuracy.csv": found.to_frame(),
-        "accuracy.json": found.to_dict(),
-        "accuracy.png": found.figures()["accuracy"],
-        "scene.toml": found.scene.to_toml(),
+    files = {
+        "accuracy.csv": found.to_frame,
+        "accuracy.json": found.to_dict,
+        "accuracy.png": found.plot,
+        "scene.toml": found.scene.to_toml,
     }
-    return write_results(directory, contents)
+    return Report(files, [text_table(header, program_rows(found), title=title), *lines])

@@ -7,7 +7,7 @@ import math
 from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,12 +15,11 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from rich.console import Console
 from rich.text import Text
 
 from softcat_sym import drawing
+from softcat_sym.drawing import Report
 from softcat_sym.effects.scaling_estimates import yield_stress_of
-from softcat_sym.files import write_results
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.section import Section, outline, quads_outside, section_at, vertical_stretch, yielding_of
@@ -157,29 +156,44 @@ def rule_texts(rule: Rule) -> tuple[str, str, str, str, str]:
     )
 
 
-def print_card(card: Card, console: Console | None = None) -> None:
-    """Print facts and rules; notes are on the page and in the scene, here they would take the room of the rules."""
-    screen = console or Console()
+LIVE = "live.html"
+
+
+@drawing.report.register(Card)
+def card_report(card: Card, command: str = "", live: str = "") -> Report:
+    """Facts and rules, and a page with the picture; a live page beside it if there is its text.
+
+    Notes are on the page and in the scene; on a terminal they would take the room of the rules.
+    """
     sound, sentence = verdict(card)
-    screen.print(Text(card.scene.title or "Filament", style="bold"))
-    screen.print(Text(sentence, style="bold green" if sound else "bold red"))
     rows = [row for row in facts(card) if row[0] != "note"]
     styles = ["yellow" if name == "warning" else "" for name, _ in rows]
     plain: dict[str, Any] = {"whole": (0,), "box": None, "padding": (0, 1, 0, 0)}
-    screen.print(text_table(("", ""), rows, styles=styles, **plain))
+    shown: list[Any] = [Text(sentence, style="bold green" if sound else "bold red")]
+    shown.append(text_table(("", ""), rows, styles=styles, **plain))
     applied = [rule for rule in card.rules if rule.predicted is not None]
     if applied:
         cells = [(rule.name, *rule_texts(rule)[1:]) for rule in applied]
         looks: dict[str, Any] = {"padding": (0, 1, 0, 0), "show_edge": False}
         styles = ["green" if rule.holds else "" for rule in applied]
-        screen.print(text_table(RULE_HEADINGS, cells, right=_NUMBERS, whole=_NUMBERS, styles=styles, **looks))
+        shown.append(text_table(RULE_HEADINGS, cells, right=_NUMBERS, whole=_NUMBERS, styles=styles, **looks))
     idle: dict[str, list[str]] = {}
     for rule in card.rules:
         if rule.predicted is None:
             idle.setdefault(rule.text, []).append(rule.name)
     for why, names in idle.items():
         listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
-        screen.print(Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim"))
+        shown.append(Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim"))
+    figure = None if card.descent is None else card_figure(card)
+    files = {
+        "card.html": partial(card_page, card, figure, command, LIVE if live else ""),
+        "card.json": card.to_dict,
+        "card.csv": card.to_frame,
+        "scene.toml": card.scene.to_toml,
+        "card.png": figure,
+        LIVE: live or None,
+    }
+    return Report(files, shown, card.scene.title or "Filament")
 
 
 _TALLEST, _FLATTEST, _LOW = 1.7, 0.55, 2.1
@@ -305,7 +319,7 @@ def _draw_exponents(axes: Axes, card: Card) -> None:
     axes.set_title(f"longest span for {printable(card.limit, 12)}", fontsize=8.5, loc="left")
 
 
-def card_page(card: Card, picture: bytes | None, command: str = "", live: str = "") -> bytes:
+def card_page(card: Card, figure: Figure | None, command: str = "", live: str = "") -> bytes:
     """Write the page, with a link to a live one if there is such a file."""
     sound, sentence = verdict(card)
     kinds = ["holds" if rule.holds else "idle" if rule.predicted is None else "" for rule in card.rules]
@@ -316,7 +330,7 @@ def card_page(card: Card, picture: bytes | None, command: str = "", live: str = 
         is_sound=sound,
         verdict=sentence,
         numbers=list(_headline(card)),
-        picture=None if picture is None else b64encode(picture).decode(),
+        picture=None if figure is None else b64encode(png(figure, titled=False)).decode(),
         facts=facts(card),
         headings=RULE_HEADINGS,
         rules=list(zip(kinds, map(rule_texts, card.rules), strict=True)),
@@ -341,22 +355,3 @@ def _headline(card: Card) -> Iterator[tuple[str, str]]:
         yield length_unit(without).text(without), "without surface tension"
     if card.error_estimate is not None:
         yield f"{100 * card.error_estimate:.2g} %", "estimated error"
-
-
-LIVE = "live.html"
-
-
-def write_card(card: Card, directory: str | Path, command: str = "", live: str = "") -> list[Path]:
-    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``; a live page, too."""
-    figure = card.figures().get("card")
-    contents = {
-        "card.html": card_page(
-            card, None if figure is None else png(figure, titled=False), command, LIVE if live else ""
-        ),
-        "card.json": card.to_dict(),
-        "card.csv": card.to_frame(),
-        "scene.toml": card.scene.to_toml(),
-        "card.png": figure,
-        **({LIVE: live.encode()} if live else {}),
-    }
-    return write_results(directory, contents)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
+from functools import partial
 from typing import Any
 
 import matplotlib
@@ -16,12 +16,10 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from rich.console import Console
-from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.files import write_all, write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.section import node_angles
 from softcat_sym.plotting.style import headed, legend, secondary_scale
@@ -64,7 +62,6 @@ def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]
 
 
 drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.drawn(_drawers(of), what, of))
-drawing.figures.register(Comparison, lambda of: {name: draw(of) for name, draw in _drawers(of).items()})
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
@@ -373,9 +370,10 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
     return found
 
 
-def print_comparison(comparison: Comparison, console: Console | None = None) -> None:
-    """Print the table of errors and costs, each run that is not to be trusted, and every warning."""
-    screen, run, rows = console or Console(), comparison.reference, comparison.rows
+@drawing.report.register(Comparison)
+def comparison_report(comparison: Comparison) -> Report:
+    """The table of errors and costs, each run that is not to be trusted, and every warning."""
+    run, rows = comparison.reference, comparison.rows
     span = comparison.scene.filament.span
     times = [run.time[frame] / run.elastic_time for frame in moments(len(run.time))]
     names = [*(f"error at t = {time:.4g}" for time in times), "mean error", "largest error"]
@@ -395,13 +393,16 @@ def print_comparison(comparison: Comparison, console: Console | None = None) -> 
     ours = "filament" if comparison.engine == "elements" else "ours"
     caption = f"errors in %: ({ours} − {theirs[0]})/max |{theirs[0]}|, midpoint; t in L √(ρ/E)"
     title = comparison.scene.title or "Filament"
-    screen.print(
-        text_table(header, lines, title=title, caption=caption, right=range(1, len(header)), whole=range(len(lines)))
-    )
+    right, whole = range(1, len(header)), range(len(lines))
+    table = text_table(header, lines, title=title, caption=caption, right=right, whole=whole)
     runs = [(row.name, row.trajectory.outcome) for row in rows if row.name != "elements"]
     remarks = [f"{name}: {outcome.name}; {outcome.value}" for name, outcome in runs if not outcome.is_success]
-    for text in (*remarks, *(f"warning: {text}" for text in comparison.warnings)):
-        screen.print(Text(text))
+    files: dict[str, object] = {"compare.json": comparison.to_dict, "scene.toml": comparison.scene.to_toml}
+    files |= {name: partial(draw, comparison) for name, draw in _drawers(comparison).items()}
+    files |= tables(comparison)
+    if isinstance(run, CalculixRun):
+        files |= {f"{CALCULIX}/{name}": content for name, content in run.files.items()}
+    return Report(files, [table, *remarks, *(f"warning: {text}" for text in comparison.warnings)])
 
 
 def _ratio(value: float) -> str:
@@ -412,12 +413,3 @@ def _percent(error: float) -> str:
     if not math.isfinite(error):
         return "–"
     return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"
-
-
-def write_comparison(comparison: Comparison, directory: str | Path) -> list[Path]:
-    """Write ``compare.json``, ``scene.toml``, pictures and tables; of CalculiX its deck and print-outs, too."""
-    contents = {"compare.json": comparison.to_dict(), "scene.toml": comparison.scene.to_toml()}
-    written = write_results(directory, {**contents, **comparison.figures(), **tables(comparison)})
-    if isinstance(comparison.reference, CalculixRun):
-        written += write_all(Path(directory) / CALCULIX, comparison.reference.files)
-    return written

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
+from softcat_sym import drawing
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_figures import plain
 from softcat_sym.plotting.style import plain_log
@@ -28,6 +29,7 @@ _LABELS = {
 }
 
 
+@drawing.plot.register(Experiment)
 def experiment_figure(experiment: Experiment) -> Figure:
     """Draw the trials over two design variables, those that were open to choice first; colour is the worst error."""
     tried = experiment.tried
@@ -83,21 +85,18 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
     return figure
 
 
-def write_experiment(experiment: Experiment, directory: str | Path, critical: CriticalSpan | None = None) -> list[Path]:
-    """Write ``experiment.json``, ``scene.toml`` (the best experiment), ``experiment.csv`` and ``experiment.png``."""
-    document = experiment.to_dict() | ({} if critical is None else {"critical_span": critical.to_dict()})
-    contents: dict[str, object] = {
+@drawing.report.register(Experiment)
+def experiment_report(experiment: Experiment, critical: CriticalSpan | None = None) -> Report:
+    """The experiment in sentences, with the scene of the best one; and the critical span that was asked for too."""
+    document, texts = experiment.to_dict(), experiment.text
+    files = {
         "experiment.json": document,
-        "scene.toml": experiment.scene.to_toml(),
-        "experiment.csv": experiment.to_frame().to_csv(index=False, lineterminator="\n"),
-        "experiment.png": experiment_figure(experiment),
+        "scene.toml": experiment.scene.to_toml,
+        "experiment.csv": experiment.to_frame,
+        "experiment.png": partial(experiment_figure, experiment),
     }
     if critical is not None:
-        contents["critical_span.png"] = critical_span_figure(critical)
-        contents["critical_span.csv"] = critical.to_frame().to_csv(index=False, lineterminator="\n")
-    written = write_results(directory, contents)
-    for name in ("critical_span.png", "critical_span.csv"):
-        # Of an earlier design in the same folder.
-        if name not in contents:
-            (Path(directory) / name).unlink(missing_ok=True)
-    return written
+        document["critical_span"], texts = critical.to_dict(), (*texts, *critical.text)
+        files["critical_span.png"] = partial(critical_span_figure, critical)
+        files["critical_span.csv"] = critical.to_frame
+    return Report(files, texts, stale=("critical_span.png", "critical_span.csv"))

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from base64 import b64encode
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rich.console import Console
+from rich.console import RenderableType
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.files import json_bytes, write_results
+from softcat_sym.drawing import Report
+from softcat_sym.files import json_bytes
 from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
@@ -46,31 +45,28 @@ _NUMBERS, _LAW_NUMBERS = (1, 2, 4), (1, 2, 3, 4, 5, 7)
 """Columns of the tables that are numbers."""
 
 
-def print_laws(found: LawComparison, console: Console | None = None) -> None:
-    """Print the ranking of several laws, the verdict, and the constants of each law."""
-    screen = console or Console()
+def _of_laws(found: LawComparison) -> list[RenderableType]:
+    """The ranking of several laws, the verdict, and the constants of each law."""
     rows = [law_texts(found, row) for row in found.choice.table]
     styles = ["" if row.law.name in found.choice.close else "dim" for row in found.choice.table]
     title, numbers = f"Which law: {found.sentence}", _LAW_NUMBERS
-    screen.print(text_table(LAW_HEADINGS, rows, title=title, right=numbers, styles=styles, padding=(0, 1, 0, 0)))
-    for text in law_remarks(found):
-        screen.print(Padding(Text(text), (0, 0, 0, 1)))
-    screen.print()
+    table = text_table(LAW_HEADINGS, rows, title=title, right=numbers, styles=styles, padding=(0, 1, 0, 0))
+    return [table, *(Padding(Text(text), (0, 0, 0, 1)) for text in law_remarks(found)), ""]
 
 
-def print_collapse(test: CollapseTest, console: Console | None = None) -> None:
-    """Print what every gap of a collapse test shows."""
+def _of_gaps(test: CollapseTest) -> RenderableType:
+    """What every gap of a collapse test shows."""
     rows = [gap_texts(one) for one in test.results]
     title, numbers = "Collapse test: every gap", tuple(range(len(GAP_HEADINGS)))
-    (console or Console()).print(text_table(GAP_HEADINGS, rows, title=title, right=numbers, padding=(0, 1, 0, 0)))
+    return text_table(GAP_HEADINGS, rows, title=title, right=numbers, padding=(0, 1, 0, 0))
 
 
-def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | None = None) -> None:
-    """Print parameters, outcome, warnings and diagnostics of a fit."""
-    screen, parameters = console or Console(), list(fit.parameters.values())
+def _of_fit(fit: Fit, posterior: Posterior | None = None) -> list[RenderableType]:
+    """Parameters, outcome, warnings and diagnostics of a fit."""
+    parameters = list(fit.parameters.values())
     texts, title = [parameter_texts(one) for one in parameters], fit.scene.title or "Filament"
     styles = ["" if one.verdict == "identified" else "yellow" for one in parameters]
-    screen.print(text_table(HEADINGS, texts, title=title, right=_NUMBERS, styles=styles, padding=(0, 1, 0, 0)))
+    table = text_table(HEADINGS, texts, title=title, right=_NUMBERS, styles=styles, padding=(0, 1, 0, 0))
     rows = [("outcome", f"{fit.outcome.word}: {fit.outcome.value}")]
     rows += [(one.name, one.reason) for one in parameters if one.reason]
     rows += [("identified", text) for text in fit.combinations]
@@ -86,12 +82,12 @@ def print_fit(fit: Fit, console: Console | None = None, posterior: Posterior | N
     colours = {"outcome": "bold", "warning": "yellow"}
     for name, text in rows:
         below.add_row(Text(name), Text(text, style=colours.get(name, "")))
-    screen.print(below)
+    return [table, below]
 
 
 def fit_page(
     fit: Fit,
-    pictures: Mapping[str, tuple[str, bytes]],
+    pictures: Mapping[str, tuple[str, Figure]],
     command: str = "",
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
@@ -120,50 +116,45 @@ def fit_page(
         remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
         basis=[*([] if posterior is None else posterior_texts(posterior)), *basis(fit)],
         features=[(film.name, feature_texts(film)) for film in fit.films if film.of_midpoint.any()],
-        pictures=[(name.removesuffix(".png"), what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
+        pictures=[(name, what, b64encode(png(one)).decode()) for name, (what, one) in pictures.items()],
         command=command,
     )
 
 
-# Files that only some fits write: those of an earlier fit in the same folder are removed.
-_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws|posterior|collapse)\.png|laws\.csv|posterior\.nc")
+_SOMETIMES = ("features", "features_*", "profiles", "correlation", "laws", "posterior", "collapse")
+"""Pictures that only some fits have."""
 
 
-def write_fit(
+@drawing.report.register(Fit)
+def fit_report(
     fit: Fit,
-    directory: str | Path,
     command: str = "",
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
     collapse: CollapseTest | None = None,
-) -> list[Path]:
-    """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``.
-
-    With several laws it also writes ``laws.csv``, with a posterior ``posterior.nc``.
-    """
-    pictures = fit_pictures(fit)
+) -> Report:
+    """The fit with its pictures and a page, beside it the laws that were compared, draws, and a collapse test."""
+    drawn = captioned_figures(fit)
     if laws is not None:
-        pictures["laws.png"] = ("residuals of every law, the best law first", png(laws_figure(laws)))
+        drawn["laws"] = ("residuals of every law, the best law first", laws_figure(laws))
     if posterior is not None:
-        pictures["posterior.png"] = ("draws of the posterior, best fit and intervals", png(posterior.plot(fit)))
+        drawn["posterior"] = ("draws of the posterior, best fit and intervals", posterior.plot(fit))
     if collapse is not None:
-        pictures["collapse.png"] = ("the levelled contour and the fitted filaments", png(collapse_figure(collapse)))
+        drawn["collapse"] = ("the levelled contour and the fitted filaments", collapse_figure(collapse))
     beside = {"laws": laws, "posterior": posterior, "collapse_test": collapse}
     facts = fit.to_dict() | {name: one.to_dict() for name, one in beside.items() if one is not None}
-    contents = {
+    files: dict[str, object] = {
         "fit.json": json_bytes(facts, is_ascii=False),
         "scene.toml": fitted_toml(fit),
-        "fit.csv": fit.to_frame().to_csv(index=False),
-        "laws.csv": None if laws is None else laws.to_frame().to_csv(index=False),
-        **{name: picture for name, (_, picture) in pictures.items()},
-        "posterior.nc": None if posterior is None else posterior.to_bytes(),
-        "fit.html": fit_page(fit, pictures, command, laws, posterior, collapse),
+        "fit.csv": fit.to_frame,
+        "laws.csv": None if laws is None else laws.to_frame,
+        **{f"{name}.png": figure for name, (_, figure) in drawn.items()},
+        "posterior.nc": None if posterior is None else posterior.to_bytes,
+        "fit.html": lambda: fit_page(fit, drawn, command, laws, posterior, collapse),
     }
-    written = write_results(directory, contents)
-    for path in Path(directory).iterdir():
-        if _SOMETIMES.fullmatch(path.name) and path not in written:
-            path.unlink()
-    return written
+    texts = [*([] if laws is None else _of_laws(laws)), *_of_fit(fit, posterior)]
+    texts += [] if collapse is None else [_of_gaps(collapse)]
+    return Report(files, texts, stale=("laws.csv", "posterior.nc", *(f"{name}.png" for name in _SOMETIMES)))
 
 
 _CAPTIONS = {
@@ -174,13 +165,7 @@ _CAPTIONS = {
 }
 
 
-def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
-    """Names of files with captions and pictures."""
-    return {f"{name}.png": (caption, png(figure)) for name, (caption, figure) in captioned_figures(fit).items()}
-
-
 drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, what, fit))
-drawing.figures.register(Fit, lambda fit: {name: figure for name, (_, figure) in captioned_figures(fit).items()})
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, NullLocator, StrMethodFormatter
+from rich.text import Text
 
-from softcat_sym.files import write_results
-from softcat_sym.fitting.flow_curve import CONVERSION, Floats
+from softcat_sym import drawing
+from softcat_sym.drawing import Report
+from softcat_sym.fitting.flow_curve import CONVERSION, Candidate, Floats, FlowCurveFit
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-    from rich.console import Console
     from rich.table import Table
 
-    from softcat_sym.fitting.flow_curve import Candidate, FlowCurveFit
     from softcat_sym.fitting.identifiability import Estimate
     from softcat_sym.scene.scene import Scene
 
@@ -32,6 +33,7 @@ _LOOKS: dict[str, tuple[str, Any, str]] = {
 }
 
 
+@drawing.plot.register(FlowCurveFit)
 def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
     curve = fit.curve
@@ -72,8 +74,6 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
 
 def _log(axes: Axes, which: Literal["x", "y"], values: Floats) -> None:
     """Make an axis logarithmic, with a little room and ticks written as plain numbers."""
-    from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, NullLocator, StrMethodFormatter
-
     low, high = float(np.log10(values.min())), float(np.log10(values.max()))
     room = max(0.04 * (high - low), 0.02)
     axes.set(**{f"{which}scale": "log"})
@@ -121,25 +121,13 @@ def _with_interval(constant: Estimate | None) -> str:
     return f"{significant(constant.value)} ± {constant.half_width:.2g}"
 
 
-def print_flow_curve(fit: FlowCurveFit, console: Console | None = None) -> None:
-    """Print the table and the warnings."""
-    from rich.console import Console
-    from rich.text import Text
-
-    screen = console or Console()
-    screen.print(flow_curve_table(fit))
-    for text in fit.warnings:
-        screen.print(Text(f"warning: {text}", style="yellow"))
-
-
-def write_flow_curve(
-    fit: FlowCurveFit, directory: str | Path, law: str | None = None, scene: Scene | None = None
-) -> list[Path]:
-    """Write ``flow_curve.json``, ``flow_curve.csv``, ``flow_curve.png`` and, of a scene, ``scene.toml``."""
-    contents = {
-        "flow_curve.json": fit.to_dict(law),
-        "flow_curve.csv": fit.to_frame().to_csv(index=False, lineterminator="\n"),
-        "flow_curve.png": flow_curve_figure(fit),
-        "scene.toml": None if scene is None else scene.to_toml(),
+@drawing.report.register(FlowCurveFit)
+def flow_curve_report(fit: FlowCurveFit, law: str | None = None, scene: Scene | None = None) -> Report:
+    """The candidates and the warnings; with the scene that gets the fitted law."""
+    files = {
+        "flow_curve.json": partial(fit.to_dict, law),
+        "flow_curve.csv": fit.to_frame,
+        "flow_curve.png": partial(flow_curve_figure, fit),
+        "scene.toml": None if scene is None else scene.to_toml,
     }
-    return write_results(directory, contents)
+    return Report(files, [flow_curve_table(fit), *(Text(f"warning: {t}", style="yellow") for t in fit.warnings)])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -12,11 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from rich.console import Console
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
@@ -62,7 +60,6 @@ def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
 
 
 drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.drawn(_drawers(of), what))
-drawing.figures.register(PhaseDiagram, lambda of: {name: draw() for name, draw in _drawers(of).items()})
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
@@ -196,9 +193,10 @@ def _places(sheet: PhaseSheet, runs: list[PhaseRun]) -> tuple[list[float], list[
 _HEADER = ("boundary of the runs", "against the line", "source", "rows", "off by")
 
 
-def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -> None:
-    """Print a table and a sentence for each plane, and the strains of the paper's continual descent."""
-    out = console or Console()
+@drawing.report.register(PhaseDiagram)
+def phase_report(diagram: PhaseDiagram) -> Report:
+    """A table and a sentence for each plane, and the strains of the paper's continual descent."""
+    shown: list[Any] = []
     for sheet in diagram.sheets:
         rows = [
             (
@@ -211,7 +209,6 @@ def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -
             for distance in sheet.distances
         ]
         title = f"boundaries over {sheet.plane.name}: G of the runs against the lines"
-        out.print(text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)))
         again = sheet.runs - len(sheet.points)
         saved = (
             f"{sheet.plane.name}: {len(sheet.points)} of {sheet.nodes} filaments run"
@@ -219,14 +216,12 @@ def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -
             f"({sheet.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time. "
             f"{', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
         )
-        out.print(saved, markup=False, highlight=False)
-    out.print(diagram.strain_caption, markup=False, highlight=False)
-
-
-def write_phase_diagram(diagram: PhaseDiagram, directory: str | Path) -> list[Path]:
-    """Write ``phase.json``, ``scene.toml``, three tables and two pictures for each plane."""
-    tables = {"runs": diagram.to_frame(), "boundaries": diagram.boundaries(), "lines": diagram.lines()}
-    contents: dict[str, object] = {"phase.json": diagram.to_dict(), "scene.toml": diagram.scene.to_toml()}
-    contents |= {f"phase_{name}.csv": table.to_csv(index=False, lineterminator="\n") for name, table in tables.items()}
-    contents |= {f"phase_{name}.png": figure for name, figure in diagram.figures().items()}
-    return write_results(directory, contents)
+        shown += [text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)), saved]
+    tables = {"runs": diagram.to_frame, "boundaries": diagram.boundaries, "lines": diagram.lines}
+    files = {
+        "phase.json": diagram.to_dict,
+        "scene.toml": diagram.scene.to_toml,
+        **{f"phase_{name}.csv": table for name, table in tables.items()},
+        **{f"phase_{name}.png": draw for name, draw in _drawers(diagram).items()},
+    }
+    return Report(files, [*shown, diagram.strain_caption])

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
-from rich.console import Console
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
@@ -123,9 +121,9 @@ def remarks(pricing: Pricing) -> list[str]:
     return found
 
 
-def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
-    """Print the table, the remarks and the sentence."""
-    screen = console or Console()
+@drawing.report.register(Pricing)
+def pricing_report(pricing: Pricing) -> Report:
+    """The table of effects, the remarks and the sentence."""
     names = ("effect", "", "change", "own", "expected", "un-\nknowns", "instruc-\ntions", "time")
     rows = []
     for row in (*pricing.rows, pricing.everything):
@@ -135,18 +133,11 @@ def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
         costs = ["–" if value is None else f"{value:.2g}" if value < 100 else f"{value:.0f}" for value in ratios]
         rows.append((row.effect, side, *amounts, *costs))
     looks: dict[str, Any] = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
-    screen.print(text_table(names, rows, title=pricing.scene.title or "Filament", caption=_CAPTION, **looks))
-    for text in remarks(pricing):
-        screen.print(Text(text, style="dim"))
-    screen.print(Text(f"{pricing.reading}."))
-
-
-def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
-    """Write ``effects.json``, ``effects.csv``, ``effects.png`` and ``scene.toml``."""
-    contents = {
-        "effects.json": pricing.to_dict(),
-        "effects.csv": pricing.to_frame(),
-        "effects.png": pricing.figures()["effects"],
-        "scene.toml": pricing.scene.to_toml(),
+    table = text_table(names, rows, title=pricing.scene.title or "Filament", caption=_CAPTION, **looks)
+    files = {
+        "effects.json": pricing.to_dict,
+        "effects.csv": pricing.to_frame,
+        "effects.png": pricing.plot,
+        "scene.toml": pricing.scene.to_toml,
     }
-    return write_results(directory, contents)
+    return Report(files, [table, *(Text(text, style="dim") for text in remarks(pricing)), f"{pricing.reading}."])

@@ -22,6 +22,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym import drawing
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
@@ -570,10 +571,6 @@ FIGURES = {
     "space-time": space_time_figure,
 }
 
-drawing.figures.register(
-    Run, lambda run: {what: draw(run.fields, run.summary, run.scene) for what, draw in FIGURES.items()}
-)
-
 
 @drawing.plot.register(Run)
 def _of_run(run: Run, what: str = "midpoint", radius: float = 1.0) -> Figure:
@@ -585,17 +582,21 @@ def figures_with(radius: float) -> dict[str, Callable[..., Figure]]:
     return {**FIGURES, "shapes": partial(shapes_figure, radius=radius)}
 
 
-def pictures(
-    data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN, radius: float = 1.0
-) -> dict[str, object]:
+@drawing.report.register(Run)
+def run_report(run: Run, name: str = style.SCREEN, radius: float = 1.0) -> Report:
     """Midpoint, shapes, energy and space-time as PNG, for print as PDF too, and ``midpoint.csv``."""
-    contents: dict[str, object] = {}
+    files: dict[str, object] = {}
     for what, draw in figures_with(radius).items():
-        figure = draw(data, summary, scene, name)
+        of = partial(draw, run.fields, run.summary, run.scene, name)
         if name == style.SCREEN:
-            contents[f"{what}.png"] = figure
+            files[f"{what}.png"] = of
         else:
             with styled_for(name):
-                contents |= style.printed(what, figure, DPI)
-    table = midpoint_table(data, summary)
-    return {**contents, "midpoint.csv": csv_bytes(table, zip(*table.values(), strict=True))}
+                files |= style.printed(what, of(), DPI)
+    return Report({**files, "midpoint.csv": partial(midpoint_csv, run)})
+
+
+def midpoint_csv(run: Run) -> bytes:
+    """The midpoint over time; what is refused says so in every row."""
+    table = midpoint_table(run.fields, run.summary)
+    return csv_bytes(table, zip(*table.values(), strict=True))

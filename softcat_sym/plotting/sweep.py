@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -16,11 +17,10 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from rich import box
-from rich.console import Console
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
@@ -95,20 +95,9 @@ def _plain(axis: Axis, values: Floats) -> None:
     style.plain_log(axis, subs=(1, 2, 5) if len(known) and np.max(known) < 30 * np.min(known) else None)
 
 
-def write_sweep(sweep: Sweep, directory: str | Path) -> list[Path]:
-    """Write ``sweep.json``, ``scene.toml``, ``sweep.png`` and, with shapes, ``sliders.html``."""
-    has_page = sweep.plan.shapes and sweep.counts.outcomes.get("solved")
-    contents = {
-        "sweep.json": sweep.to_dict(),
-        "scene.toml": sweep.plan.scene.to_toml(),
-        "sweep.png": sweep_figure(sweep),
-        "sliders.html": sliders_page(sweep.data, _title(sweep)) if has_page else None,
-    }
-    return write_results(directory, contents)
-
-
-def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
-    """Print how members ended as a table."""
+@drawing.report.register(Sweep)
+def sweep_report(sweep: Sweep) -> Report:
+    """How the members ended, a picture, and a page with sliders of their shapes."""
     plan, counts, ran = sweep.plan, sweep.counts, len(sweep) - sweep.resumed
     sizes = [str(len(axis.values)) for axis in plan.axes]
     how = {
@@ -118,21 +107,25 @@ def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
         "table": "rows of a table",
     }[plan.mode]
     before = f", {sweep.resumed} of them from before" if sweep.resumed else ""
-    rows = [("members", f"{len(sweep)} ({how}){before}")]
-    shares = [(name, f"{count} ({count / len(sweep):.0%})") for name, count in counts.outcomes.most_common()]
-    rows += [(f"  {name}", share) for name, share in shares]
-    rows.append(("grid", sweep.centre.words))
-    if counts.regimes:
-        rows.append(("regimes", ""))
-    rows += [
-        (f"  {_words(name)}", f"{count} ({count / len(sweep):.0%})") for name, count in counts.regimes.most_common()
-    ]
+
+    def shares(found: Counter[str]) -> list[tuple[str, str]]:
+        return [(f"  {_words(name)}", f"{n} ({n / len(sweep):.0%})") for name, n in found.most_common()]
+
+    rows = [("members", f"{len(sweep)} ({how}){before}"), *shares(counts.outcomes), ("grid", sweep.centre.words)]
+    rows += [("regimes", ""), *shares(counts.regimes)] if counts.regimes else []
     if ran:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))
     if sweep.peak_memory:
         rows.append(("peak memory", f"{sweep.peak_memory:.0f} MB"))
     table = text_table(("", ""), rows, title=plan.scene.title or "sweep", box=box.SIMPLE, padding=(0, 1, 0, 0))
-    (console or Console()).print(table)
+    has_page = plan.shapes and counts.outcomes.get("solved")
+    files = {
+        "sweep.json": sweep.to_dict,
+        "scene.toml": plan.scene.to_toml,
+        "sweep.png": partial(sweep_figure, sweep),
+        "sliders.html": partial(sliders_page, sweep.data, _title(sweep)) if has_page else None,
+    }
+    return Report(files, [table])
 
 
 def _title(sweep: Sweep) -> str:

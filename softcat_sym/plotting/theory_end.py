@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,11 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from rich.console import Console
-from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
@@ -183,24 +180,19 @@ def remarks(end: TheoryEnd) -> list[str]:
     return [*texts, *(f"warning: {text}" for text in warnings)]
 
 
-def print_theory_end(end: TheoryEnd, console: Console | None = None) -> None:
-    """Print the tables and the remarks."""
-    screen = console or Console()
+@drawing.report.register(TheoryEnd)
+def theory_end_report(end: TheoryEnd) -> Report:
+    """The tables of errors, costs and limits, and the remarks."""
+    shown = []
     for title, header, rows in tables(end):
         looks: dict[str, Any] = {"right": range(2, len(header)), "whole": range(9), "padding": (0, 1, 0, 0)}
-        screen.print(text_table(header, rows, title=title, title_style="none", **looks))
-    for text in remarks(end):
-        screen.print(Text(text))
-
-
-def write_theory_end(end: TheoryEnd, directory: str | Path) -> list[Path]:
-    """Write ``compare.json``, ``scene.toml``, the chart and the tables of errors, costs and limits."""
-    contents = {
-        "compare.json": end.to_dict(),
-        "scene.toml": end.scene.to_toml(),
-        "compare_vary.png": end.figures()["compare_vary"],
-        "compare_vary_errors.csv": end.to_frame(),
-        "compare_vary_cost.csv": end.costs(),
-        "compare_vary_limit.csv": end.limit_table() if end.limits else None,
+        shown.append(text_table(header, rows, title=title, title_style="none", **looks))
+    files = {
+        "compare.json": end.to_dict,
+        "scene.toml": end.scene.to_toml,
+        "compare_vary.png": end.plot,
+        "compare_vary_errors.csv": end.to_frame,
+        "compare_vary_cost.csv": end.costs,
+        "compare_vary_limit.csv": end.limit_table if end.limits else None,
     }
-    return write_results(directory, contents)
+    return Report(files, [*shown, *remarks(end)])

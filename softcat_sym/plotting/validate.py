@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import importlib.metadata
-import textwrap
 from base64 import b64encode
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from rich.console import Console
+from rich.console import RenderableType
+from rich.padding import Padding
+from rich.table import Column, Table
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.files import write_results
+from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
@@ -28,8 +28,8 @@ HEADINGS = ("case", "number, source", "published", "ours", "difference", "what m
 _NUMBERS = (2, 3, 4)
 """Columns of the table that are numbers."""
 
-_COLUMN, _WIDEST = 14, 110
-"""Width of a column of numbers, and that of the whole at most [characters]."""
+_COLUMN, _INDENTED = 14, (0, 0, 0, 2)
+"""Width of a column of numbers on a terminal, and the padding of what stands below a case [characters]."""
 
 _LINES = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
 _CLOSE = 300.0
@@ -91,29 +91,24 @@ def summary_of(validation: Validation) -> str:
     return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
 
 
-def print_validation(validation: Validation, console: Console | None = None) -> None:
-    """Print the table, as wide as the screen: a case, its source, its numbers, and what may explain a difference."""
-    screen = console or Console()
-    width = min(screen.width, _WIDEST)
-    room = width - len(_NUMBERS) * _COLUMN
-    head = "".join(f"{HEADINGS[k]:>{_COLUMN}}" for k in _NUMBERS)
-    screen.print(Text(f"{'case, number':{room}}{head}", style="dim"))
-    for result in validation.results:
-        case, why = result.case, _remark(result)
-        screen.print(Text.assemble((case.name, "bold"), f": {case.title} ({case.kind})"))
-        _print_indented(screen, case.source, width, "dim")
-        for row in result.finding.rows if result.finding else ():
-            first, *others = textwrap.wrap(row.quantity, room - 3)
-            numbers = "".join(f"{text:>{_COLUMN}}" for text in _texts(row, case))
-            screen.print(Text(f"  {first:{room - 2}}{numbers}"), soft_wrap=True)
-            _print_indented(screen, " ".join(others), width, "")
-        _print_indented(screen, why, width, "yellow" if result.not_run else "red" if result.failure else "dim")
-    screen.print(Text(f"{summary_of(validation)}; no constant is fitted", style="bold"))
+def _numbers_table(rows: Iterable[tuple[str, ...]]) -> Padding:
+    """A quantity and its numbers a row, the numbers of all cases below each other."""
+    columns = (Column(ratio=1), *(Column(width=_COLUMN, justify="right") for _ in _NUMBERS))
+    table = Table.grid(*columns, expand=True)
+    for row in rows:
+        table.add_row(*map(Text, row))
+    return Padding(table, _INDENTED)
 
 
-def _print_indented(screen: Console, text: str, width: int, look: str) -> None:
-    for line in textwrap.wrap(text, width - 2):
-        screen.print(Text(f"  {line}", style=look))
+def _shown(result: Result) -> Iterator[RenderableType]:
+    """A case on a terminal: its source, its numbers, and what may explain a difference."""
+    case = result.case
+    yield Text.assemble((case.name, "bold"), f": {case.title} ({case.kind})")
+    yield Padding(Text(case.source, style="dim"), _INDENTED)
+    if result.finding:
+        yield _numbers_table((row.quantity, *_texts(row, case)) for row in result.finding.rows)
+    look = "yellow" if result.not_run else "red" if result.failure else "dim"
+    yield Padding(Text(_remark(result), style=look), _INDENTED)
 
 
 @drawing.plot.register(Result)
@@ -229,21 +224,26 @@ def _verdict(row: Row) -> str:
     return "within what is published" if row.agrees else "outside what is published"
 
 
-def write_validation(validation: Validation, directory: str | Path, command: str = "") -> list[Path]:
-    """Write ``validation.html``, ``.json``, ``.csv``, ``.png``, and a picture and the scenes of each case.
-
-    The picture of all differences is left out where there is none.
-    """
-    figures = validation.figures()
-    scenes = dict.fromkeys(name for result in validation.results for name in result.case.scenes)
-    contents: dict[str, object] = {
-        "validation.html": validation_page(
+@drawing.report.register(Validation)
+def validation_report(validation: Validation, command: str = "") -> Report:
+    """All cases with their numbers; a picture and the scenes of each, and a page with all of them."""
+    results = validation.results
+    figures = {
+        one.case.name: case_figure(one)
+        for one in results
+        if one.finding is not None and one.finding.picture is not None
+    }
+    scenes = dict.fromkeys(name for result in results for name in result.case.scenes)
+    files: dict[str, object] = {
+        "validation.html": lambda: validation_page(
             validation, {name: png(one, titled=False) for name, one in figures.items()}, command
         ),
-        "validation.json": validation.to_dict(),
-        "validation.csv": validation.to_frame(),
-        "validation.png": validation.plot() if _relative(validation) else None,
+        "validation.json": validation.to_dict,
+        "validation.csv": validation.to_frame,
+        "validation.png": validation.plot if _relative(validation) else None,
         **{f"{name}.png": figure for name, figure in figures.items()},
-        **{f"{name}.toml": published_scene(name).to_toml() for name in scenes},
+        **{f"{name}.toml": published_scene(name).to_toml for name in scenes},
     }
-    return write_results(directory, contents)
+    header = _numbers_table([("case, number", *(HEADINGS[k] for k in _NUMBERS))])
+    summary = Text(f"{summary_of(validation)}; no constant is fitted", style="bold")
+    return Report(files, [header, *(line for result in results for line in _shown(result)), summary])

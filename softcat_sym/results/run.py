@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -91,10 +91,10 @@ class WrittenRun:
     files: tuple[Path, ...]  # In the order of interest
     summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
-    def joined_by(self, directory: str | Path, contents: Callable[[], Mapping[str, object]]) -> WrittenRun:
+    def joined_by(self, directory: str | Path, contents: Mapping[str, object]) -> WrittenRun:
         """Write more beside it; the summary states how long all but itself took."""
         began = perf_counter()
-        files = write_results(directory, contents())
+        files = write_results(directory, contents)
         spent, wall = perf_counter() - began, self.summary["wall_s"]
         wall = {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}
         summary = {**self.summary, "wall_s": wall}
@@ -103,7 +103,7 @@ class WrittenRun:
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class Run(drawing.Drawable):
     """A finished run.
 
     Attributes
@@ -268,10 +268,6 @@ class Run:
         """
         return drawing.plot(self, what, radius)
 
-    def figures(self) -> dict[str, Figure]:
-        """All pictures of the run, by name."""
-        return drawing.figures(self)
-
     def to_frame(self) -> pd.DataFrame:
         """What ``midpoint.csv`` holds."""
         import pandas as pd
@@ -282,12 +278,9 @@ class Run:
         """What ``summary.json`` holds."""
         return self.summary
 
-    def _repr_html_(self) -> str:
-        return drawing.html(repr(self), self.plot())
-
     def files(self) -> dict[str, Any]:
         """What a folder of the run holds, pictures apart."""
-        return {"trajectory.nc": self.to_netcdf(), "summary.json": self.summary, "scene.toml": self.scene.to_toml()}
+        return {"trajectory.nc": self.to_netcdf, "summary.json": self.summary, "scene.toml": self.scene.to_toml}
 
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.
@@ -301,7 +294,7 @@ class Run:
 
     def written(self, directory: str | Path) -> WrittenRun:
         """Write as :meth:`save` does; the summary states how long all but itself took."""
-        return WrittenRun((), self.summary).joined_by(directory, self.files)
+        return WrittenRun((), self.summary).joined_by(directory, self.files())
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``."""

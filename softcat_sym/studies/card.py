@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
-from softcat_sym import drawing
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight_stress, yield_stress_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
@@ -35,8 +35,6 @@ from softcat_sym.studies.card_rules import (
 from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from softcat_sym.scene.reading import SceneLike
 
 _GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
@@ -136,7 +134,7 @@ def _number(text: str) -> object:
 
 
 @dataclass(frozen=True, eq=False)
-class Card:
+class Card(Drawable):
     """Content of the page on a spanning filament.
 
     Attributes
@@ -233,17 +231,8 @@ class Card:
         columns = ["rule", "source", "quantity", "unit", "predicted", "solver", "error", "error_bare"]
         return frame.rename(columns=names).reindex(columns=[*columns, "what_makes_it_fail"])
 
-    def figures(self) -> dict[str, Figure]:
-        """Figure of the final shape, the descent with the rules, and the exponents; none if the run has one frame."""
-        return {} if self.descent is None else {"card": self.plot()}
-
-    def plot(self) -> Figure:
-        """Draw the final shape, the descent and the rules beside it."""
-        return drawing.plot(self)
-
-    def _repr_html_(self) -> str:
-        text = f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}"
-        return drawing.html(text, self.plot())
+    def __repr__(self) -> str:
+        return f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}"
 
 
 LIMIT = "5 %"

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import pandas as pd
 
-from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.files import folder_of
 from softcat_sym.reference.calculix import STEP, CalculixRun, require_calculix, run_calculix
@@ -25,7 +25,6 @@ from softcat_sym.store import Form, key_of, packed, stored, unpacked
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.figure import Figure
 
     from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
@@ -99,7 +98,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Drawable):
     """A scene as finite elements and as filaments."""
 
     scene: Scene
@@ -171,10 +170,6 @@ class Comparison:
                 **{row.key: [*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest] for row in self.rows},
             }
         )
-
-    def figures(self) -> dict[str, Figure]:
-        """Pictures by their file names."""
-        return drawing.figures(self)
 
 
 def _midpoints(time: Floats, midpoint: Floats) -> dict[str, Any]:

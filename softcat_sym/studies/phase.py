@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
 from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
@@ -49,7 +49,6 @@ from softcat_sym.studies.phase_runs import (
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.figure import Figure
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
 Source = Literal["paper", "exact", "estimate"]
@@ -337,7 +336,7 @@ class PhaseSheet:
 
 
 @dataclass(frozen=True)
-class PhaseDiagram:
+class PhaseDiagram(Drawable):
     """Phase diagrams over one or more planes."""
 
     scene: Scene  # The common part of all filaments
@@ -408,10 +407,6 @@ class PhaseDiagram:
                 about |= {"equation": line.equation, "other": sheet.plane.y.key}
                 tables.append(pd.DataFrame({**about, "other_value": line.other, "G": line.G}))
         return pd.concat(tables)
-
-    def figures(self) -> dict[str, Figure]:
-        """Regimes and local strains over each plane."""
-        return drawing.figures(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``phase.json``."""

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from softcat_sym import drawing
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import Decision, choose_effects
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.lists import (
@@ -38,8 +38,6 @@ from softcat_sym.solvers.solution import Progress, Silence, watched
 from softcat_sym.store import key_of, stored
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from softcat_sym.scene.reading import SceneLike
 
 _SHORT, _REPEATS = 1.0, 3
@@ -199,7 +197,7 @@ class PricingRow:
 
 
 @dataclass(frozen=True)
-class Pricing:
+class Pricing(Drawable):
     """The effects of one scene, priced.
 
     Attributes
@@ -265,10 +263,6 @@ class Pricing:
         rows = [row.to_dict() for row in (*self.rows, self.everything)]
         flat = [{**row, "also": " ".join(row["also"]), **(row.pop("run") or {})} for row in rows]
         return pd.DataFrame(flat, columns=[*rows[0], *self.base.cost()], dtype=object)
-
-    def figures(self) -> dict[str, Figure]:
-        """Change of the midpoint and ratios of cost, effect by effect."""
-        return {"effects": drawing.plot(self)}
 
 
 def percent(value: float) -> str:

@@ -19,8 +19,9 @@ from typing import IO, TYPE_CHECKING, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym import drawing, store
+from softcat_sym import store
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.ensemble.centre import RESOLUTION, Centre, centre_of, used, used_by
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, check_executor, counted, executor
@@ -40,7 +41,6 @@ from softcat_sym.studies.sweep_table import SweepPlan, plan_sweep
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.figure import Figure
 
 REFUSED, FAILED, LOST = "refused", "failed", "lost"
 """Outcomes of members without a run: an invalid scene, an error of the program, workers that died."""
@@ -357,7 +357,7 @@ def _write_table(plan: SweepPlan, blocks: _Blocks, directory: Path) -> None:
 
 
 @dataclass(frozen=True)
-class Sweep:
+class Sweep(Drawable):
     """A finished sweep.
 
     Attributes
@@ -406,22 +406,9 @@ class Sweep:
 
         return self.loaded if self.loaded is not None else xr.open_dataset(self.path, engine="h5netcdf")
 
-    def plot(self) -> Figure:
-        """Draw the sag over the varied keys.
-
-        Raises
-        ------
-        SoftcatError
-            If no key takes two values.
-        """
-        return drawing.plot(self)
-
     def __repr__(self) -> str:
         outcomes = ", ".join(f"{name} {count}" for name, count in sorted(self.counts.outcomes.items()))
         return f"Sweep {self.plan.scene.title!r}: {len(self)} filaments ({outcomes})\n  .data, .to_dict(), {self.path}"
-
-    def _repr_html_(self) -> str:
-        return drawing.html(repr(self), self.plot())
 
     def in_memory(self) -> Sweep:
         """The sweep with its data loaded into memory, independent of the file."""

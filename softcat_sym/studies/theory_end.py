@@ -8,14 +8,14 @@ from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
-from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
@@ -25,9 +25,6 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.compare import Comparison, Listening, Row, aligned, compare, late, moments
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 _FORM = "one variable, such as groups.delta=0.01,0.02,0.03 or groups.V=2.6:260:5:log"
 _RANGE = re.compile(r"([^:,]+):([^:,]+):(\d{1,4})(:log)?")
@@ -216,7 +213,7 @@ LIMIT_DEFINITION = (
 
 
 @dataclass(frozen=True)
-class TheoryEnd:
+class TheoryEnd(Drawable):
     """Errors of the one-dimensional theories over one variable."""
 
     scene: Scene  # The scene before the variation
@@ -298,10 +295,6 @@ class TheoryEnd:
             "not_run": [{"value": lost.value, "reason": lost.reason} for lost in self.unmeasured],
             "slender_limit": {"definition": LIMIT_DEFINITION, **limits} if limits else None,
         }
-
-    def figures(self) -> dict[str, Figure]:
-        """Errors over the variable."""
-        return {"compare_vary": drawing.plot(self)}
 
 
 def _key(name: str) -> str:

@@ -5,19 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import pandas as pd
 
-from softcat_sym import drawing, store
+from softcat_sym import store
 from softcat_sym.codegen.compiler import build_identity
+from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.studies.published import elastic, glass, viscous, yielding
 from softcat_sym.studies.published.case import Case, Curve, Finding, Picture, Row, published_scene
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 CASES = (*elastic.CASES, *viscous.CASES, *glass.CASES, *yielding.CASES)
 """All cases, in the order of the table."""
@@ -68,7 +66,7 @@ class Result:
 
 
 @dataclass(frozen=True)
-class Validation:
+class Validation(Drawable):
     """Published cases and the results of this package.
 
     Attributes
@@ -100,20 +98,9 @@ class Validation:
                 rows.append({**about, **{name: row[name] for name in names}, **why})
         return pd.DataFrame(rows)
 
-    def figures(self) -> dict[str, Figure]:
-        """Pictures by the names of their cases, where there are any."""
-        return {
-            result.case.name: drawing.plot(result)
-            for result in self.results
-            if result.finding is not None and result.finding.picture is not None
-        }
-
-    def plot(self) -> Figure:
-        """Draw all differences in one picture."""
-        return drawing.plot(self)
-
-    def _repr_html_(self) -> str:
-        return drawing.html(self.to_frame().to_string(), self.plot())
+    def __repr__(self) -> str:
+        text: str = self.to_frame().to_string()
+        return text
 
 
 def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:

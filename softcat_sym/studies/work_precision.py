@@ -12,14 +12,14 @@ from math import inf, isfinite, nan
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from softcat_sym import drawing
 from softcat_sym.discretization.assembly import choose_fibres, choose_grid
 from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.progress import LOOK, seconds_text
@@ -38,9 +38,6 @@ from softcat_sym.studies.work_precision_programs import (
     integrate,
     message_of,
 )
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 CELLS = (10, 20, 40, 80, 160)
 """Grids of this program, each with a quarter of the error of the one before."""
@@ -261,7 +258,7 @@ def record(program: Program, task: Task, run: Measured, error: float) -> dict[st
 
 
 @dataclass(frozen=True)
-class WorkPrecision:
+class WorkPrecision(Drawable):
     """A work-precision study of one scene."""
 
     name: str
@@ -357,10 +354,6 @@ class WorkPrecision:
     def to_frame(self) -> pd.DataFrame:
         """One row for each run, failures included."""
         return self.runs.drop(columns=["key", "task"])
-
-    def figures(self) -> dict[str, Figure]:
-        """Figure of error over time, one line for each program."""
-        return {"accuracy": drawing.plot(self)}
 
 
 def study(

@@ -9,8 +9,9 @@ import math
 
 import pytest
 
+from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.plotting.validate import HEADINGS, print_validation, summary_of, table_rows
+from softcat_sym.plotting.validate import HEADINGS, summary_of, table_rows
 from softcat_sym.studies.validate import validate
 from tests.common.table import show
 
@@ -39,7 +40,7 @@ BOUNDS = {
 
 def test_held_against_the_world() -> None:
     validation = validate()
-    print_validation(validation)
+    drawing.report(validation).print()
     show(f"softcat validate: {summary_of(validation)}", HEADINGS, list(table_rows(validation)))
     assert not validation.failures
     results = {result.case.name: result for result in validation.results}
