@@ -4,26 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from softcat_sym import drawing
 from softcat_sym.cli.application import (
+    Number,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     commands,
     interrupted,
+    option,
     present,
     scene_and_directory,
-)
-
-_ALL = typer.Option("--all", help="Measure every integrator of the package, and every rival.")
-_LIMIT = typer.Option(
-    metavar="SECONDS",
-    min=0.1,
-    help="Time for all measurements; those that do not finish in this time are left out.",
-    show_default="45, with --all 600",
+    switch,
 )
 
 
@@ -31,8 +24,16 @@ _LIMIT = typer.Option(
 def accuracy(
     scene: SceneArgument,
     output: OutputOption = None,
-    everything: Annotated[bool, _ALL] = False,
-    limit: Annotated[float | None, _LIMIT] = None,
+    everything: Annotated[bool, switch("Measure every integrator of the package, and every rival.", "--all")] = False,
+    limit: Annotated[
+        Number,
+        option(
+            "SECONDS",
+            "Time for all measurements; those that do not finish in this time are left out.",
+            min=0.1,
+            show_default="45, with --all 600",
+        ),
+    ] = None,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:

@@ -98,12 +98,25 @@ def checked_limit(seconds: float | None) -> float | None:
     return seconds
 
 
+def option(metavar: str | None, help_text: str, *names: str, **settings: Any) -> Any:
+    """An option of a command, named as its parameter unless `names` say otherwise."""
+    return typer.Option(*names, metavar=metavar, help=help_text, **settings)
+
+
+def switch(help_text: str, *names: str) -> Any:
+    """An option without a value."""
+    return typer.Option(*names, help=help_text)
+
+
+Text = str | None
+Texts = list[str] | None
+Number = float | None
+
 _TimeLimit = Annotated[
-    float | None,
-    typer.Option(
-        "--time-limit",
-        metavar="SECONDS",
-        help="Time after which the command stops, with what it has and status 1.",
+    Number,
+    option(
+        "SECONDS",
+        "Time after which the command stops, with what it has and status 1.",
         callback=_begin_limit,
         expose_value=False,
     ),
@@ -124,11 +137,11 @@ _SCENE = typer.Argument(
 SceneArgument = Annotated[str, _SCENE]
 OptionalScene = Annotated[str | None, _SCENE]
 SetOption = Annotated[
-    list[str] | None,
-    typer.Option(
+    Texts,
+    option(
+        "KEY=VALUE",
+        "Change a value of the scene: --set 'material.yield_stress=5 kPa'. Repeatable.",
         "--set",
-        metavar="KEY=VALUE",
-        help="Change a value of the scene: --set 'material.yield_stress=5 kPa'. Repeatable.",
         autocompletion=complete_change,
     ),
 ]
@@ -141,25 +154,17 @@ def directory(text: str) -> Path:
     return Path(text)
 
 
-OutputOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--output",
-        "-o",
-        metavar="DIR",
-        help="Folder for the files.",
-        show_default="softcat-out/SCENE-COMMAND",
-        parser=directory,
-    ),
-]
+def output_option(default: str | None, help_text: str = "Folder for the files.") -> Any:
+    """The option ``-o DIR`` of a command."""
+    return option("DIR", help_text, "--output", "-o", show_default=default or False, parser=directory)
+
+
+OutputOption = Annotated[Path | None, output_option("softcat-out/SCENE-COMMAND")]
 FreshOption = Annotated[
-    bool,
-    typer.Option(
-        "--fresh", help="Run everything again, even what an earlier command has finished (see softcat cache)."
-    ),
+    bool, switch("Run everything again, even what an earlier command has finished (see softcat cache).", "--fresh")
 ]
-QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress and no summary.")]
-VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Print everything, with reasons and formulas.")]
+QuietOption = Annotated[bool, switch("Print no progress and no summary.", "--quiet", "-q")]
+VerboseOption = Annotated[bool, switch("Print everything, with reasons and formulas.", "--verbose", "-v")]
 
 
 def _version(asked: bool) -> None:

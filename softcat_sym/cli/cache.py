@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import commands
+from softcat_sym.cli.application import commands, switch
 
 _SHOWN = 20
 _HEADINGS = {"native": "libraries", "texts": "texts", "results": "results"}
@@ -24,7 +24,7 @@ _BESIDE = {"elements": "states of finite elements", "answers": "answers of accep
 def cache(
     clear: Annotated[
         bool,
-        typer.Option("--clear", help="Delete libraries, texts and results; nothing else in the folder."),
+        switch("Delete libraries, texts and results; nothing else in the folder.", "--clear"),
     ] = False,
 ) -> None:
     """Show the libraries and results that are kept, or clear them.

@@ -14,12 +14,15 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
+    Text,
     commands,
     judge,
+    option,
     output_directory,
     present,
     scene_and_directory,
     study,
+    switch,
 )
 from softcat_sym.errors import SceneError, SoftcatError
 
@@ -27,13 +30,9 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
     from softcat_sym.studies.card import Card
 
-_CURVE = typer.Option(metavar="CSV", help="Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
-_SAG = typer.Option(metavar="LENGTH", help="Largest sag allowed: '1 mm', or '5 %' of the span (default).")
-_NO_SPAN = typer.Option("--no-span", help="Leave out the longest span, which takes a large part of the time.")
-
 
 def _value(help_text: str) -> Any:
-    return typer.Option(metavar="VALUE", help=help_text)
+    return option("VALUE", help_text)
 
 
 @commands.command()
@@ -41,31 +40,33 @@ def card(
     context: typer.Context,
     scene: OptionalScene = None,
     output: OutputOption = None,
-    sag: Annotated[str | None, _SAG] = None,
-    density: Annotated[str | None, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
-    span: Annotated[str | None, _value("Span, where no SCENE is given: '2 mm'.")] = None,
-    diameter: Annotated[str | None, _value("Diameter of the round filament: '250 um'.")] = None,
-    law: Annotated[str | None, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
+    sag: Annotated[Text, option("LENGTH", "Largest sag allowed: '1 mm', or '5 %' of the span (default).")] = None,
+    density: Annotated[Text, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
+    span: Annotated[Text, _value("Span, where no SCENE is given: '2 mm'.")] = None,
+    diameter: Annotated[Text, _value("Diameter of the round filament: '250 um'.")] = None,
+    law: Annotated[Text, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
     youngs_modulus: Annotated[
-        str | None, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
+        Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
     ] = None,
-    viscosity: Annotated[str | None, _value("Viscosity in extension: '30 Pa*s'.")] = None,
-    yield_stress: Annotated[str | None, _value("Yield stress in tension: '350 Pa'.")] = None,
-    index: Annotated[str | None, _value("Index of the power law: 0.5.")] = None,
-    shear_viscosity: Annotated[str | None, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
+    viscosity: Annotated[Text, _value("Viscosity in extension: '30 Pa*s'.")] = None,
+    yield_stress: Annotated[Text, _value("Yield stress in tension: '350 Pa'.")] = None,
+    index: Annotated[Text, _value("Index of the power law: 0.5.")] = None,
+    shear_viscosity: Annotated[Text, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
     shear_consistency: Annotated[
-        str | None, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
+        Text, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
     ] = None,
-    shear_yield_stress: Annotated[str | None, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
+    shear_yield_stress: Annotated[Text, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
     surface_tension: Annotated[
-        str | None, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
+        Text, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
     ] = None,
-    flow_curve: Annotated[str | None, _CURVE] = None,
-    ends: Annotated[str | None, _value("Ends: clamped (default) or pinned.")] = None,
-    duration: Annotated[
-        str | None, _value("Duration of the run: '1 s'. Without the option the program chooses it.")
+    flow_curve: Annotated[
+        Text, option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
     ] = None,
-    no_span: Annotated[bool, _NO_SPAN] = False,
+    ends: Annotated[Text, _value("Ends: clamped (default) or pinned.")] = None,
+    duration: Annotated[Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")] = None,
+    no_span: Annotated[
+        bool, switch("Leave out the longest span, which takes a large part of the time.", "--no-span")
+    ] = False,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,

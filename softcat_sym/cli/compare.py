@@ -16,13 +16,16 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    Text,
     commands,
     judge,
+    option,
     present,
     print_written,
     scene_and_directory,
     scene_of,
     study,
+    switch,
 )
 
 if TYPE_CHECKING:
@@ -127,43 +130,34 @@ def _compare_varied(
     present(report, report.write(output), output, quiet=quiet)
 
 
-MeshOption = Annotated[
-    str | None,
-    typer.Option(
-        "--mesh",
-        metavar="ALONGxTHROUGH",
-        help="Elements along half the span and through the thickness.",
-        show_default="64x4; with --vary 32x4",
-    ),
-]
-VaryOption = Annotated[
-    str | None,
-    typer.Option(
-        "--vary",
-        metavar="KEY=VALUE,VALUE,...",
-        help="Measure the theories at several values of one variable, or KEY=FIRST:LAST:NUMBER[:log].",
-    ),
-]
-FaceOption = Annotated[
-    bool, typer.Option("--fixed-face", help="Hold every point of the clamped face, which then cannot thin.")
-]
-EngineOption = Annotated[
-    Engine, typer.Option("--engine", help="The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
-]
-DeckOption = Annotated[
-    bool, typer.Option("--write-input-only", help="Write CalculiX's input deck into DIR/calculix, and run nothing.")
-]
-
-
 @commands.command()
 def compare(
     scene: SceneArgument,
     output: OutputOption = None,
-    mesh: MeshOption = None,
-    vary: VaryOption = None,
-    fixed_face: FaceOption = False,
-    engine: EngineOption = Engine.ELEMENTS,
-    deck_only: DeckOption = False,
+    mesh: Annotated[
+        Text,
+        option(
+            "ALONGxTHROUGH",
+            "Elements along half the span and through the thickness.",
+            show_default="64x4; with --vary 32x4",
+        ),
+    ] = None,
+    vary: Annotated[
+        Text,
+        option(
+            "KEY=VALUE,VALUE,...",
+            "Measure the theories at several values of one variable, or KEY=FIRST:LAST:NUMBER[:log].",
+        ),
+    ] = None,
+    fixed_face: Annotated[
+        bool, switch("Hold every point of the clamped face, which then cannot thin.", "--fixed-face")
+    ] = False,
+    engine: Annotated[
+        Engine, option(None, "The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
+    ] = Engine.ELEMENTS,
+    deck_only: Annotated[
+        bool, switch("Write CalculiX's input deck into DIR/calculix, and run nothing.", "--write-input-only")
+    ] = False,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,

@@ -21,6 +21,7 @@ from softcat_sym.cli.application import (
     scene_and_directory,
     scene_of,
     study,
+    switch,
 )
 from softcat_sym.errors import SoftcatError
 
@@ -32,9 +33,7 @@ if TYPE_CHECKING:
 def effects(
     scene: OptionalScene = None,
     output: OutputOption = None,
-    bundled: Annotated[
-        bool, typer.Option("--bundled", help="Price all bundled scenes instead, and write a table.")
-    ] = False,
+    bundled: Annotated[bool, switch("Price all bundled scenes instead, and write a table.", "--bundled")] = False,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,

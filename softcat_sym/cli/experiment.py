@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, TypedDict
 
-import typer
-
 from softcat_sym import drawing
 from softcat_sym.cli.application import (
     FreshOption,
@@ -13,7 +11,10 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    Text,
+    Texts,
     commands,
+    option,
     present,
     read_pair,
     scene_and_directory,
@@ -27,71 +28,30 @@ if TYPE_CHECKING:
 
 _RANGE = "LOW:HIGH"
 
-FreeOption = Annotated[
-    list[str],
-    typer.Option("--free", metavar="NAME", help="Parameter that the film is to determine: viscosity. Repeatable."),
-]
-NoiseOption = Annotated[
-    str, typer.Option("--noise", metavar="LENGTH", help="Error of one reading: '10 um', or '1 %' of the largest sag.")
-]
-SpanOption = Annotated[
-    str | None,
-    typer.Option("--span", metavar=_RANGE, help="Spans to choose from: 5:50 mm. By default the scene's span stays."),
-]
-ThicknessOption = Annotated[
-    str | None,
-    typer.Option(
-        "--thickness",
-        metavar=_RANGE,
-        help="Thicknesses to choose from: 1:4 mm. By default the scene's thickness stays.",
-    ),
-]
-RateOption = Annotated[
-    str | None, typer.Option("--frame-rate", metavar=_RANGE, help="Frame rates that the camera has: 25:1000 Hz.")
-]
-DurationOption = Annotated[
-    str | None, typer.Option("--duration", metavar=_RANGE, help="Durations that the film may have: 1:60 s.")
-]
-NuisanceOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--nuisance", metavar="NAME", help="Parameter that is unknown too, but not asked for: time_offset. Repeatable."
-    ),
-]
-FramesOption = Annotated[
-    int | None, typer.Option("--max-frames", metavar="NUMBER", min=2, help="Frames that the camera can store.")
-]
-RoughOption = Annotated[
-    float,
-    typer.Option("--rough", metavar="FACTOR", help="Factor by which the scene's values may be too large or too small."),
-]
-DepthOption = Annotated[
-    str | None,
-    typer.Option(
-        "--max-sag", metavar="LENGTH", help="Largest sag of the designed filament: '5 mm', or '5 %' of its span."
-    ),
-]
-SagOption = Annotated[
-    str | None,
-    typer.Option("--sag", metavar="LENGTH", help="Also find the largest span of the scene that sags less: '1 mm'."),
-]
-
 
 @commands.command()
 def experiment(
     scene: SceneArgument,
-    free: FreeOption,
-    noise: NoiseOption,
+    free: Annotated[list[str], option("NAME", "Parameter that the film is to determine: viscosity. Repeatable.")],
+    noise: Annotated[str, option("LENGTH", "Error of one reading: '10 um', or '1 %' of the largest sag.")],
     output: OutputOption = None,
-    span: SpanOption = None,
-    thickness: ThicknessOption = None,
-    frame_rate: RateOption = None,
-    duration: DurationOption = None,
-    nuisance: NuisanceOption = None,
-    max_frames: FramesOption = None,
-    rough: RoughOption = 1.0,
-    max_sag: DepthOption = None,
-    sag: SagOption = None,
+    span: Annotated[Text, option(_RANGE, "Spans to choose from: 5:50 mm. By default the scene's span stays.")] = None,
+    thickness: Annotated[
+        Text, option(_RANGE, "Thicknesses to choose from: 1:4 mm. By default the scene's thickness stays.")
+    ] = None,
+    frame_rate: Annotated[Text, option(_RANGE, "Frame rates that the camera has: 25:1000 Hz.")] = None,
+    duration: Annotated[Text, option(_RANGE, "Durations that the film may have: 1:60 s.")] = None,
+    nuisance: Annotated[
+        Texts, option("NAME", "Parameter that is unknown too, but not asked for: time_offset. Repeatable.")
+    ] = None,
+    max_frames: Annotated[int | None, option("NUMBER", "Frames that the camera can store.", min=2)] = None,
+    rough: Annotated[
+        float, option("FACTOR", "Factor by which the scene's values may be too large or too small.")
+    ] = 1.0,
+    max_sag: Annotated[
+        Text, option("LENGTH", "Largest sag of the designed filament: '5 mm', or '5 %' of its span.")
+    ] = None,
+    sag: Annotated[Text, option("LENGTH", "Also find the largest span of the scene that sags less: '1 mm'.")] = None,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,

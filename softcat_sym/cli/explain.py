@@ -6,15 +6,14 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
     VerboseOption,
     commands,
-    directory,
+    output_option,
+    print_written,
     scene_and_directory,
     scene_of,
 )
@@ -34,13 +33,7 @@ def explain(
     scene: SceneArgument,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Folder for explain.json, equations.tex and scene.toml; without it nothing is written.",
-            parser=directory,
-        ),
+        output_option(None, "Folder for explain.json, equations.tex and scene.toml; without it nothing is written."),
     ] = None,
     changes: SetOption = None,
     verbose: VerboseOption = False,
@@ -68,7 +61,7 @@ def explain(
     if not quiet:
         print_explanation(explanation, verbose=verbose)
         if written:
-            typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+            print_written(written, output)
 
 
 _ESCAPED = str.maketrans(

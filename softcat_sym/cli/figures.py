@@ -11,9 +11,12 @@ from softcat_sym.cli.application import (
     FreshOption,
     OutputOption,
     QuietOption,
+    Texts,
     commands,
     interrupted,
+    option,
     output_directory,
+    print_written,
 )
 
 if TYPE_CHECKING:
@@ -25,10 +28,7 @@ _NUMBERS = ("2", "3a", "3b", "4")
 @commands.command()
 def figures(
     output: OutputOption = None,
-    only: Annotated[
-        list[str] | None,
-        typer.Option("--only", metavar="NUMBER", help=f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable."),
-    ] = None,
+    only: Annotated[Texts, option("NUMBER", f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable.")] = None,
     fresh: FreshOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -56,7 +56,7 @@ def figures(
             waiting.pop(0)
             if not quiet:
                 typer.echo(caption)
-                typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+                print_written(written, output)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
         if waiting != asked:

@@ -13,16 +13,21 @@ from softcat_sym import drawing
 from softcat_sym.cli.application import (
     UNTRUSTED,
     FreshOption,
+    Number,
     OutputOption,
     QuietOption,
     SetOption,
+    Text,
+    Texts,
     checked_limit,
     commands,
+    option,
     present,
     print_error,
     read_pair,
     scene_and_directory,
     study,
+    switch,
 )
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
@@ -41,131 +46,86 @@ _SCALE = 2.0
 """Default scale of a robust loss: standard errors beyond which a reading counts as an outlier."""
 
 
-DataArgument = Annotated[
-    list[Path],
-    typer.Argument(
-        metavar="DATA...", help="CSV files, one for each filament, with columns time_s, midpoint_m and others."
-    ),
-]
-SceneOption = Annotated[
-    str,
-    typer.Option(
-        "--scene",
-        metavar="SCENE",
-        help="Scene with the known values: the name of a bundled scene, or the path of a TOML file.",
-        autocompletion=complete_scene,
-    ),
-]
-FreeOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--free",
-        metavar="NAME",
-        help="Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable.",
-    ),
-]
-LawOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--law",
-        metavar="LAW",
-        help="Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
-    ),
-]
-BoundsOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--bounds", metavar="NAME=LOW:HIGH", help="Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable."
-    ),
-]
-LossOption = Annotated[
-    str,
-    typer.Option(
-        "--loss", metavar="LOSS", help="Loss of a residual: linear, or soft-l1 or cauchy for data with outliers."
-    ),
-]
-ScaleOption = Annotated[
-    float | None,
-    typer.Option(
-        "--scale", metavar="NUMBER", help="Standard errors beyond which a reading counts as an outlier; 2 by default."
-    ),
-]
-StartsOption = Annotated[
-    int, typer.Option("--starts", min=0, help="Initial guesses besides the scene's values and the closed form's.")
-]
-NoProfilesOption = Annotated[
-    bool,
-    typer.Option(
-        "--no-profile-likelihood", help="Take intervals from the curvature at the optimum: faster, and less accurate."
-    ),
-]
-FlowCurveOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--flow-curve", metavar="CSV", help="Flow curve of the same material, which is fitted together with the films."
-    ),
-]
-CalibratedOption = Annotated[
-    bool,
-    typer.Option(
-        "--calibrated",
-        help="Assume exact scale, clock, zero and tilt of the camera; else 2 %, one frame, 2 % and 1 deg.",
-    ),
-]
-NoDiscrepancyOption = Annotated[
-    bool, typer.Option("--no-discrepancy", help="Leave the theory's own error out of the intervals.")
-]
-TimeLimitOption = Annotated[
-    float | None,
-    typer.Option(
-        "--time-limit",
-        metavar="SECONDS",
-        help="Time after which the fit ends with the best result so far.",
-        callback=checked_limit,
-    ),
-]
-PosteriorOption = Annotated[
-    bool, typer.Option("--posterior", help="Also draw from the posterior; this needs the extra bayes.")
-]
-PriorOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--prior",
-        metavar="NAME=DIST",
-        help="Prior of a parameter, from scipy.stats: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
-    ),
-]
-TestOption = Annotated[
-    str | None,
-    typer.Option(
-        "--test",
-        metavar="TEST",
-        help="collapse: DATA is the contour (x, y) of a strand on pillars; its yield stress and modulus are fitted.",
-    ),
-]
-SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the initial guesses.")]
-
-
 @commands.command()
 def fit(
-    data: DataArgument,
-    scene: SceneOption,
+    data: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="DATA...", help="CSV files, one for each filament, with columns time_s, midpoint_m and others."
+        ),
+    ],
+    scene: Annotated[
+        str,
+        option(
+            "SCENE",
+            "Scene with the known values: the name of a bundled scene, or the path of a TOML file.",
+            autocompletion=complete_scene,
+        ),
+    ],
     output: OutputOption = None,
-    free: FreeOption = None,
-    law: LawOption = None,
-    test: TestOption = None,
-    bounds: BoundsOption = None,
-    loss: LossOption = "linear",
-    scale: ScaleOption = None,
-    starts: StartsOption = STARTS,
-    no_profiles: NoProfilesOption = False,
-    flow_curve: FlowCurveOption = None,
-    calibrated: CalibratedOption = False,
-    no_discrepancy: NoDiscrepancyOption = False,
-    time_limit: TimeLimitOption = None,
-    posterior: PosteriorOption = False,
-    prior: PriorOption = None,
-    seed: SeedOption = 0,
+    free: Annotated[
+        Texts, option("NAME", "Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable.")
+    ] = None,
+    law: Annotated[
+        Texts,
+        option(
+            "LAW",
+            "Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
+        ),
+    ] = None,
+    test: Annotated[
+        Text,
+        option(
+            "TEST",
+            "collapse: DATA is the contour (x, y) of a strand on pillars; its yield stress and modulus are fitted.",
+        ),
+    ] = None,
+    bounds: Annotated[
+        Texts, option("NAME=LOW:HIGH", "Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable.")
+    ] = None,
+    loss: Annotated[
+        str, option("LOSS", "Loss of a residual: linear, or soft-l1 or cauchy for data with outliers.")
+    ] = "linear",
+    scale: Annotated[
+        Number, option("NUMBER", "Standard errors beyond which a reading counts as an outlier; 2 by default.")
+    ] = None,
+    starts: Annotated[
+        int, option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
+    ] = STARTS,
+    no_profiles: Annotated[
+        bool,
+        switch(
+            "Take intervals from the curvature at the optimum: faster, and less accurate.", "--no-profile-likelihood"
+        ),
+    ] = False,
+    flow_curve: Annotated[
+        Path | None, option("CSV", "Flow curve of the same material, which is fitted together with the films.")
+    ] = None,
+    calibrated: Annotated[
+        bool,
+        switch(
+            "Assume exact scale, clock, zero and tilt of the camera; else 2 %, one frame, 2 % and 1 deg.",
+            "--calibrated",
+        ),
+    ] = False,
+    no_discrepancy: Annotated[
+        bool, switch("Leave the theory's own error out of the intervals.", "--no-discrepancy")
+    ] = False,
+    time_limit: Annotated[
+        Number,
+        option("SECONDS", "Time after which the fit ends with the best result so far.", callback=checked_limit),
+    ] = None,
+    posterior: Annotated[
+        bool, switch("Also draw from the posterior; this needs the extra bayes.", "--posterior")
+    ] = False,
+    prior: Annotated[
+        Texts,
+        option(
+            "NAME=DIST",
+            "Prior of a parameter, from scipy.stats: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
+        ),
+    ] = None,
+    seed: Annotated[int, option(None, "Seed of the initial guesses.", min=0)] = 0,
     fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
@@ -231,9 +191,9 @@ def _check(
         ("--prior", bool(prior) and not posterior, "priors belong to a posterior: add --posterior"),
         ("--posterior", posterior and loss != "linear", "the likelihood of a posterior is Gaussian: leave --loss out"),
     ]
-    for option, is_wrong, message in faults:
+    for name, is_wrong, message in faults:
         if is_wrong:
-            raise typer.BadParameter(message, param_hint=option)
+            raise typer.BadParameter(message, param_hint=name)
 
 
 def _fitted(

@@ -7,7 +7,16 @@ from typing import Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, commands, output_directory, present
+from softcat_sym.cli.application import (
+    OutputOption,
+    QuietOption,
+    SetOption,
+    Text,
+    commands,
+    option,
+    output_directory,
+    present,
+)
 from softcat_sym.cli.completing import complete_scene
 
 
@@ -17,26 +26,13 @@ def flow_curve(
         str, typer.Argument(metavar="CSV", help="CSV file with columns shear_rate_1_s and shear_stress_Pa.")
     ],
     scene: Annotated[
-        str | None,
-        typer.Option(
-            "--scene",
-            metavar="SCENE",
-            help="Scene to write with the fitted material.",
-            autocompletion=complete_scene,
-        ),
+        Text, option("SCENE", "Scene to write with the fitted material.", autocompletion=complete_scene)
     ] = None,
     law: Annotated[
-        str | None,
-        typer.Option(
-            "--law",
-            metavar="LAW",
-            help="Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley.",
-        ),
+        Text,
+        option("LAW", "Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley."),
     ] = None,
-    sample: Annotated[
-        str | None,
-        typer.Option("--sample", metavar="NAME", help="Sample to fit, where a column sample_id names several."),
-    ] = None,
+    sample: Annotated[Text, option("NAME", "Sample to fit, where a column sample_id names several.")] = None,
     output: OutputOption = None,
     changes: SetOption = None,
     quiet: QuietOption = False,

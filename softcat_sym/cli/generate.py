@@ -13,10 +13,13 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
+    Texts,
     commands,
     interrupted,
+    option,
     output_directory,
     scene_and_directory,
+    switch,
 )
 
 if TYPE_CHECKING:
@@ -30,31 +33,22 @@ def generate(
     scene: OptionalScene = None,
     output: OutputOption = None,
     bundled: Annotated[
-        bool, typer.Option("--bundled", help="Write the C of all bundled scenes instead, with one runtime for all.")
+        bool, switch("Write the C of all bundled scenes instead, with one runtime for all.", "--bundled")
     ] = False,
     changes: SetOption = None,
     rhs: Annotated[
-        bool,
-        typer.Option("--rhs", help="Add the right-hand side and its sparse Jacobian, for an integrator of your own."),
+        bool, switch("Add the right-hand side and its sparse Jacobian, for an integrator of your own.", "--rhs")
     ] = False,
     name: Annotated[
-        str,
-        typer.Option(
-            "--name",
-            metavar="NAME",
-            help="Name of the C file and of its functions, where a program holds several filaments.",
-        ),
+        str, option("NAME", "Name of the C file and of its functions, where a program holds several filaments.")
     ] = _NAME,
     web: Annotated[
-        bool,
-        typer.Option("--web", help="Write a page NAME.html instead, with sliders, that solves the scene in a browser."),
+        bool, switch("Write a page NAME.html instead, with sliders, that solves the scene in a browser.", "--web")
     ] = False,
     sliders: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--slider",
-            metavar="KEY=LOW:HIGH[:log]",
-            help="With --web: a slider for one more key, or another range. Repeatable.",
+        Texts,
+        option(
+            "KEY=LOW:HIGH[:log]", "With --web: a slider for one more key, or another range. Repeatable.", "--slider"
         ),
     ] = None,
     quiet: QuietOption = False,

@@ -6,41 +6,39 @@ import sys
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from softcat_sym.cli.application import OutputOption, QuietOption, commands, output_directory
+from softcat_sym.cli.application import OutputOption, QuietOption, Text, commands, option, output_directory, switch
 from softcat_sym.errors import SceneError, SoftcatError
 
 
-def _flag(name: str, help_text: str) -> object:
-    return typer.Option(f"--{name}", metavar="VALUE", help=help_text)
+def _value(help_text: str, *names: str) -> Any:
+    return option("VALUE", help_text, *names)
 
 
-ForceOption = Annotated[bool, typer.Option("--force", help="Replace an existing file.")]
+ForceOption = Annotated[bool, switch("Replace an existing file.", "--force")]
 
 
 @commands.command()
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="File to write: my-ink.toml.")],
-    span: Annotated[str | None, _flag("span", "Distance of the supports: '5 mm'.")] = None,
-    diameter: Annotated[str | None, _flag("diameter", "Diameter of the strand: '0.4 mm'.")] = None,
-    density: Annotated[str | None, _flag("density", "Density: '2200 kg/m^3'.")] = None,
-    law: Annotated[str | None, _flag("law", "Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
-    youngs_modulus: Annotated[
-        str | None, _flag("youngs-modulus", "Young's modulus: '300 kPa'. That of an ink is three times its G'.")
-    ] = None,
+    span: Annotated[Text, _value("Distance of the supports: '5 mm'.")] = None,
+    diameter: Annotated[Text, _value("Diameter of the strand: '0.4 mm'.")] = None,
+    density: Annotated[Text, _value("Density: '2200 kg/m^3'.")] = None,
+    law: Annotated[Text, _value("Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    youngs_modulus: Annotated[Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its G'.")] = None,
     yield_stress: Annotated[
-        str | None, _flag("shear-yield-stress", "Yield stress in shear, from a rheometer: '200 Pa'.")
+        Text, _value("Yield stress in shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
     ] = None,
-    viscosity: Annotated[str | None, _flag("shear-viscosity", "Viscosity in shear once it flows: '10 Pa*s'.")] = None,
+    viscosity: Annotated[Text, _value("Viscosity in shear once it flows: '10 Pa*s'.", "--shear-viscosity")] = None,
     consistency: Annotated[
-        str | None, _flag("shear-consistency", "Consistency in shear of a law with an index: '10 Pa*s^0.5'.")
+        Text, _value("Consistency in shear of a law with an index: '10 Pa*s^0.5'.", "--shear-consistency")
     ] = None,
-    index: Annotated[str | None, _flag("index", "Index of herschel-bulkley or power-law: 0.5.")] = None,
-    surface_tension: Annotated[str | None, _flag("surface-tension", "Surface tension: '72 mN/m'.")] = None,
-    duration: Annotated[str | None, _flag("duration", "Duration of the run: '0.5 s'.")] = None,
+    index: Annotated[Text, _value("Index of herschel-bulkley or power-law: 0.5.")] = None,
+    surface_tension: Annotated[Text, _value("Surface tension: '72 mN/m'.")] = None,
+    duration: Annotated[Text, _value("Duration of the run: '0.5 s'.")] = None,
     force: ForceOption = False,
     quiet: QuietOption = False,
 ) -> None:

@@ -12,20 +12,14 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     SetOption,
+    Texts,
     commands,
+    option,
     present,
     scene_and_directory,
     study,
 )
 from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
-
-PlaneOption = Annotated[
-    list[str] | None,
-    typer.Option("--plane", metavar="NAME", help="Plane of groups: G-delta or G-V. Repeatable; both by default."),
-]
-ResolutionOption = Annotated[
-    int, typer.Option("--resolution", metavar="CELLS", help="Cells of the finest lattice along each axis.")
-]
 
 
 @commands.command()
@@ -34,8 +28,8 @@ def phase(
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")
     ] = "arrested-overdamped",
     output: OutputOption = None,
-    plane: PlaneOption = None,
-    resolution: ResolutionOption = 40,
+    plane: Annotated[Texts, option("NAME", "Plane of groups: G-delta or G-V. Repeatable; both by default.")] = None,
+    resolution: Annotated[int, option("CELLS", "Cells of the finest lattice along each axis.")] = 40,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     local_cluster: ClusterOption = None,

@@ -13,15 +13,18 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    Text,
     VerboseOption,
     commands,
-    directory,
     interrupted,
     judge,
+    option,
     output_directory,
+    output_option,
     print_error,
     print_written,
     scene_and_directory,
+    switch,
 )
 from softcat_sym.interrupts import ending
 
@@ -29,54 +32,28 @@ if TYPE_CHECKING:
     from softcat_sym.plotting.animation import FilmOrder
     from softcat_sym.results.run import Run
 
-RunOutputOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--output",
-        "-o",
-        metavar="DIR",
-        help="Folder for the files.",
-        show_default="softcat-out/SCENE",
-        parser=directory,
-    ),
-]
 AnimateOption = Annotated[
-    str | None,
-    typer.Option(
-        "--animate", metavar="FILM", help="Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif."
-    ),
+    Text, option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
 ]
-SecondsOption = Annotated[float, typer.Option("--animate-seconds", metavar="SECONDS", help="Length of the film.")]
+SecondsOption = Annotated[float, option("SECONDS", "Length of the film.")]
 StyleOption = Annotated[
-    str,
-    typer.Option(
-        "--style", metavar="STYLE", help="Style of the pictures: screen; publication (a column wide, PDF too); page."
-    ),
+    str, option("STYLE", "Style of the pictures: screen; publication (a column wide, PDF too); page.")
 ]
-RadiusOption = Annotated[
-    float, typer.Option("--radius", metavar="FACTOR", help="Factor by which shapes are drawn thicker, to show beads.")
-]
-NoPicturesOption = Annotated[
-    bool, typer.Option("--no-pictures", help="Write only trajectory.nc, summary.json and scene.toml, which is faster.")
-]
-VtkOption = Annotated[
-    bool, typer.Option("--vtk", help="Write every frame for ParaView into DIR/vtk; this needs the extra fem.")
-]
-TrajectoryArgument = Annotated[
-    Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
-]
+RadiusOption = Annotated[float, option("FACTOR", "Factor by which shapes are drawn thicker, to show beads.")]
 
 
 @commands.command()
 def run(
     scene: SceneArgument,
-    output: RunOutputOption = None,
+    output: Annotated[Path | None, output_option("softcat-out/SCENE")] = None,
     changes: SetOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
-    no_pictures: NoPicturesOption = False,
+    no_pictures: Annotated[
+        bool, switch("Write only trajectory.nc, summary.json and scene.toml, which is faster.", "--no-pictures")
+    ] = False,
     verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -129,13 +106,17 @@ def run(
 
 @commands.command()
 def draw(
-    trajectory: TrajectoryArgument,
+    trajectory: Annotated[
+        Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
+    ],
     output: OutputOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
-    vtk: VtkOption = False,
+    vtk: Annotated[
+        bool, switch("Write every frame for ParaView into DIR/vtk; this needs the extra fem.", "--vtk")
+    ] = False,
     quiet: QuietOption = False,
 ) -> None:
     """Draw a finished run again: in another style, as a film, or for ParaView.

@@ -12,11 +12,14 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    Texts,
     check_directory,
     commands,
-    directory,
+    option,
+    output_option,
     scene_of,
     study,
+    switch,
 )
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
@@ -24,20 +27,8 @@ from softcat_sym.errors import SoftcatError
 
 @commands.command()
 def scenes(
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="DIR",
-            help="Run the scenes, and write a gallery into this folder.",
-            parser=directory,
-        ),
-    ] = None,
-    only: Annotated[
-        list[str] | None,
-        typer.Option("--only", metavar="NAME", help="Take only this scene. Repeatable.", autocompletion=complete_scene),
-    ] = None,
+    output: Annotated[Path | None, output_option(None, "Run the scenes, and write a gallery into this folder.")] = None,
+    only: Annotated[Texts, option("NAME", "Take only this scene. Repeatable.", autocompletion=complete_scene)] = None,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -92,7 +83,7 @@ def show(scene: SceneArgument, changes: SetOption = None) -> None:
 @commands.command()
 def keys(
     part: Annotated[str, typer.Argument(metavar="[PART]", help="Part of a key's name: material, or stress.")] = "",
-    markdown: Annotated[bool, typer.Option("--markdown", help="Print the list as a page of the manual.")] = False,
+    markdown: Annotated[bool, switch("Print the list as a page of the manual.", "--markdown")] = False,
 ) -> None:
     """List the keys of a scene: unit, default and meaning.
 

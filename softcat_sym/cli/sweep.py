@@ -15,67 +15,49 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    Text,
+    Texts,
     commands,
+    option,
     present,
     print_error,
     scene_and_directory,
     study,
+    switch,
 )
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
 
-VaryOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--vary",
-        metavar="KEY=VALUES",
-        help="KEY=a:b:n, KEY=a:b:n:log, or KEY=v1,v2,v3; units as in the scene: 'filament.span=5:50 mm:10'. "
-        "With --mode lhs, KEY=a:b is enough. Repeatable.",
-        autocompletion=complete_change,
-    ),
-]
-ModeOption = Annotated[
-    str,
-    typer.Option(
-        "--mode",
-        metavar="MODE",
-        help="Combination of the values: grid, all; zip, side by side; lhs, a Latin hypercube.",
-    ),
-]
-TableOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--from-csv",
-        metavar="FILE",
-        help="Table with one member a row; its header names the keys: 'filament.span [mm]'.",
-    ),
-]
-WorkersOption = Annotated[
-    int | None, typer.Option("--workers", metavar="THREADS", help="Number of threads; by default one for each core.")
-]
-SchedulerOption = Annotated[
-    str | None, typer.Option("--scheduler", metavar="ADDRESS", help="Run on this Dask cluster: tcp://host:8786.")
-]
-ClusterOption = Annotated[
-    int | None, typer.Option("--local-cluster", metavar="N", help="Start a Dask cluster of N processes, and run on it.")
-]
+WorkersOption = Annotated[int | None, option("THREADS", "Number of threads; by default one for each core.")]
+SchedulerOption = Annotated[Text, option("ADDRESS", "Run on this Dask cluster: tcp://host:8786.")]
+ClusterOption = Annotated[int | None, option("N", "Start a Dask cluster of N processes, and run on it.")]
 
 
 @commands.command()
 def sweep(
     scene: SceneArgument,
     output: OutputOption = None,
-    vary: VaryOption = None,
-    mode: ModeOption = "grid",
-    table: TableOption = None,
-    samples: Annotated[
-        int | None, typer.Option("--samples", metavar="N", help="Number of members of a hypercube.")
+    vary: Annotated[
+        Texts,
+        option(
+            "KEY=VALUES",
+            "KEY=a:b:n, KEY=a:b:n:log, or KEY=v1,v2,v3; units as in the scene: 'filament.span=5:50 mm:10'. "
+            "With --mode lhs, KEY=a:b is enough. Repeatable.",
+            autocompletion=complete_change,
+        ),
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="S", help="Seed of the hypercube.")] = 0,
-    shapes: Annotated[bool, typer.Option("--shapes", help="Store the shapes, and write sliders.html.")] = False,
+    mode: Annotated[
+        str, option("MODE", "Combination of the values: grid, all; zip, side by side; lhs, a Latin hypercube.")
+    ] = "grid",
+    table: Annotated[
+        Path | None,
+        option("FILE", "Table with one member a row; its header names the keys: 'filament.span [mm]'.", "--from-csv"),
+    ] = None,
+    samples: Annotated[int | None, option("N", "Number of members of a hypercube.")] = None,
+    seed: Annotated[int, option("S", "Seed of the hypercube.")] = 0,
+    shapes: Annotated[bool, switch("Store the shapes, and write sliders.html.", "--shapes")] = False,
     estimate: Annotated[
-        bool,
-        typer.Option("--estimate", help="Estimate the error of each member, as softcat run does: much slower."),
+        bool, switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
     ] = False,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
