@@ -468,7 +468,6 @@ GOOD: list[tuple[str, dict[str, Any]]] = [
     ("kelvin-voigt", {"filament__profile": [1, 2, 0.5], "filament__curvature": "-3 1/m"}),
     ("newtonian", {"ends__drop": "0.2 m", "ends__left_angle": "-45 deg", "ends__right_angle": "-45 deg"}),
     ("newtonian", {"ends__right": "free", "ends__left_angle": "-45 deg"}),
-    ("bingham", {"model": "small-deflection"}),
     ("maxwell", {"model": "small-deflection", "load__point_mass": "1 g", "ends__left": "pinned"}),
     ("maxwell", {"filament__section": "sheet", "filament__width": "10 cm"}),
 ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from typing import get_args
 
 import numpy as np
 import pytest
@@ -28,7 +27,7 @@ from softcat_sym.physics.spatial import POINT
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import c, g, h0, s
 from softcat_sym.physics.terms import Course, Rheology, Terms
-from softcat_sym.scene.material import CONSTANTS, Law
+from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.simulate import simulated
 
@@ -88,17 +87,17 @@ def test_a_run_whose_library_is_cached_loads_neither_sympy_nor_casadi() -> None:
 
 def test_a_law_is_what_its_equations_are() -> None:
     own = {"custom": {"flow": "sigma/t0", "threshold": True}, "multimode-maxwell": {"modes": 2}}
-    for name in get_args(Law):
+    for name in LAWS:
         for solvent in (True, False):
             rheology = Rheology(name, solvent=solvent, **own.get(name, {}))
-            law = law_named(rheology)
+            law, spec = law_named(rheology), rheology.spec
             flows = [branch.flow for branch in law.branches if branch.flow is not None]
-            said = (rheology.flows, rheology.yields, rheology.is_viscous, rheology.has_chains, rheology.has_springs)
+            said = (spec.flows, rheology.yields, rheology.is_viscous, spec.has_chains, spec.has_springs)
             found = (law.flows, law.yields, law.viscosity is not None, law.chains is not None, bool(law.branches))
             assert said == found, name
-            assert rheology.has_closed_means is all(flow.closed_means for flow in flows), name
+            assert spec.has_closed_means is all(flow.closed_means for flow in flows), name
         for constant in (
-            ("mode_1_youngs_modulus", "mode_2_viscosity") if name == "multimode-maxwell" else CONSTANTS[name]
+            ("mode_1_youngs_modulus", "mode_2_viscosity") if name == "multimode-maxwell" else LAWS[name].constants
         ):
             if constant in ("youngs_modulus", "second_modulus", "viscosity", "yield_stress"):
                 terms = Terms(law=rheology, curing=(Course(constant, rows=2),))

@@ -27,14 +27,6 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
 
 
-def refuse_law(scene: Scene) -> None:
-    """Refuse a yield stress in the small-deflection model, whose single plastic stretch needs a linear law."""
-    if scene.model == "small-deflection" and YIELDING.applies(scene):
-        raise SceneError(
-            [Fault("material.law", f"{scene.material.law!r} with model 'small-deflection'", "elastic or maxwell")]
-        )
-
-
 def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
     """Refuse the printed closure, a plastic state linear through the thickness, with effects beyond the paper."""
     beyond = [effect.name for effect in chosen if not effect.in_paper]
@@ -260,7 +252,6 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     The printed closure and the small-deflection model belong to the published theory: with them ``auto`` is the paper's
     list.
     """
-    refuse_law(scene)
     refuse_tables(scene)
     estimates = _estimates(scene)
     reasons = _reasons(scene, estimates, shown or {})

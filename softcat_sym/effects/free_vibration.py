@@ -319,7 +319,7 @@ def _decay(scene: Scene, frequency: float) -> float:
         return 1 / (2 * material.relaxation_time) + frequency**2 * solvent_lag(scene) / 2
     if is_solid(scene):
         late = retardation(scene)
-        if material.law == "kelvin-voigt":
+        if material.spec.viscous_stress:
             return frequency**2 * late / 2
         arm = (material.second_modulus or 0.0) / ((material.second_modulus or 0.0) + (material.youngs_modulus or 1.0))
         return arm / (2 * late) if late > 0 else 0.0

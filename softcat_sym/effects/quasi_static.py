@@ -107,7 +107,7 @@ def _sag(scene: Scene, time: Floats, share: float) -> Floats:
         lasting = elastic_sag_under(scene, weight, scales.static_modulus(scene))
         if not retardation(scene):
             return np.full_like(time, lasting)
-        first = 0.0 if scene.material.law == "kelvin-voigt" else at_once
+        first = at_once if scene.material.spec.flows else 0.0
         return lasting + (first - lasting) * np.exp(-elapsed / retardation(scene))
     return at_once + flow_sag(scene, weight, at_once, elapsed)
 

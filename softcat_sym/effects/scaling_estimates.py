@@ -119,8 +119,9 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
         return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
     if has_chains(scene):
         return hot_viscosity_factor(scene) * (viscosity_of_chains(scene) + (material.solvent_viscosity or 0.0))
-    if material.law == "custom" and material.formula is not None:
-        values = {parameter.name: parameter.value for parameter in material.parameters}
+    if material.formula is not None:
+        values = material.values()
+        values["viscosity"] = values.get("viscosity", 0.0) * hot_viscosity_factor(scene)
         rate = material.formula.value(material.threshold + stress, values)
         return stress / rate if rate > 0 and math.isfinite(rate) else 0.0
     if material.viscosity is None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
-from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
+from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
 from softcat_sym.scene.dimensions import is_spatial, needed_in_space
@@ -55,7 +55,7 @@ def _faults(scene: Scene) -> list[Fault]:
 
 
 def _eases(scene: Scene) -> str:
-    if law_in(scene).has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
+    if scene.material.spec.has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
         return ""
     return "included because its flow rule runs faster with it"
 

@@ -16,14 +16,14 @@ from softcat_sym.effects.choosing import (
     Effects,
     choose_effects,
     refuse_closure,
-    refuse_law,
     refuse_unsound,
     refuse_without,
     why_not,
 )
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GROUND, RELATES, Relation, faults_of, solve
-from softcat_sym.scene.material import CONSTANTS, OF_THE_INDEX, kind_of_constant, power, shear_names
+from softcat_sym.scene.laws import OF_THE_INDEX, kind_of_constant
+from softcat_sym.scene.material import power, shear_names
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.scene.toml import Override, apply
@@ -140,7 +140,7 @@ def constants_of(scene: Scene, row: Row) -> Row:
     if slenderness is not None:
         constants["filament.thickness"] = with_unit(slenderness * scene.filament.span, "length")
     material = scene.material
-    names = CONSTANTS[material.law]
+    names = material.spec.constants
 
     def kept(name: str) -> Relation:
         return Relation(f"material.{name}", name, GROUND, getattr(material, name))
@@ -305,7 +305,6 @@ def _admit(scene: Scene, effects: Effects) -> None:
     ]
     if barred:
         raise SceneError(barred)
-    refuse_law(scene)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
     refuse_unsound(scene, chosen)

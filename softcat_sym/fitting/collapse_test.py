@@ -39,6 +39,7 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
+from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown, to_si
@@ -419,7 +420,7 @@ def yield_stress_name(scene: Scene) -> str:
     names = {one.path.rpartition(".")[2] for one in candidates(scene)}
     found = next((name for name in ("yield_stress", "shear_yield_stress") if name in names), None)
     if found is None:
-        accepted = "a law with a yield stress: bingham or herschel-bulkley"
+        accepted = f"a law with a yield stress: {', '.join(laws_with('yield_stress'))}"
         raise SceneError([Fault("material.law", f"'{scene.material.law}' has no yield stress to measure", accepted)])
     return found
 

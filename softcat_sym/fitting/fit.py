@@ -560,7 +560,7 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, features: Sequence[
     if tuned is not None:
         starts.append(tuned)
     for one in features:
-        if one is None or scene.material.law not in ("maxwell", "newtonian"):
+        if one is None or not scene.material.spec.is_linear_fluid:
             continue
         guess = closed_form(one, scene.filament.density).first_guess
         if guess is None:

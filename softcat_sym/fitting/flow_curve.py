@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
@@ -30,6 +31,7 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
+from softcat_sym.scene.laws import LAWS, LawSpec
 from softcat_sym.scene.units import NotAQuantity, did_you_mean
 
 if TYPE_CHECKING:
@@ -198,36 +200,26 @@ def _refusal(path: Path | None, faults: list[Fault]) -> SoftcatError:
     return refusal("flow curve", path, faults)
 
 
-@dataclass(frozen=True)
-class ShearLaw:
-    """tau = tau_Y + k g^n with some of its constants left out: without n, n = 1; without tau_Y, tau_Y = 0."""
-
-    name: str
-    has_yield: bool
-    has_index: bool
-
-    @property
-    def constants(self) -> int:
-        """Number of fitted constants."""
-        return 1 + self.has_yield + self.has_index
-
-    def contains(self, other: ShearLaw) -> bool:
-        """Whether the other law is this one with fewer constants."""
-        return self.has_yield >= other.has_yield and self.has_index >= other.has_index
-
-    @property
-    def rank(self) -> tuple[int, bool]:
-        """Order of laws that fit equally well: fewer constants first, then those without a yield stress."""
-        return self.constants, self.has_yield
+def shear_stress(law: LawSpec, tau_Y: float, k: float, n: float, shear_rate: Floats) -> Floats:
+    """Stress of steady shear [Pa]: tau^p = tau_Y^p + (k g^n)^p, of which a law may have no tau_Y, or n = 1."""
+    p = law.shear_exponent
+    flowing = k * np.asarray(shear_rate) ** n
+    return tau_Y + flowing if p == 1 else (tau_Y**p + flowing**p) ** (1 / p)
 
 
-LAWS = (
-    ShearLaw("newtonian", False, False),
-    ShearLaw("bingham", True, False),
-    ShearLaw("power-law", False, True),
-    ShearLaw("herschel-bulkley", True, True),
-)
-_BY_NAME = {law.name: law for law in LAWS}
+def _constants(law: LawSpec) -> int:
+    """Number of constants fitted to a flow curve."""
+    return 1 + law.yields + law.has_index
+
+
+def _contains(law: LawSpec, other: LawSpec) -> bool:
+    """Whether the other law is this one with fewer constants, in steady shear."""
+    same = law.shear_exponent == other.shear_exponent or not other.yields
+    return same and law.yields >= other.yields and law.has_index >= other.has_index
+
+
+FITTED = tuple(one for one in LAWS.values() if one.flow_curve == one.name)
+"""Laws that are fitted to a flow curve: those whose curve is not that of another law."""
 
 
 @dataclass(frozen=True)
@@ -243,7 +235,7 @@ class Tensile:
 class Candidate:
     """One fitted law."""
 
-    law: str  # Its name in `LAWS`, as in a scene
+    law: str  # Its name
     tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
     k: Estimate
     n: Estimate | None
@@ -254,7 +246,8 @@ class Candidate:
 
     def stress(self, shear_rate: Floats) -> Floats:
         """Shear stress [Pa] at shear rates [1/s], any shape."""
-        return (self.tau_Y.value if self.tau_Y else 0.0) + self.k.value * shear_rate**self._index
+        limit = self.tau_Y.value if self.tau_Y else 0.0
+        return shear_stress(LAWS[self.law], limit, self.k.value, self._index, shear_rate)
 
     @property
     def tensile(self) -> Tensile:
@@ -362,6 +355,26 @@ def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -
         tau_Y[better], k[better] = tau_both[better], k_both[better]
     residual = tau_Y[:, None] / stress + k[:, None] * flow - 1
     return LinearPart(tau_Y, k, np.einsum("ij,ij->i", residual, residual))
+
+
+def powers_part(ratio: Floats, stress: Floats, law: LawSpec) -> LinearPart:
+    """Solve for the best tau_Y^p >= 0 and k^p >= 0 of a law in whose steady shear tau^p is linear in them.
+
+    The linear fit of tau^p is the initial guess; without a yield stress the law is Newtonian.
+    """
+    p = law.shear_exponent
+    fluid = linear_part(ratio, stress, np.ones(1), yields=False)
+    guess = linear_part(ratio, stress**p, np.array([p]), yields=True)
+
+    def residuals(x: Floats) -> Floats:
+        return np.asarray((x[0] + x[1] * ratio**p) ** (1 / p) / stress - 1)
+
+    start = np.array([guess.tau_Y[0], guess.k[0]])
+    found = least_squares(residuals, start, bounds=(0, np.inf), x_scale=np.mean(stress) ** p, xtol=1e-15, ftol=1e-15)
+    if 2 * found.cost >= fluid.squares[0]:
+        return fluid
+    tau_Y, k = found.x ** (1 / p)
+    return LinearPart(np.array([tau_Y]), np.array([k]), np.array([2 * found.cost]))
 
 
 def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
@@ -510,7 +523,7 @@ class FlowCurveFit:
         """
         found = [one for one in self.candidates if law in (None, one.law)]
         if not found:
-            names = [one.name for one in LAWS]
+            names = [one.name for one in FITTED]
             raise SoftcatError(f"no law {law!r} is fitted{did_you_mean(str(law), names)}: take {', '.join(names)}")
         return found[0]
 
@@ -520,9 +533,9 @@ class FlowCurveFit:
 
         If it contains the best law, which it then never fits worse, the limit is half that penalty.
         """
-        (best, one), (second, other) = ((each, _BY_NAME[each.law]) for each in self.candidates[:2])
-        last = charge(len(self.curve.shear_rate), max(one.constants, other.constants))
-        return second.criterion - best.criterion < (0.5 if other.contains(one) else 1.0) * last
+        (best, one), (second, other) = ((each, LAWS[each.law]) for each in self.candidates[:2])
+        last = charge(len(self.curve.shear_rate), max(_constants(one), _constants(other)))
+        return second.criterion - best.criterion < (0.5 if _contains(other, one) else 1.0) * last
 
     def overrides(self, law: str | None = None) -> dict[str, str | float]:
         """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
@@ -569,7 +582,7 @@ class FlowCurveFit:
 
 
 def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None = None) -> FlowCurveFit:
-    """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
+    """Fit every law of `FITTED` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. The optimum within these bounds
     is global: for a given index the other two follow in closed form, and the whole range of the index is searched.
@@ -592,31 +605,35 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None
         If the file or the points are not a valid flow curve, with every fault.
     """
     data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve, sample)
-    candidates = [_fit(data, law) for law in LAWS]
-    candidates.sort(key=lambda one: (one.criterion, _BY_NAME[one.law].rank))
+    candidates = [_fit(data, law) for law in FITTED]
+    # Of laws that fit equally well the one with fewer constants, then one without a yield stress, is first.
+    candidates.sort(key=lambda one: (one.criterion, _constants(LAWS[one.law]), LAWS[one.law].yields))
     return FlowCurveFit(data, tuple(candidates))
 
 
-def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
+def _fit(curve: FlowCurve, law: LawSpec) -> Candidate:
     rate, stress = curve.shear_rate, curve.shear_stress
     reference = float(np.exp(np.log(rate).mean()))
     ratio = rate / reference
-    n = best_index(ratio, stress, yields=law.has_yield) if law.has_index else 1.0
-    part = linear_part(ratio, stress, np.array([n]), yields=law.has_yield)
+    n = best_index(ratio, stress, yields=law.yields) if law.has_index else 1.0
+    if law.shear_exponent == 1:
+        part = linear_part(ratio, stress, np.array([n]), yields=law.yields)
+    else:
+        part = powers_part(ratio, stress, law)
     tau_Y, k = float(part.tau_Y[0]), float(part.k[0]) * reference**-n
     n = n if k > 0 else 1.0
-    fitted = tau_Y + k * rate**n
+    fitted = shear_stress(law, tau_Y, k, n, rate)
     squares = float(np.sum((fitted / stress - 1) ** 2))
     values = {"tau_Y": tau_Y, "k": k, "n": n}
     judged = _judged(rate, stress, law, values, squares)
     points = len(rate)
     return Candidate(
         law=law.name,
-        tau_Y=judged["tau_Y"] if law.has_yield else None,
+        tau_Y=judged["tau_Y"] if law.yields else None,
         k=judged["k"],
         n=judged["n"] if law.has_index else None,
         relative_rms=math.sqrt(squares / points),
-        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, law.constants),
+        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, _constants(law)),
         fitted=fitted,
         residuals=fitted / stress - 1,
     )
@@ -624,13 +641,12 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
 
 def scatter(curve: FlowCurve, law: str) -> float:
     """Standard deviation of the relative residuals about the best fit of a law, corrected for its constants."""
-    shear = _BY_NAME[law]
-    points = len(curve.shear_rate)
-    return _fit(curve, shear).relative_rms * math.sqrt(points / max(points - shear.constants, 1))
+    points, spec = len(curve.shear_rate), LAWS[law]
+    return _fit(curve, spec).relative_rms * math.sqrt(points / max(points - _constants(spec), 1))
 
 
 def _judged(
-    rate: Floats, stress: Floats, law: ShearLaw, values: dict[str, float], squares: float
+    rate: Floats, stress: Floats, law: LawSpec, values: dict[str, float], squares: float
 ) -> dict[str, Estimate]:
     """Estimate of every constant; constants on a bound do not count as free."""
     k, n = values["k"], values["n"]
@@ -641,10 +657,14 @@ def _judged(
         "n": not INDEX_BOUNDS[0] + slack < n < INDEX_BOUNDS[1] - slack,
     }
     # With a consistency of zero the index has no meaning.
-    fitted = {"tau_Y": law.has_yield, "k": True, "n": law.has_index and k > 0}
-    columns = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": k * rate**n * np.log(rate)}
+    fitted = {"tau_Y": law.yields, "k": True, "n": law.has_index and k > 0}
+    flowing = k * rate**n
+    parts = {"tau_Y": np.full_like(rate, values["tau_Y"]), "k": flowing, "n": flowing}
+    slopes = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": flowing * np.log(rate)}
+    fitted_stress, rest = shear_stress(law, values["tau_Y"], k, n, rate), 1 - law.shear_exponent
     free = [name for name in values if fitted[name] and not on_bound[name]]
-    errors = standard_errors(np.column_stack([columns[name] for name in free]) / stress[:, None], squares)
+    columns = [slopes[name] * (fitted_stress / parts[name]) ** rest if rest else slopes[name] for name in free]
+    errors = standard_errors(np.column_stack(columns) / stress[:, None], squares)
     quantile = student_quantile(len(rate) - len(free))
     bounds = {"tau_Y": (0.0, math.inf), "k": (0.0, math.inf), "n": INDEX_BOUNDS}
     judged = {

@@ -20,16 +20,8 @@ from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
-from softcat_sym.scene.material import (
-    CONSTANTS,
-    FROM_SHEAR,
-    INDEXED,
-    POLYMERS,
-    Material,
-    kind_of_constant,
-    poisson_in_shear,
-    tensile_name,
-)
+from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
+from softcat_sym.scene.material import FROM_SHEAR, Material, poisson_in_shear, tensile_name
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
@@ -143,7 +135,7 @@ def _of_history(path: str, unit: str, value: float) -> Iterator[Candidate]:
 
 
 def _of_law(material: Material) -> Iterator[Candidate]:
-    for name in CONSTANTS[material.law]:
+    for name in material.spec.constants:
         value = getattr(material, name)
         kind = kind_of_constant(name, material.law, material.index)
         path = f"material.{name}"
@@ -167,9 +159,9 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
         yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
     elif material.loss_modulus is None:
         yield _positive("material.loss_tangent", "", material.loss_tangent)
-    if material.law in INDEXED:
+    if material.spec.has_index:
         yield _positive("material.index", "", material.index, _INDEX)
-    if material.law not in POLYMERS:
+    if not material.has_chains:
         ratio = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
         yield Candidate(**{**vars(ratio), "limits": _POISSON})
     for number, mode in enumerate(material.modes, start=1):
@@ -320,8 +312,7 @@ def why_not_free(scene: Scene, name: str, known: Mapping[str, Candidate]) -> Fau
     """Say why a name cannot be free: no such constant of the law, no number, or no such name."""
     where, leaf = f"free {name}", name.rpartition(".")[2]
     law, usable = scene.material.law, ", ".join(dict.fromkeys(one.name for one in known.values() if not one.trouble))
-    constants = {constant for row in CONSTANTS.values() for constant in row} | {"index"}
-    if (tensile_name(leaf) or leaf) in constants and name in (leaf, f"material.{leaf}"):
+    if (tensile_name(leaf) or leaf) in (*CONSTANTS, "index") and name in (leaf, f"material.{leaf}"):
         return Fault(where, f"the law '{law}' has no {leaf}{_other_shear(leaf, known)}", usable)
     tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
     if tables and tables != ["groups"]:

@@ -24,7 +24,7 @@ from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit
-from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, kind_of_constant
+from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.solvers.solution import Progress
@@ -123,7 +123,7 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, i
 
 
 def _contains(wider: str, narrower: str) -> bool:
-    inside = LIMITS.get(wider, {})
+    inside = spec_of(wider).limits
     return narrower in inside or any(_contains(one, narrower) for one in inside)
 
 
@@ -174,40 +174,40 @@ def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, fl
     sag = max((float(np.max(np.abs(height))) for _, height in seen), default=0.0) / span or _SAG
     as_string, as_beam = 3 / 64 * weight / sag**3, weight * span**2 / (32 * sag * thickness**2)
     modulus = 1 / (1 / as_string + 1 / as_beam)
-    held = law in ("kelvin-voigt", "standard-linear", "bingham", "herschel-bulkley")
-    solid = law in ("elastic", "kelvin-voigt")
+    spec = LAWS[law]
+    held = spec.is_solid or spec.yields
     return {
-        "youngs_modulus": modulus * (1.0 if solid else _STIFFER),
+        "youngs_modulus": modulus * (_STIFFER if spec.flows else 1.0),
         "second_modulus": modulus,
         "yield_stress": weight / (8 * sag),
         "viscosity": modulus * longest * (_SOONER if held else 1.0),
     }
 
 
-FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("custom", *POLYMERS))
+FITTED = tuple(one.name for one in LAWS.values() if one.constants and not one.lists and not one.has_chains)
 """Laws with a fixed set of constants that a sag determines roughly; a film cannot separate polymer and solvent."""
 
 
 def constants_of(law: str) -> tuple[str, ...]:
     """Names of all constants of one of :data:`FITTED`, its index included."""
-    return (*CONSTANTS[law], *(("index",) if law in INDEXED else ()))
+    return (*LAWS[law].constants, *(("index",) if LAWS[law].has_index else ()))
 
 
 def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
     """Give a scene another law, with the scene's own constants where it has them and rough ones otherwise."""
-    material, rough = scene.material, rough_constants(scene, films, law)
-    index = material.index if law in INDEXED and material.law in INDEXED else 1.0
+    material, spec, rough = scene.material, LAWS[law], rough_constants(scene, films, law)
+    index = material.index if spec.has_index else 1.0
     # A consistency is not a viscosity, and the rough value holds only for an index of one.
-    same = (material.law in INDEXED) == (law in INDEXED) or material.index == 1
+    same = material.spec.has_index == spec.has_index or material.index == 1
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes["material.law"] = law
-    if law not in FITTED or "youngs_modulus" not in CONSTANTS[law]:
+    if law not in FITTED or "youngs_modulus" not in spec.constants:
         changes["material.youngs_modulus"] = None
-    for name in CONSTANTS[law]:
+    for name in spec.constants:
         own = getattr(material, name)
         keeps = own is not None and (name != "viscosity" or same)
         changes[f"material.{name}"] = kind_of_constant(name, law, index).write(own if keeps else rough[name])
-    if law in INDEXED:
+    if spec.has_index:
         changes["material.index"] = index
     if isinstance(scene.run.effects, str):
         return scene.replace(changes)
@@ -226,47 +226,10 @@ def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
     return names
 
 
-# Factors on rough constants in the limit of a narrower law: a modulus so large that elastic stretch is negligible, or a
-# stress or modulus so small that it carries no load. A fit's bounds are a thousand times wider either way.
-_STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
-
-
-@dataclass(frozen=True)
-class _Limit:
-    """Constants with which a wider law behaves as a narrower one."""
-
-    factors: Mapping[str, float]  # Factors on rough constants, for constants that only the wider law has
-    # Constants of the wider law that equal a constant of another name of the narrower law.
-    renamed: Mapping[str, str] = field(default_factory=dict)
-
-
-# Keys are the wider law, then the narrower one; an index starts at one. The elastic law is left out: a law that flows
-# has a relaxation time that distinguishes it.
-LIMITS: dict[str, dict[str, _Limit]] = {
-    "maxwell": {"newtonian": _Limit({"youngs_modulus": _STIFF})},
-    "kelvin-voigt": {"newtonian": _Limit({"youngs_modulus": _WEAK})},
-    "standard-linear": {
-        "maxwell": _Limit({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
-        "kelvin-voigt": _Limit({"second_modulus": _STIFFER_THAN_WIDER}),
-    },
-    "bingham": {
-        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-        "maxwell": _Limit({"yield_stress": _WEAK}),
-    },
-    "power-law": {"newtonian": _Limit({"youngs_modulus": _STIFF}), "maxwell": _Limit({})},
-    "herschel-bulkley": {
-        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-        "maxwell": _Limit({"yield_stress": _WEAK}),
-        "bingham": _Limit({}),
-        "power-law": _Limit({"yield_stress": _WEAK}),
-    },
-}
-
-
 def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
     """Write a fitted filament in the constants of a law that contains its own."""
     narrower = fitted.material.law
-    limit = LIMITS[law][narrower]
+    limit = LAWS[law].limits[narrower]
     scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
     values = {name: factor * rough[name] for name, factor in limit.factors.items()}
     values |= {name: float(getattr(fitted.material, own)) for name, own in limit.renamed.items()}
@@ -566,7 +529,7 @@ def fit_laws(
     failures: dict[str, str] = {}
     restarted: dict[str, str] = {}
     # Every law is fitted after those that it contains.
-    for number, law in enumerate(sorted(laws, key=lambda law: len(LIMITS.get(law, {})))):
+    for number, law in enumerate(sorted(laws, key=lambda law: len(LAWS[law].limits))):
         if progress is not None:
             progress.stage(law)
             progress.reach(number / len(laws), f"{number + 1} of {len(laws)}")
@@ -590,7 +553,7 @@ def fit_laws(
 
 def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     """The best law that this one contains, if this one has no fit or a worse one; otherwise empty."""
-    near = {name: fits[name] for name in (law, *LIMITS.get(law, {})) if name in fits and fits[name].outcome.converged}
+    near = {name: fits[name] for name in (law, *LAWS[law].limits) if name in fits and fits[name].outcome.converged}
     if not near or set(near) == {law}:
         return ""
     values = loss_values(loss, near, known=next(iter(near.values())).noise_known)

@@ -120,7 +120,7 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     # Of forces and moments, and of each unit of a modulus.
     carried, elastic = (cells.tangent(share, force=one) for share, one in ((0.0, 1.0), (1.0, 0.0)))
     viscosity = solid_viscosity(scene)
-    if scene.material.law == "kelvin-voigt":
+    if scene.material.spec.viscous_stress:
         viscosity += float(scene.material.viscosity or 0.0)
     stiffness, damping = _Matrix.of(carried + modulus * elastic, held), _Matrix.of(viscosity * elastic, held)
     rates = _growth_rates(stiffness, damping, mass, float(time[-1]))

@@ -16,7 +16,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.results.breaking import breakable, first_break
 from softcat_sym.results.fields import audit_of, energies_of, is_loss, min_energy
-from softcat_sym.scene.material import POLYMERS, SOLIDS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 from softcat_sym.solvers.solution import Solution
@@ -180,9 +179,9 @@ def _place(nodes: Floats, cell: int) -> float:
 
 def largest_stretch(scene: Scene) -> float:
     """The stretch at which a filament counts as ruptured."""
-    if scene.material.law in POLYMERS:
+    if scene.material.has_chains:
         return POLYMER_THREAD
-    return STRONGEST if scene.material.law in SOLIDS else THREAD
+    return STRONGEST if scene.material.spec.is_solid else THREAD
 
 
 def rupture_frame(scene: Scene, stretch: Floats) -> int | None:

@@ -11,23 +11,13 @@ from pydantic import ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
 
 from softcat_sym.errors import Fault
-from softcat_sym.scene.material import (
-    CONSTANTS,
-    FROM_SHEAR,
-    GROUPED,
-    INDEXED,
-    POISSON,
-    Law,
-    Material,
-    kind_of_constant,
-    power,
-    shear_names,
-)
+from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
+from softcat_sym.scene.material import FROM_SHEAR, POISSON, Material, power, shear_names
 from softcat_sym.scene.parts import Filament, Load, Part, kinds_of
 from softcat_sym.scene.units import LARGEST, SMALLEST, Choice, Kind, Number, fault_of, refusal, shown, with_unit
 
 TimeUnit = Literal["gravity", "elastic"]
-_GROUPED = f"one of the laws {', '.join(GROUPED)}"
+_GROUPED = [one.name for one in LAWS.values() if one.has_groups]
 Positive = Annotated[float | None, Number(above=0)]
 
 
@@ -38,7 +28,7 @@ class GroupBlock(Part):
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
-    law: Annotated[Law, Choice(Law)]
+    law: Annotated[str, Choice(tuple(LAWS))]
     """Constitutive law: how the material answers to stress."""
     G: Positive = None
     """Gravity over yield stress, rho g L/sY."""
@@ -65,12 +55,14 @@ class GroupBlock(Part):
     @classmethod
     def _of_the_law(cls, value: Any, info: ValidationInfo) -> Any:
         law = info.data.get("law", value)
-        if info.field_name == "law" and law not in GROUPED:
-            raise refusal(f"the law '{law}' has more constants than groups", f"give physical values; or {_GROUPED}")
-        if info.field_name == "n" and value != 1 and law in CONSTANTS and law not in INDEXED:
-            raise refusal(f"given, but the law '{law}' has no index", f"leaving it out, or {' or '.join(INDEXED)}")
-        if (value, law) == ("elastic", "newtonian"):
-            raise refusal("'elastic', but the law 'newtonian' has no Young's modulus", "gravity")
+        if info.field_name == "law" and law not in _GROUPED:
+            accepted = f"give physical values; or one of the laws {', '.join(_GROUPED)}"
+            raise refusal(f"the law '{law}' has more constants than groups", accepted)
+        if info.field_name == "n" and value != 1 and law in LAWS and not LAWS[law].has_index:
+            others = " or ".join(one.name for one in LAWS.values() if one.has_index)
+            raise refusal(f"given, but the law '{law}' has no index", f"leaving it out, or {others}")
+        if value == "elastic" and info.field_name == "time_unit" and law in LAWS and not LAWS[law].is_elastic:
+            raise refusal(f"'elastic', but the law '{law}' has no Young's modulus", "gravity")
         return value
 
 
@@ -105,7 +97,7 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
     faults: list[Fault] = []
     tree: list[Relation] = []
     for relation in relations:
-        unused = [name for name in (relation.constant, relation.other) if name not in (*CONSTANTS[law], GROUND)]
+        unused = [name for name in (relation.constant, relation.other) if name not in (*LAWS[law].constants, GROUND)]
         if unused:
             # Constants given as such are refused by the material itself.
             if relation.path.startswith("groups."):
@@ -120,7 +112,7 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
         own = relation.path.removeprefix("groups.")
         found = f"given twice: {names} and {own} together fix more than there is to fix"
         faults.append(Fault(relation.path, found, "leaving one of them out"))
-    loose = [name for name in CONSTANTS[law] if _chain(tree, name, GROUND) is None]
+    loose = [name for name in LAWS[law].constants if _chain(tree, name, GROUND) is None]
     if loose:
         given = {relation.path for relation in relations}
         ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair) & set(loose)]
@@ -186,7 +178,8 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
     if not isinstance(groups, Mapping):
         return frozenset(_STANDS_FOR.values()) if "groups" in table else frozenset()
     filled = {path for key, path in _STANDS_FOR.items() if key in groups or key in ("delta", "law")}
-    constants = CONSTANTS.get(str(groups.get("law")), ("youngs_modulus", "viscosity", "yield_stress"))
+    law = str(groups.get("law"))
+    constants = LAWS[law].constants if law in LAWS else ("youngs_modulus", "viscosity", "yield_stress")
     given = _section(table, "material")
     for name in constants:
         if not {name, *shear_names(name)} & set(given):
@@ -243,13 +236,13 @@ def _of_law(
 ) -> list[Fault]:
     """Fill in the law with its index, and find what does not belong to it."""
     law, faults = raw.get("law"), list[Fault]()
-    if isinstance(law, str) and law in GROUPED:
+    if isinstance(law, str) and law in _GROUPED:
         faults += faults_of(relations, law)
-        if law in INDEXED and index != 1:
+        if spec_of(law).has_index and index != 1:
             found = f"given, but with an index of {index:g} there is no viscosity to scale"
             faults += [Fault(f"groups.{key}", found, _WITH_INDEX) for key in ("tau", "B") if key in raw]
         _fill(rest, "material.law", law)
-    if block is not None and "n" in raw and block.law in INDEXED:
+    if block is not None and "n" in raw and LAWS[block.law].has_index:
         _fill(rest, "material.index", block.n)
     return faults
 
@@ -260,7 +253,7 @@ def _fill_physical(rest: Table, block: GroupBlock, sizes: Mapping[str, float], u
     for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if times is not None:
             _fill(rest, path, with_unit(times * unit, "time"))
-    for name in CONSTANTS[block.law]:
+    for name in LAWS[block.law].constants:
         if not set(shear_names(name)) & set(_section(rest, "material")):
             _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(sizes[name]))
 

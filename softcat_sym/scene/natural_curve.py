@@ -93,7 +93,7 @@ def shape_rules(scene: Tables) -> Iterator[Rule]:
     yield ends.right_angle, "ends.right_angle", f"{given}: a clamp holds its end as it is", out
     yield ends.right_slides, "ends.right_slides", given, out
     fluid = f"{shape!r}, but a fluid has no shape of its own: the law is '{scene.material.law}'"
-    yield scene.material.law == "newtonian", "filament.shape", fluid, "another law"
+    yield not scene.material.spec.is_elastic, "filament.shape", fluid, "another law"
     if shape == ARC:
         yield from _of_arc(filament, math.hypot(filament.span, ends.drop))
         return

@@ -14,7 +14,8 @@ from pydantic_core import ValidationError
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import POLYMERS, SOLIDS, Parameter, power
+from softcat_sym.scene.laws import LAWS
+from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
@@ -56,7 +57,7 @@ def surface_stretch(scene: Scene) -> float:
     E log(s)/s + Gam s^-1/2 = 0, of a sheet E/(1 - nu^2) log(s)/s + Gam = 0.
     """
     filament, material = scene.filament, scene.material
-    if scene.initial.surface == "fresh" or material.law not in SOLIDS or material.youngs_modulus is None:
+    if scene.initial.surface == "fresh" or not material.spec.is_solid or material.youngs_modulus is None:
         return 1.0
     # Imported here: most scenes do without SciPy, which takes a while to load.
     from scipy.special import lambertw
@@ -120,9 +121,6 @@ def undeformed_area(scene: Scene) -> float:
 # Beyond, the two supports are one point.
 _LONGEST = 1000
 _ANGLE_ROUNDING = 1e-9
-# The small-deflection model has laws of one plastic stretch; a law that yields is refused where effects are chosen.
-_SMALL_LAWS = ("elastic", "maxwell")
-_REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
@@ -191,7 +189,7 @@ def _of_reach(scene: Scene) -> Iterator[Rule]:
         f"the supports are up to {reach:.4g} m apart, {reach / length:.4g} times the rest length {length:.4g} m: "
         "beyond what the filament can follow; an elastic filament of true strain is strongest at stretch e = 2.718"
     )
-    broken = scene.material.law in SOLIDS and is_held(scene) and reach > limit
+    broken = scene.material.spec.is_solid and is_held(scene) and reach > limit
     yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
 
 
@@ -210,7 +208,7 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
     yield length > _LONGEST * apart, "filament.rest_length", found, f"{accepted} times, {_LONGEST * apart:.4g} m"
     slack = f"but the filament is slack ({length:.4g} m over {apart:.4g} m)"
     found = f"'newtonian', {slack}: a fluid has no shape to start from"
-    yield scene.material.law == "newtonian", "material.law", found, "maxwell"
+    yield not scene.material.spec.is_elastic, "material.law", found, "maxwell"
     found = f"{load.ramp:g} s, {slack}: a slack filament hangs in its weight from the start"
     yield load.ramp > 0, "load.ramp", found, "leaving it out"
     found = f"zero, {slack}: nothing tells what shape it has"
@@ -225,16 +223,17 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
 
 def _of_initial_state(scene: Scene) -> Iterator[Rule]:
     initial, law, given = scene.initial, scene.material.law, scene.filament.rest_length
+    spec = scene.material.spec
     found = f"true with a stretch, but the law '{law}' does not flow"
     broken, accepted = initial.relaxed and initial.stretch != 1, "false; or filament.rest_length instead of the stretch"
-    yield law in SOLIDS and broken, "initial.relaxed", found, accepted
+    yield spec.is_solid and broken, "initial.relaxed", found, accepted
     follows = distance(scene) / initial.stretch
     differs = given is not None and not math.isclose(given, follows, rel_tol=_ROUNDING)
     found, accepted = f"{initial.stretch:g}, but filament.rest_length is {given} m", f"one of the two, or {follows!r} m"
     yield differs and not initial.relaxed and initial.stretch != 1, "initial.stretch", found, accepted
     for name in ("P", "C"):
         broken, found = getattr(initial, name), f"given, but the law '{law}' has no plastic strain"
-        yield broken and law in (*SOLIDS, "newtonian"), f"initial.{name}", found, "leaving it out"
+        yield broken and (spec.is_solid or not spec.flows), f"initial.{name}", found, "leaving it out"
 
 
 def _of_surface(scene: Scene) -> Iterator[Rule]:
@@ -251,15 +250,15 @@ def _of_surface(scene: Scene) -> Iterator[Rule]:
         ("filament.rest_length", filament.rest_length is not None),
     ):
         yield given, path, f"{relaxed}, but {key} says too what stress there is", f"{fresh}, or no {key}"
-    flows = law not in SOLIDS and not scene.material.yield_stress and scene.material.threshold == 0
+    solid = scene.material.spec.is_solid
     found = f"{relaxed}, but a filament of the law '{law}' never rests under its surface: it has no yield stress"
-    yield flows, path, found, fresh
+    yield not solid and scene.material.threshold == 0, path, found, fresh
     found = f"{relaxed}, but an elastic filament with a profile has no one stretch at which its surface is balanced"
-    yield law in SOLIDS and filament.profile, path, found, f"{fresh}, or no filament.profile"
+    yield solid and filament.profile, path, found, f"{fresh}, or no filament.profile"
 
 
 def _of_newtonian(scene: Scene) -> Iterator[Rule]:
-    if scene.material.law != "newtonian":
+    if scene.material.spec.is_elastic:
         return
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
@@ -283,8 +282,9 @@ _NOT_SMALL = {
 def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     if scene.model != "small-deflection":
         return
-    law, small = scene.material.law, "with model 'small-deflection'"
-    yield law not in (*_SMALL_LAWS, *_REFUSED_LATER), "material.law", f"{law!r} {small}", " or ".join(_SMALL_LAWS)
+    small, laws = "with model 'small-deflection'", [one.name for one in LAWS.values() if one.suits_small_deflections]
+    law = scene.material.law
+    yield law not in laws, "material.law", f"{law!r} {small}", " or ".join(laws)
     for table, keys in _NOT_SMALL.items():
         part = getattr(scene, table)
         for key in keys:
@@ -530,7 +530,7 @@ def _modulus(scene: Scene) -> float | None:
 def _viscosity(scene: Scene) -> float | None:
     """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum, of polymer chains E lambda and the solvent's."""
     material = scene.material
-    if material.law in POLYMERS:
+    if material.has_chains:
         return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (
             material.solvent_viscosity or 0.0
         )

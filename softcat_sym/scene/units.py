@@ -431,10 +431,10 @@ class Whole(Kind):
 
 
 class Choice(Kind):
-    """One of a few names or whole numbers, those of a `Literal`."""
+    """One of a few names or whole numbers, those of a `Literal` or a tuple."""
 
-    def __init__(self, literal: Any) -> None:
-        self.options: tuple[str | int, ...] = get_args(literal)
+    def __init__(self, options: Any) -> None:
+        self.options: tuple[str | int, ...] = get_args(options) or options
         self.accepted = ", ".join(map(str, self.options))
 
     def read(self, value: object) -> str | int:

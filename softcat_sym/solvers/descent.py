@@ -35,7 +35,7 @@ def bounds_of(scene: Scene, terms: Terms, nodes: Floats) -> Bounds | None:
     What has a free end hangs on one support and is drawn out by its own weight as far as its law allows: its run ends
     as a thread. Solids come to rest, and chains of polymers may hold what they are drawn to.
     """
-    if scene.model != "filament" or not is_held(scene) or is_solid(scene) or terms.law.has_chains:
+    if scene.model != "filament" or not is_held(scene) or is_solid(scene) or terms.law.spec.has_chains:
         return None
     if not (terms.flows or terms.viscous):
         return None

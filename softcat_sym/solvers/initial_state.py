@@ -83,7 +83,7 @@ def is_straight(scene: Scene) -> bool:
     )
     held = "free" not in (ends.left, ends.right)
     # A Newtonian fluid has no elastic stress after stretching.
-    pulled = held and scene.material.law != "newtonian"
+    pulled = held and scene.material.spec.is_elastic
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
     bent = is_curved(scene) or any(initial.C) or bool(initial.centreline)

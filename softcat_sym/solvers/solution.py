@@ -65,7 +65,7 @@ Stretch = Callable[[Floats, Floats, Floats], Floats]
 
 def thread_of(terms: Terms) -> float:
     """Stretch at which the run of a filament with this law ends."""
-    return POLYMER_THREAD if terms.law.has_chains else THREAD
+    return POLYMER_THREAD if terms.law.spec.has_chains else THREAD
 
 
 def is_torn(terms: Terms, stretch: Floats) -> bool:

@@ -250,7 +250,7 @@ def _rigid(scene: Scene, run: Run) -> bool:
 def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     """Prediction of a viscous sag, of a beam or of a string; time is counted from half the ramp of the load."""
     material = scene.material
-    viscosity = None if is_solid(scene) or material.law == "custom" else effective_viscosity(scene) or None
+    viscosity = None if is_solid(scene) or material.spec.has_formula else effective_viscosity(scene) or None
     if viscosity is None:
         return "a solid does not flow" if is_solid(scene) else "its flow rule has no viscosity"
     if _rigid(scene, run):

@@ -23,7 +23,7 @@ from softcat_sym.ensemble.ranges import refusal as refusal_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
 from softcat_sym.scene.keys import scene_keys
-from softcat_sym.scene.material import OF_THE_INDEX
+from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
