@@ -28,6 +28,7 @@ from softcat_sym.error_control.estimate import Resolution, resolution_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together
 from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
 from softcat_sym.simulate import recalled
@@ -179,16 +180,14 @@ def start_of(described: Description, filament: Assembled) -> Floats | None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
     observed = graph.symbolic.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
-    names, ends, length = [slot.name for slot in described.model.slots], scene.ends, rest_length(scene)
+    names, length = [slot.name for slot in described.model.slots], rest_length(scene)
     for kind in {*PLACES, *TURN} & set(names):
         held, unit = observed[kind], length if kind in PLACES else 1.0
         state[[0, -1], names.index(kind)] = float(held[0]) / unit, float(held[-1]) / unit
     if "psi" in names:
-        slot, (first, last) = names.index("psi"), described.structure.ends
-        if first.holds_angle:
-            state[0, slot] = 0.0 if graph.grid.is_half else ends.left_angle
-        if last.holds_angle:
-            state[-1, slot] = ends.right_angle
+        for place, support, (_, _, angle) in zip((0, -1), described.structure.ends, scene.ends.sides, strict=True):
+            if support.holds_angle:
+                state[place, names.index("psi")] = 0.0 if support is SYMMETRY else angle
     return state
 
 

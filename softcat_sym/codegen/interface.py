@@ -19,7 +19,7 @@ from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, choose_grading, towards_middle
+from softcat_sym.discretization.grid import choose_grading, towards_middle
 from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
@@ -34,6 +34,7 @@ from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
+from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
@@ -412,8 +413,8 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "on_cells": "described_on_cells",
         "mean": "described_mean",
         "bending": "described_bending",
-        "first": f"SOFTCAT_{structure.ends[0].name}",
-        "last": f"SOFTCAT_{structure.ends[1].name}",
+        "first": f"SOFTCAT_{structure.ends[0].kind.upper()}",
+        "last": f"SOFTCAT_{structure.ends[1].kind.upper()}",
         "least_cells": str(MIN_CELLS),
         "area_power": str(structure.formulation.area_power),
         "profiled": str(int(structure.body.profile.nodes is not None)),
@@ -472,7 +473,7 @@ def header_text(described: Description, name: str, command: str) -> str:
         big=big,
         prefix=prefix_of(name),
         structure=symbol_of(name, "structure"),
-        half=described.structure.ends[0] is End.SYMMETRY,
+        half=described.structure.ends[0] is SYMMETRY,
         min_cells=MIN_CELLS,
         axes=3 if "z" in [slot.name for slot in slots] else 2,
         parameters=list(zip(parameters, words, strict=True)),

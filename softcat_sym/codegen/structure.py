@@ -11,13 +11,14 @@ from typing import TypeVar
 from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
 from softcat_sym.discretization.assembly import Theory
-from softcat_sym.discretization.grid import End, Grid
+from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Signature, Slot
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.terms import Formulation
+from softcat_sym.scene.ends import Support
 
 
 @dataclass(frozen=True)
@@ -253,7 +254,7 @@ class Structure:
     effects: tuple[str, ...]  # Names of the effects in force
     formulation: Formulation = field(compare=False)  # What the filament is recorded from
     theory: Theory = field(compare=False)
-    ends: tuple[End, End] = field(compare=False)
+    ends: tuple[Support, Support] = field(compare=False)
     body: Body = field(compare=False)
 
 
@@ -267,7 +268,7 @@ def structure_of(effects: Effects, grid: Grid, formulation: Formulation, theory:
         formulation.section,
         formulation.closure,
         theory.label,
-        [end.name for end in ends],
+        [end.holds for end in ends],
         body.supports,
         body.profile.nodes is not None,
         body.weighted,

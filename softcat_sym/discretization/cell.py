@@ -15,7 +15,6 @@ import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
@@ -52,6 +51,7 @@ from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
+from softcat_sym.scene.ends import SYMMETRY, Support
 
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
@@ -118,9 +118,9 @@ Sided = Callable[[int | None, int | None], ca.SX]
 class Builder:
     """Collects the fields of a filament between two ends."""
 
-    def __init__(self, equations: FilamentEquations, ends: tuple[End, End], body: Body) -> None:
+    def __init__(self, equations: FilamentEquations, ends: tuple[Support, Support], body: Body) -> None:
         self.equations, self.first, self.last, self.body = equations, *ends, body
-        self.half = self.first is End.SYMMETRY
+        self.half = self.first is SYMMETRY
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
         self.leaves, self.fields = Leaves(), list[Field]()
         self.named = _Parameters(self.leaves)

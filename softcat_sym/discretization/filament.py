@@ -17,7 +17,6 @@ from softcat_sym.discretization.cell import (
     place_names,
     printed,
 )
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.heat import Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
@@ -31,12 +30,13 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.unknowns import CELLS, HEAT_LOST, INNER, NODES, WORK_OF_AGEING, Slot, Where
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.scene.ends import Support
 
 
 def build(
     equations: FilamentEquations,
     model: str,
-    ends: tuple[End, End],
+    ends: tuple[Support, Support],
     body: Body,
     rule: Sampling | SpatialSampling | None,
 ) -> Program:

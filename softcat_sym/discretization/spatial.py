@@ -27,7 +27,6 @@ from softcat_sym.discretization.cell import (
     printed,
     surface_force,
 )
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.held_ends import Held
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.sampling import OnePoint, SpatialSampling, point_labels
@@ -433,8 +432,9 @@ class _Body:
         ends = {site: acting(*cells) for site, cells, held in sides if not held}
         if slot.name in (TURN[1], SPIN[0]) and not slot.differential:
             # A pin leaves the normal free but does not let it spin: the filament would, without resistance.
-            pinned = ((0, b.first is End.PINNED), (-1, b.last is End.PINNED))
-            ends |= {site: self._spinning(slot) for site, is_pinned in pinned if is_pinned}
+            supports = zip((0, -1), (b.first, b.last), strict=True)
+            pinned = [site for site, one in supports if not (one.is_free or one.carries_moment)]
+            ends |= {site: self._spinning(slot) for site in pinned}
         return Field(name, INNER, acting(-1, 0), ends)
 
     def _spinning(self, slot: Slot) -> ca.SX:

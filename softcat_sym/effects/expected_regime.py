@@ -16,6 +16,7 @@ from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (
     Scene,
+    carries_moment,
     groups_of,
     is_held,
     is_slack,
@@ -171,7 +172,7 @@ def _arrested(
         # It rings about its static sag, by bending and the tension at yield.
         springs = 2 * left / (1 + left)
     depth = past * (numbers.stopping_depth_exact or 0.0)
-    clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
+    clamped = carries_moment(scene) and "bending" in effects
     # The tension that rotates the hinge includes that of the surface; the rate is over sigma_Y/eta.
     pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
     pace /= scales.share_of_yield(scene)

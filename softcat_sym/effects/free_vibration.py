@@ -33,6 +33,7 @@ from softcat_sym.scene.scene import (
     force_free_stretch,
     is_held,
     is_slack,
+    straight_angle,
     stress_free_length,
     undeformed_area,
 )
@@ -144,7 +145,7 @@ def _fibre_ratio(scene: Scene) -> float:
 
 def _natural_shape(scene: Scene) -> Shape:
     """Without stress: its own curve, or straight along its supports, or from its only support in its direction."""
-    ends, filament, length = scene.ends, scene.filament, stress_free_length(scene)
+    filament, length = scene.filament, stress_free_length(scene)
     kappa = np.array([[filament.twist, 0.0, filament.curvature]])
     turned = math.ceil(float(np.linalg.norm(kappa)) * length / _TURN / 2) * 2
     share = np.linspace(0.0, 1.0, min(max(_ELEMENTS, turned), _MOST) + 1)
@@ -153,11 +154,8 @@ def _natural_shape(scene: Scene) -> Shape:
         quaternions = curve.quaternions(share * length)
         half = np.arccos(np.clip(quaternions[:, :1], -1, 1))
         return Shape(curve.places(share * length), turns_by(2 * quaternions[:, 1:] / np.sinc(half / np.pi)))
-    from_left = ends.left != "free"
-    kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
-    along = chord_angle(scene) if is_held(scene) else angle if kind == "clamped" else 0.0
-    at = (share[:, None] - (0.0 if from_left else 1.0)) * length
-    first = _in_plane(np.array([along]))
+    at = (share[:, None] - float(scene.ends.supports[0].is_free)) * length
+    first = _in_plane(np.array([straight_angle(scene)]))
     steps = np.diff(at, axis=0) * (first @ turns_by((at[1:] + at[:-1]) / 2 * kappa))[:, :, 0]
     return Shape(np.vstack([np.zeros(3), np.cumsum(steps, axis=0)]), first @ turns_by(at * kappa))
 
@@ -178,8 +176,8 @@ def _held_shape(scene: Scene, natural: Shape) -> Shape:
         s = a * math.sinh(begin / a) + share * length
         places[:, 0], places[:, 1] = a * np.arcsinh(s / a) - begin, up * (np.hypot(a, s) - math.hypot(a, s[0]))
         angles = up * np.arctan(s / a)
-    for node, kind, angle in ((0, ends.left, ends.left_angle), (-1, ends.right, ends.right_angle)):
-        angles[node] = angle if kind == "clamped" else angles[node]
+    for node, (_, support, angle) in zip((0, -1), ends.sides, strict=True):
+        angles[node] = angle if support.carries_moment else angles[node]
     return Shape(places, _in_plane(angles))
 
 
@@ -211,7 +209,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     axial = section.stiffness(modulus, poisson) * areas
     bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
     sheared = axial * drawn / (2 * (1 + poisson))
-    stiff = section.shear_correction if asked == "auto" or "shear" in asked else math.inf
+    stiff = float(section.shear_correction) if asked == "auto" or "shear" in asked else math.inf
     bending = stiffness_of_angles(
         length,
         bent * square,
@@ -229,9 +227,10 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     force[-1] += [*load.tip_force, *load.tip_torque]
     free = np.ones((n + 1, 6), dtype=bool)
     free[:, 2:5] = is_spatial(scene)
-    for node, kind in ((0, scene.ends.left), (-1, scene.ends.right)):
-        free[node, : {"clamped": 6, "pinned": 3, "free": 0}[kind]] = False
-    free[-1, 0] |= scene.ends.right_slides
+    left, right = scene.ends.supports
+    for node, support in ((0, left), (-1, right)):
+        held = support.holds_x, support.holds_height, support.holds_height, *[support.holds_angle] * 3
+        free[node] &= ~np.array(held)
     return Elements(
         length=length,
         relaxed=math.log(force_free_stretch(scene)) + strains,
@@ -245,7 +244,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,
-        closing=np.linspace(scene.ends.left == "free", scene.ends.right != "free", n + 1),
+        closing=np.linspace(left.is_free, not right.is_free, n + 1),
         free=np.flatnonzero(free),
     )
 

@@ -159,7 +159,7 @@ def duration_star(scene: Scene) -> float:
 
 def beam_of(scene: Scene) -> Beam:
     """The straight beam between the scene's ends; with a free end, a cantilever."""
-    return beam_between(scene.ends.left, scene.ends.right)
+    return beam_between(*scene.ends.supports)
 
 
 def section_of(scene: Scene) -> CrossSection:

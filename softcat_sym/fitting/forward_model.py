@@ -107,7 +107,7 @@ class ForwardForces(ForwardReadings):
         self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, way: int, max_steps: int
     ) -> None:
         graph = filament.graph
-        if not graph.program.support or graph.grid.last.name == "FREE":
+        if not graph.program.support or graph.grid.last.is_free:
             found = "a force of the right support is known only for stretchable plane filaments that this support holds"
             raise SoftcatError(f"forces: {found}; leave the column of forces out")
         super().__init__(filament, free, times, tuple(range(len(graph.x_kinds) + len(graph.z_kinds))), max_steps)

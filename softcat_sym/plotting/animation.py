@@ -86,7 +86,7 @@ class Film:
             share = part.reshape(-1, *(1,) * (values.ndim - 1))
             self._data[name] = (1 - share) * values[before] + share * values[after]
         self.midpoint: Floats = self._data["midpoint"]
-        self._clamped = (scene.ends.left == "clamped", scene.ends.right == "clamped")
+        self._clamped = [one.holds_angle for one in scene.ends.supports]
         outlines = np.stack([outline(section_at(self._data, k, self._clamped)) for k in range(self.times.size)])
         self.bounds: Floats = np.stack([outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))])
         self.largest = float(np.quantile(np.stack([self._stress(k) for k in range(self.times.size)]), 0.995))

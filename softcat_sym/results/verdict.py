@@ -249,7 +249,7 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     requested = scene.numerics.grading
     if requested is None or requested <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
         return None
-    ends = [place for place, end in ((0, scene.ends.left), (-1, scene.ends.right)) if end == "clamped"]
+    ends = [place for place, one in zip((0, -1), scene.ends.supports, strict=True) if one.carries_moment]
     lengths = np.diff(nodes) / scene.filament.thickness
     short = [float(lengths[end]) for end in ends if np.max(yielded[:, end]) > 0.5 and lengths[end] < SHORTEST_CELL]
     return min(short, default=None)

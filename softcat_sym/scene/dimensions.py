@@ -58,19 +58,19 @@ def needed_in_space(scene: Tables) -> str:
 
 def dimension_rules(scene: Tables) -> Iterator[Rule]:
     """List what goes neither with the ends nor with the dimensions of a scene."""
-    ends, load, out = scene.ends, scene.load, "leaving it out"
+    ends, load, out, right = scene.ends, scene.load, "leaving it out", scene.ends.supports[1]
     found = f"given, but the right end is {ends.right}"
     loose = f'{out}, or ends.right = "free"'
     slides = ends.right_slides
-    pulled = any(load.tip_force) and ends.right != "free" and not slides
+    pulled = any(load.tip_force) and not right.is_free and not slides
     yield pulled, "load.tip_force", found, f"{loose}, or ends.right_slides"
     along = "a force along the span, right or left"
     yield slides and any(load.tip_force[1:]), "load.tip_force", "across the way that the clamp slides", along
-    yield load.tip_mass > 0 and ends.right != "free", "load.tip_mass", found, loose
-    yield any(load.tip_torque) and ends.right != "free", "load.tip_torque", found, loose
+    yield load.tip_mass > 0 and not right.is_free, "load.tip_mass", found, loose
+    yield any(load.tip_torque) and not right.is_free, "load.tip_torque", found, loose
     clamped = f'{out}, or ends.right = "clamped"'
-    yield ends.right_twist and ends.right != "clamped", "ends.right_twist", found, clamped
-    yield slides and ends.right != "clamped", "ends.right_slides", found, clamped
+    yield ends.right_twist and not right.holds_angle, "ends.right_twist", found, clamped
+    yield slides and not (right.holds_height and right.holds_angle), "ends.right_slides", found, clamped
     yield slides and ends.right_angle, "ends.right_angle", "given, but the clamp slides along the span", out
     pushed = slides and any(row[1] for row in ends.motion)
     yield pushed, "ends.motion", "along the span, where ends.right_slides leaves the end free", "rows with dx = 0"

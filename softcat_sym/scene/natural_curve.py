@@ -133,8 +133,8 @@ def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
 def misses_supports(scene: Tables, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
     """List the ends that are held away from those of a curve."""
     ends, span = scene.ends, scene.filament.span
-    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (span, 0.0 - ends.drop, 0.0))
-    for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
-        missed = how != "free" and math.dist(found, asked) > _APART * span
+    places = (points[0], (0.0, 0.0, 0.0)), (points[-1], (span, 0.0 - ends.drop, 0.0))
+    for (side, support, _), (found, asked) in zip(ends.sides, places, strict=True):
+        missed = not support.is_free and math.dist(found, asked) > _APART * span
         given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
         yield missed, path, given, f"a curve that ends at its support, or a free {side} end"

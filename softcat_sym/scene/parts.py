@@ -27,14 +27,12 @@ from softcat_sym.scene.units import (
     Direction,
     Flag,
     Kind,
-    Motion,
     Names,
     Number,
     Numbers,
     Points,
     Quantity,
     Three,
-    Turns,
     Whole,
     refusal,
     shown,
@@ -201,43 +199,6 @@ class Filament(Part):
 
 Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
-
-
-End = Literal["clamped", "pinned", "free"]
-_END = Choice(End)
-_ANGLE = Quantity("angle", "10 deg", "any")
-Angle = Annotated[float, _ANGLE]
-
-
-class Ends(Part):
-    """Supports; lengths in m, angles in rad."""
-
-    table_name: ClassVar[str] = "ends"
-
-    left: Annotated[End, _END] = "clamped"
-    """How the left end is held."""
-    right: Annotated[End, _END] = "clamped"
-    """How the right end is held."""
-    drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
-    """Depth of the right support below the left one."""
-    left_angle: Angle = 0.0
-    """Angle of a left clamp, counterclockwise from the horizontal; a symmetric pair has -a and a."""
-    right_angle: Angle = 0.0
-    """Angle of a right clamp, counterclockwise from the horizontal."""
-    motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
-    """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
-    right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
-    """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
-    right_slides: Annotated[bool, Flag()] = False
-    """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""
-
-    @field_validator("left_angle", "right_angle", mode="wrap")
-    @classmethod
-    def _within_half_a_turn(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
-        angle = handler(value)
-        if not -math.pi < angle < math.pi:
-            raise refusal(f"{shown(value)} is half a turn or more", "an angle between -180 deg and 180 deg")
-        return angle
 
 
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'

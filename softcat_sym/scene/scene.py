@@ -70,7 +70,12 @@ def surface_stretch(scene: Scene) -> float:
 
 def is_held(scene: Scene) -> bool:
     """Tell whether neither end is free."""
-    return "free" not in (scene.ends.left, scene.ends.right)
+    return not any(support.is_free for support in scene.ends.supports)
+
+
+def carries_moment(scene: Scene) -> bool:
+    """Tell whether an end resists a turn of its section."""
+    return any(support.carries_moment for support in scene.ends.supports)
 
 
 def is_slack(scene: Scene) -> bool:
@@ -88,7 +93,7 @@ def is_symmetric(scene: Scene) -> bool:
     mirrored = math.isclose(ends.left_angle, -ends.right_angle, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
     along = (scene.filament.profile, scene.initial.P, scene.initial.C)
     return (
-        ends.left == ends.right
+        len(set(ends.supports)) == 1
         and not is_spatial(scene)
         and is_held(scene)
         and mirrored
@@ -108,6 +113,21 @@ def _is_even(scene: Scene) -> bool:
 def chord_angle(scene: Scene) -> float:
     """Return the angle of the line from the left support to the right one, counterclockwise [rad]."""
     return math.atan2(-scene.ends.drop, scene.filament.span) + 0.0  # level is 0, not -0
+
+
+def straight_angle(scene: Scene) -> float:
+    """Return the angle of the straight filament: of its chord, or of its only support, which a pin has level [rad]."""
+    if is_held(scene):
+        return chord_angle(scene)
+    ((_, support, angle),) = (side for side in scene.ends.sides if not side[1].is_free)
+    return angle if support.carries_moment else 0.0
+
+
+def is_turned(scene: Scene) -> bool:
+    """Tell whether an end that resists a turn is turned against the line between the supports."""
+    along = chord_angle(scene)
+    sides = ((support, angle) for _, support, angle in scene.ends.sides)
+    return any(one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for one, angle in sides)
 
 
 def undeformed_area(scene: Scene) -> float:
@@ -140,20 +160,15 @@ def refuse_settled(scene: Scene, why: str) -> None:
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
-def _sides(scene: Scene) -> tuple[tuple[str, str, float], ...]:
-    ends = scene.ends
-    return ("left", ends.left, ends.left_angle), ("right", ends.right, ends.right_angle)
-
-
 def _of_ends(scene: Scene) -> Iterator[Rule]:
     ends, out = scene.ends, "leaving it out"
-    yield ends.left == ends.right == "free", "ends", "both ends are free", "at least one end clamped or pinned"
-    for side, how, angle in _sides(scene):
-        found, accepted = f"given, but the {side} end is {how}", f'{out}, or ends.{side} = "clamped"'
-        yield how != "clamped" and angle != 0, f"ends.{side}_angle", found, accepted
-    loose = "free" in (ends.left, ends.right)
-    yield ends.drop and loose, "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
-    broken, found = ends.motion and ends.right == "free", "given, but the right end is free"
+    free = [support.is_free for support in ends.supports]
+    yield all(free), "ends", "both ends are free", "at least one end clamped or pinned"
+    for side, support, angle in ends.sides:
+        found, accepted = f"given, but the {side} end is {support.name}", f'{out}, or ends.{side} = "clamped"'
+        yield not support.carries_moment and angle != 0, f"ends.{side}_angle", found, accepted
+    yield ends.drop and any(free), "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
+    broken, found = ends.motion and free[1], "given, but the right end is free"
     yield broken, "ends.motion", found, f"{out}, or a right end that is held"
 
 
@@ -264,10 +279,10 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
     accepted = "leaving it out, or the law 'maxwell'"
     for name in ("curvature", "twist"):
         yield getattr(scene.filament, name), f"filament.{name}", f"given, but {no_shape}", accepted
-    for side, how, angle in _sides(scene):
+    for side, support, angle in scene.ends.sides:
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
-        broken = is_held(scene) and how == "clamped" and abs(angle - chord) > _ANGLE_ROUNDING
+        broken = is_held(scene) and support.carries_moment and abs(angle - chord) > _ANGLE_ROUNDING
         yield broken, f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'"
 
 
@@ -292,8 +307,8 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
             yield broken, f"{table}.{key}", f"given {small}", 'leaving it out, or model = "filament"'
     sheet = scene.filament.section == "sheet"
     yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
-    for side, how, _ in _sides(scene):
-        yield how == "free", f"ends.{side}", f"'free' {small}", "clamped, pinned"
+    for side, support, _ in scene.ends.sides:
+        yield not support.holds_height, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
 LATE = "late overrides"

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Annotated, Literal
 
+from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.history import History
 from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.material import EffectTable, EffectTables, Material
 from softcat_sym.scene.parts import (
-    Ends,
     Filament,
     Initial,
     Load,

@@ -15,7 +15,15 @@ from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FOR
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.scene.curve import carried, continuous
 from softcat_sym.scene.natural_curve import has_shape, is_curved
-from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
+from softcat_sym.scene.scene import (
+    Scene,
+    chord_angle,
+    force_free_stretch,
+    is_held,
+    is_turned,
+    rest_length,
+    straight_angle,
+)
 from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
@@ -81,11 +89,10 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
         places = np.column_stack([run * nodes, -fall / 2 - fall * nodes, 0 * nodes])
         turns = np.tile(_turn_in_plane(along), (len(nodes), 1))
     else:
-        from_left = ends.right == "free"
-        kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
+        from_left = ends.supports[1].is_free
         # Without stress, Lam^-3/2 kappa is the natural curvature.
         kappa = np.array([filament.twist, 0.0, filament.curvature]) * grown**1.5 * length
-        places, turns = _integrated(np.diff(nodes), kappa, grown, angle if kind == "clamped" else 0.0, from_left)
+        places, turns = _integrated(np.diff(nodes), kappa, grown, straight_angle(scene), from_left)
         places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
     found = {(name, n): float(value) for k, name in enumerate(PLACES) for n, value in enumerate(places[:, k])}
     return found | {(name, n): float(value) for k, name in enumerate(TURN) for n, value in enumerate(turns[:, k])}
@@ -143,10 +150,7 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 def _is_forced(scene: Scene) -> bool:
     """Whether the straight filament between its ends is stressed without weight, so that its shape must be solved."""
-    ends, along = scene.ends, chord_angle(scene)
-    clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
-    turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
-    bent = not has_shape(scene) and (turned or is_curved(scene))
+    bent = not has_shape(scene) and (is_turned(scene) or is_curved(scene))
     return not scene.initial.centreline and (bent or len(set(scene.initial.P)) > 1)
 
 

@@ -26,7 +26,7 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
 )
 from softcat_sym.errors import SoftcatError
-from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.physics import beams, closed_forms, regimes
 from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
@@ -35,7 +35,7 @@ from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.scene.scene import Scene, is_held, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
 
@@ -209,7 +209,7 @@ def unusual(scene: Scene) -> str:
     """Why no rule of the field applies to the scene; empty if rules apply."""
     ends, filament = scene.ends, scene.filament
     checks = {
-        "an end is free": "free" in (ends.left, ends.right),
+        "an end is free": not is_held(scene),
         "the supports are not level, or move": ends.drop != 0 or bool(ends.motion),
         "a clamp is turned": ends.left_angle != 0 or ends.right_angle != 0,
         "its thickness varies": bool(filament.profile),
@@ -260,7 +260,7 @@ def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     if shape == "beam" and material.index != 1:
         return "its viscosity changes with the rate of flow"
     if shape == "beam":
-        beam = regimes.NAMED[beam_of(scene).name]
+        beam = beam_of(scene)
         return _value(closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam), scene, known)
     string = closed_forms.viscous_string_sag() if material.index == 1 else closed_forms.power_law_string_sag()
     return _value(string, scene, known)
@@ -285,7 +285,7 @@ def _first_yield(scene: Scene, run: Run) -> Prediction:
     del run
     if yield_stress_of(scene) is None:
         return "no yield stress"
-    beam = regimes.NAMED[beam_of(scene).name]
+    beam = beam_of(scene)
     return _value(closed_forms.largest_bending_stress(SECTIONS[scene.filament.section], beam), scene)
 
 
@@ -299,12 +299,12 @@ def _catenary(exact: bool, scene: Scene, run: Run) -> Prediction:
     return _value(regimes.SHALLOW_STRESS.right, scene, {regimes.H: sag})
 
 
-def _beam(beam: regimes.Beam, scene: Scene) -> Any:
+def _beam(beam: beams.Beam, scene: Scene) -> Any:
     return closed_forms.beam_sag(SECTIONS[scene.filament.section], beam)
 
 
-_pinned = partial(_elastic, partial(_beam, regimes.PINNED))
-_clamped = partial(_elastic, partial(_beam, regimes.CLAMPED))
+_pinned = partial(_elastic, partial(_beam, beams.PINNED))
+_clamped = partial(_elastic, partial(_beam, beams.CLAMPED))
 _cable = partial(_elastic, lambda scene: closed_forms.elastic_string_sag())
 
 _BENT = ("ends", "flow", "stretching", "shear", "inertia", "surface", "bath")

@@ -110,7 +110,7 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "name": name,
         "effects": run.summary["effects"],
         "left_out": {key: f"{value:.2g} of the sag" for key, value in run.summary["left_out"].items()},
-        "ends": [given.ends.left, given.ends.right],
+        "ends": [support.kind for support in given.ends.supports],
         "half": filament.graph.grid.is_half,
         "axes": 3 if filament.theory.is_spatial else 2,
         "parameters": list(model.parameters),

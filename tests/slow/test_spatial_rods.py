@@ -13,12 +13,13 @@ from scipy.spatial.transform import Rotation
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_body, choose_theory
-from softcat_sym.discretization.grid import End, whole_span
+from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.ends import FREE
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -96,7 +97,7 @@ def test_a_turn_of_the_whole_turns_the_forces() -> None:
     )
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS["rectangle"], "material")
-    grid = whole_span(6, End.FREE, End.FREE, 1.0)
+    grid = whole_span(6, FREE, FREE, 1.0)
     graph = assemble(equations, grid, effects.names, choose_theory(scene, equations.terms), choose_body(scene, grid))
     p = graph.vector(parameter_values(scene))
     out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], list(graph.symbolic.raw.rates))
