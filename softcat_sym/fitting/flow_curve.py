@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, minimize_scalar
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
@@ -32,10 +32,10 @@ from softcat_sym.scene.csv_reader import (
     unit_of,
 )
 from softcat_sym.scene.laws import LAWS, LawSpec
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import NotAQuantity, did_you_mean
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 Floats = NDArray[np.float64]
 
@@ -320,8 +320,7 @@ CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 INDEX_BOUNDS = (0.05, 3.0)
 """Smallest and largest flow index n of a fit."""
 
-_STEP = 0.005
-_GOLDEN = (math.sqrt(5) - 1) / 2
+_STEP, _PLATEAU = 0.005, 1e-10
 
 
 @dataclass(frozen=True)
@@ -380,38 +379,24 @@ def powers_part(ratio: Floats, stress: Floats, law: LawSpec) -> LinearPart:
 def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
     """Find the flow index with the smallest sum of squares within `INDEX_BOUNDS`.
 
-    Golden-section search refines every local minimum on a fine grid; the smallest is returned. No initial guess is
-    needed.
+    Brent's method refines every local minimum on a fine grid; the smallest is returned. No initial guess is needed.
     """
 
     def squares(index: Floats) -> Floats:
         return linear_part(ratio, stress, index, yields=yields).squares
 
     low, high = INDEX_BOUNDS
-    grid = np.linspace(low, high, round((high - low) / _STEP) + 1)
-    walled = np.concatenate(([np.inf], squares(grid), [np.inf]))
-    here = walled[1:-1]
-    minima = np.flatnonzero((here < walled[:-2]) & (here <= walled[2:])).tolist()
-    last = len(grid) - 1
-    found = [_golden_section(squares, grid[max(at - 1, 0)], grid[min(at + 1, last)]) for at in minima]
-    candidates = np.array([*found, low, high])
+    # One step beyond either bound, so that a minimum at it is bracketed, too.
+    grid = np.arange(low - _STEP, high + 1.5 * _STEP, _STEP)
+    here = squares(grid)
+    # A plateau has minima of rounding errors only.
+    minima = 1 + np.flatnonzero(
+        (1 + _PLATEAU) * here[1:-1] + stress.size * _ROUNDING**2 < np.minimum(here[:-2], here[2:])
+    )
+    brackets = [grid[at - 1 : at + 2] for at in minima]
+    found = [minimize_scalar(lambda n: squares(np.array([n]))[0], bracket=one, tol=1e-12).x for one in brackets]
+    candidates = np.clip([*found, low, high], low, high)
     return float(candidates[np.argmin(squares(candidates))])
-
-
-def _golden_section(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Minimum of a unimodal function between two points, as accurately as its values allow."""
-    left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-    at_left, at_right = function(np.array([left, right]))
-    while high - low > 1e-13:
-        if at_left <= at_right:
-            high, right, at_right = right, left, at_left
-            left = high - _GOLDEN * (high - low)
-            at_left = function(np.array([left]))[0]
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + _GOLDEN * (high - low)
-            at_right = function(np.array([right]))[0]
-    return 0.5 * (low + high)
 
 
 REPLACED = (
@@ -440,10 +425,6 @@ REPLACED = (
 
 def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
     """Give a scene the material of a fit."""
-    from softcat_sym.scene.reading import load_scene
-    from softcat_sym.scene.scene import Scene
-    from softcat_sym.scene.toml import read_overrides
-
     own, faults = read_overrides(overrides)
     if faults:
         raise SceneError(faults)
@@ -612,7 +593,7 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None
 
 
 def _fit(curve: FlowCurve, law: LawSpec) -> Candidate:
-    rate, stress = curve.shear_rate, curve.shear_stress
+    rate, stress, points = curve.shear_rate, curve.shear_stress, len(curve.shear_rate)
     reference = float(np.exp(np.log(rate).mean()))
     ratio = rate / reference
     n = best_index(ratio, stress, yields=law.yields) if law.has_index else 1.0
@@ -621,12 +602,11 @@ def _fit(curve: FlowCurve, law: LawSpec) -> Candidate:
     else:
         part = powers_part(ratio, stress, law)
     tau_Y, k = float(part.tau_Y[0]), float(part.k[0]) * reference**-n
+    # With a consistency of zero the index has no meaning.
     n = n if k > 0 else 1.0
     fitted = shear_stress(law, tau_Y, k, n, rate)
     squares = float(np.sum((fitted / stress - 1) ** 2))
-    values = {"tau_Y": tau_Y, "k": k, "n": n}
-    judged = _judged(rate, stress, law, values, squares)
-    points = len(rate)
+    judged = _judged(rate, stress, law, {"tau_Y": tau_Y, "k": k, "n": n}, squares)
     return Candidate(
         law=law.name,
         tau_Y=judged["tau_Y"] if law.yields else None,
