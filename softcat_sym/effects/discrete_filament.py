@@ -123,7 +123,7 @@ class Elements:
         forces = Cells.of(self, shape).forces
         return float(np.max(np.abs(self._assembled(forces)))) > _EXACT * float(np.max(np.abs(forces)))
 
-    def vibrations(self, shape: Shape) -> tuple[Floats, Floats, Floats, Floats]:
+    def vibrations(self, cells: Cells) -> tuple[Floats, Floats, Floats, Floats]:
         """Squares of the natural frequencies about a stable equilibrium, from the lowest on, and their modes.
 
         Returns
@@ -136,7 +136,6 @@ class Elements:
             Share of straining in these squares, besides that of forces that turn [1/s^2].
         mass : ndarray, shape (free, free)
         """
-        cells = Cells.of(self, shape)
         mass, firm = self.mass_matrix(cells), self.stiffness(cells)
         # By the inverse of the stiffness the lowest frequencies are exact, and not the highest.
         shift = _NOISE * _largest_ratio(firm, mass)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.added_mass import mass_ratio
 from softcat_sym.effects.discrete_filament import (
+    Cells,
     Elements,
     Shape,
     angles_in,
@@ -61,6 +62,9 @@ class Vibration:
 def first_vibration(scene: Scene) -> Vibration | None:
     """The first mode of the elastic filament about its shape under load; None without a modulus.
 
+    A solid that creeps rings with its stiffness of a sudden load about the shape to which it has crept by the end of
+    the ramp: a strand that sags deeper is under less tension, but its arc is stiffer.
+
     It is the lowest of the modes that the load sets ringing, as it takes the filament from where it begins to where it
     rests; of a filament that begins at rest, slack or without a load, the lowest of all.
     """
@@ -76,17 +80,20 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     start = _held_shape(scene, natural)
     elements = _elements(scene, modulus, natural, start)
     begin = elements.at_rest(start, 0.0) if elements.is_strained(start) and not is_slack(scene) else start
-    rest = None if begin is None else elements.at_rest(begin, 1.0)
+    left = _left_by_creep(scene, modulus)
+    crept = replace(elements, axial=left * elements.axial, bending=left * elements.bending)
+    rest = None if begin is None else crept.at_rest(begin, 1.0)
     if begin is None or rest is None:
         return None
-    squares, modes, strained, mass = elements.vibrations(rest)
-    left = begin.seen_from(rest)
+    cells = replace(Cells.of(crept, rest), straining=Cells.of(elements, rest).straining)
+    squares, modes, strained, mass = elements.vibrations(cells)
+    away = begin.seen_from(rest)
     first, way = 0, 0.0
     if not is_slack(scene):
         # Without a load: by whatever weight, however little.
-        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
-        is_loaded, way = np.any(elements.force), float(np.linalg.norm(left[len(left) // 2, :3]))
-        rung = modes.T @ mass @ (left.ravel()[elements.free] if is_loaded else pushed)
+        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(away))[elements.free]
+        is_loaded, way = np.any(elements.force), float(np.linalg.norm(away[len(away) // 2, :3]))
+        rung = modes.T @ mass @ (away.ravel()[elements.free] if is_loaded else pushed)
         if not is_loaded:
             # What turns freely has no frequency.
             rung = np.divide(rung, squares, out=np.zeros_like(rung), where=squares > 0)
@@ -97,6 +104,14 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     share = min(1.0, max(0.0, float(strained[first]) / square))
     # Digits that are the same on every processor: what is chosen and printed by them is.
     return Vibration(*(float(f"{number:.7g}") for number in (math.sqrt(square), share, way)))
+
+
+def _left_by_creep(scene: Scene, modulus: float) -> float:
+    """Stiffness of a solid at the end of the ramp, over that under a sudden load: linear creep since half of it."""
+    late, static = retardation(scene), scales.static_modulus(scene)
+    if not late or not static:
+        return 1.0
+    return 1 / (modulus / static + (1 - modulus / static) * math.exp(-scene.load.ramp / 2 / late))
 
 
 def solid_viscosity(scene: Scene) -> float:
