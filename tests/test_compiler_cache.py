@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from pathlib import Path
@@ -91,11 +92,11 @@ def test_a_compiler_is_asked_again_when_it_may_have_changed(tmp_path: Path, monk
     counter = Counter(tmp_path, monkeypatch)
     path, before = compile_library(ANSWER), len(counter.calls)
     counter.script.write_text(counter.script.read_text() + "# another\n")
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 1
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
     for text in cache.entries(cache.TEXTS):
         text.path.write_bytes(b"")
     asking._version.cache_clear()
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 4
 
 
 def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -118,6 +119,18 @@ def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         assert compiler_name() == name
 
 
+def test_a_compiler_without_its_linker_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = find_compiler()
+    assert found is not None
+    script = tmp_path / "cc"
+    script.write_text(
+        f'#!/bin/sh\nunset PATH\ncase "$*" in *-shared*) exit 1;; esac\nexec {shlex.join(found.command)} "$@"\n'
+    )
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    assert find_compiler() is None
+
+
 def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     assert cache.cache_folder() == tmp_path / "cache"
     monkeypatch.delenv("SOFTCAT_CACHE")
@@ -126,6 +139,10 @@ def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> 
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     assert cache.cache_folder() == tmp_path / "home" / ".cache" / "softcat_sym"
+    if sys.platform == "linux":  # nor a home in the list of users, as of a container's --user 1234
+        monkeypatch.delenv("HOME")
+        monkeypatch.setattr("pwd.getpwuid", {}.__getitem__)
+        assert cache.cache_folder() == Path(tempfile.gettempdir()).resolve() / f"softcat_sym-{os.getuid()}"
     monkeypatch.setenv("SOFTCAT_CACHE", "~nobody-of-this-name/cache")
     refused("SOFTCAT_CACHE is '~nobody-of-this-name/cache'")
 

@@ -192,7 +192,9 @@ def split_variable(name: str) -> list[str]:
 
 @functools.lru_cache(maxsize=8)
 def _version(command: tuple[str, ...], files: tuple[tuple[str, int, int], ...]) -> str:
-    """The version that a compiler says it has; empty where it does not run. It is asked again if its files change.
+    """The version that a compiler says it has; empty where it does not run, or has no linker.
+
+    It is asked again if its files change.
 
     A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
     """
@@ -200,7 +202,9 @@ def _version(command: tuple[str, ...], files: tuple[tuple[str, int, int], ...]) 
     if (known := store.recall(key, cache.TEXTS)) is not None:
         return known.decode()
     said = (_output(*command, "--version") or "").strip()
-    version = said.splitlines()[0].strip() if said else ""
+    # One without its linker (gcc where there is no PATH) says its version, too. Apple's linker knows -v alone.
+    asks_linker = ((*command, "-nostdlib", "-shared", f"-Wl,{version}") for version in ("--version", "-v"))
+    version = said.splitlines()[0].strip() if said and any(_output(*one) is not None for one in asks_linker) else ""
     if version:
         store.keep(key, version.encode(), cache.TEXTS)
     return version
