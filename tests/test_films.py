@@ -22,7 +22,7 @@ from PIL import Image
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting.animation import Animation, film_order, write_film
+from softcat_sym.plotting.animation import Animation, film_order, moments_of, write_film
 from softcat_sym.plotting.gallery import contact_sheet, exhibit_of
 from softcat_sym.plotting.section import Floats
 from softcat_sym.plotting.style import first_frames, new_figure, png
@@ -111,9 +111,9 @@ def test_pictures_stand_at_equal_times_between_frames_and_leave_no_trace(descent
     assert first.shape[1] == 640 and first.shape[0] % 2 == 0
     whole = ("X_node", "X_cell")
     thinned = {name: values if name in whole else values[::100] for name, values in descent.items()}
-    film = Animation(thinned, summary, scene, 5)._film
-    assert film.moment(1).midpoint == pytest.approx(0.5 * (descent["midpoint"][0] + descent["midpoint"][100]))
-    assert film.moment(4).midpoint == descent["midpoint"][-1]
+    midpoint = moments_of(thinned, scene, 5)["midpoint"]
+    assert midpoint[1] == pytest.approx(0.5 * (descent["midpoint"][0] + descent["midpoint"][100]))
+    assert midpoint[4] == descent["midpoint"][-1]
     bad = Animation(descent, summary | {"outcome": "localised"}, scene, 3, width=640)
     good = Animation(descent, summary, scene, 3, width=640)
     for number in range(3):

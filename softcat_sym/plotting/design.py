@@ -14,7 +14,6 @@ from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_figures import plain
 from softcat_sym.plotting.style import plain_log
 from softcat_sym.plotting.units import length_unit
 
@@ -78,7 +77,7 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
         axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
         axes.set(xscale="log", yscale="log", xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
         for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis, plain, (1.0,))
+            plain_log(axis, subs=(1.0,))
         axes.margins(0.04)
         axes.grid(True)
         style.lighten(axes)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from softcat_sym.fitting.features import Features, Floats
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_words import display_unit, noise_text, reading_text, starts_text
-from softcat_sym.plotting.style import legend, sheet
+from softcat_sym.plotting.style import legend, number_axis, plain, sheet
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -39,38 +38,13 @@ def headed(fit: Fit, what: str, height: float) -> tuple[Figure, SubFigure]:
     return sheet(fit.scene.title or "Filament", what, height=height)
 
 
-def plain(value: float, place: object = None) -> str:
-    """Write a tick's number with at most six digits, a true minus sign and a short exponent."""
-    del place
-    text = re.sub(r"e([+-])0*", lambda match: "e" + match[1].strip("+"), f"{value:.6g}")
-    return text.replace("-", "\N{MINUS SIGN}")
-
-
-def _number_axis(axes: Axes, low: float, high: float, *, logarithmic: bool) -> None:
-    """Limits of a horizontal axis, with a few ticks of plain numbers."""
-    axis = axes.xaxis
-    if logarithmic:
-        axes.set_xscale("log")
-        room, decades = (high / low) ** 0.05, math.log10(high / low)
-        axes.set_xlim(low / room, high * room)
-        subs = (1.0, 2.0, 5.0) if decades < 1.5 else (1.0, 3.0) if decades < 2.5 else (1.0,)
-        axis.set_major_locator(LogLocator(subs=subs, numticks=5))
-        axis.set_minor_locator(NullLocator())
-        axis.set_minor_formatter(NullFormatter())
-    else:
-        room = 0.05 * (high - low) or 0.05 * abs(high) or 1.0
-        axes.set_xlim(low - room, high + room)
-        axis.set_major_locator(MaxNLocator(3))
-    axis.set_major_formatter(FuncFormatter(plain))
-
-
 def parameter_axis(axes: Axes, free: FreeParameter, values: Floats, best: float) -> Unit:
     """Set up the horizontal axis for values of a parameter, and return its unit."""
     values = values[np.isfinite(values)]
     low, high = float(values.min()), float(values.max())
     logarithmic = free.logarithmic and high > LOGARITHMIC_FROM * low
     unit = display_unit(free.unit, best if logarithmic else float(np.abs(values).max()))
-    _number_axis(axes, low / unit.size, high / unit.size, logarithmic=logarithmic)
+    number_axis(axes, "x", low / unit.size, high / unit.size, is_log=logarithmic)
     axes.set_xlabel(free.name if free.unit == "1" else f"{free.name} [{unit.symbol}]", fontsize=8)
     return unit
 
@@ -164,7 +138,7 @@ def time_axis(axes: Axes, times: Floats) -> None:
     if later.size > 2 and float(np.median(later)) < 0.12 * end:
         axes.set_xscale("log")
         axes.set_xlim(float(later.min()) / 1.1, end * 1.1)
-        style.plain_log(axes.xaxis, plain)
+        style.plain_log(axes.xaxis)
     else:
         room = 0.02 * (end - start)
         axes.set_xlim(min(0.0, start) - room if start < 0.2 * end else start - room, end + room)
@@ -309,7 +283,8 @@ def starts_figure(fit: Fit) -> Figure:
                 continue
             if k == 0:
                 ends = shares
-                _number_axis(axes, float(ends.min()), float(ends.max()), logarithmic=bool(least > 0 and ends.max() > 3))
+                spread = bool(least > 0 and ends.max() > 3)
+                number_axis(axes, "x", float(ends.min()), float(ends.max()), is_log=spread)
                 axes.set_xlabel("misfit / least misfit" if least > 0 else "misfit", fontsize=8)
             else:
                 free = fit.problem.free[k - 1]

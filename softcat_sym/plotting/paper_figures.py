@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -18,9 +18,11 @@ from matplotlib.ticker import MaxNLocator
 
 from softcat_sym.files import json_bytes
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
-from softcat_sym.plotting import style
+from softcat_sym.plotting import phase, style
+from softcat_sym.plotting.compare import draw_strip
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
 from softcat_sym.plotting.style import legend
+from softcat_sym.reference.elements import Snapshot
 from softcat_sym.scene.scene import elastic_time, groups_of
 from softcat_sym.studies.paper_figures import (
     ALPHA,
@@ -33,7 +35,6 @@ from softcat_sym.studies.paper_figures import (
     THEORIES,
     FilmedScene,
     Panel,
-    Snapshot,
     scene_facts,
 )
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY
@@ -140,14 +141,6 @@ def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
     }
 
 
-_REGIMES = {
-    "no-yield": ("no yielding", "#f4f4f0"),
-    "arrested-underdamped": ("arrested, underdamped", "#bfe3f5"),
-    "arrested-overdamped": ("arrested, overdamped", "#a5dcc6"),
-    CLAMPS_ONLY: ("descent, fast at the clamps alone", "#fce6d6"),
-    "descending": ("continual descent", "#f4b98f"),
-}
-_NONE = ("no answer, localised", "#9a9a9a")
 _PHASE_LINES: dict[str, dict[str, Any]] = {
     "paper": {"color": style.BLACK, "linewidth": 1.4, "linestyle": (0, (5, 2))},
     "exact": {"color": style.BLUE, "linewidth": 1.3},
@@ -158,7 +151,6 @@ _NAMES = {
     "exact": "exact: sudden load (left), slow load with tension, catenary",
     "estimate": "estimates: first yield with this ramp, spring-back of 5 %",
 }
-_AXES = {"delta": "δ = h0 / L", "V": "V = η / (ρ √(g L³))", "G": "G = ρ g L / σY"}
 
 # The paper's parameters in figure 3(b): G, V.
 _PAPER = ((0.01, 26.0), (0.4, 26.0), (0.4, 0.4), (1.9, 26.0))
@@ -211,8 +203,8 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
         figure, body = _figure(4.6, phase_caption(diagram))
         for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
             _draw_phases(axes, diagram, sheet)
-        kinds = (*_REGIMES.values(), _NONE)
-        patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=name) for name, c in kinds]
+        looks = dict.fromkeys(phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.labels))
+        patches = [Patch(facecolor=look.tint, edgecolor=style.GREY, linewidth=0.4, label=look.words) for look in looks]
         lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
         legend(body, handles=patches, ncols=len(patches), handlelength=2.0, fontsize=7.2)
         legend(body, "upper left", handles=lines, ncols=len(lines), handlelength=2.0, fontsize=7.2)
@@ -220,34 +212,19 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
 
 
 def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
-    marks, groups, upwards = list(_REGIMES), groups_of(diagram.scene), sheet.plane.y.key
-    numbers = np.vectorize(lambda mark: marks.index(mark) if mark in marks else len(marks))(sheet.labels)
-    colours = ListedColormap([colour for _, colour in (*_REGIMES.values(), _NONE)])
-    edges = (_edges(sheet.x), _edges(sheet.y))
-    axes.pcolormesh(*edges, numbers.T, cmap=colours, vmin=-0.5, vmax=len(marks) + 0.5, rasterized=True)
+    groups, upwards = groups_of(diagram.scene), sheet.plane.y.key
+    phase.draw_tints(axes, sheet)
     runs = np.array([(sheet.x[point.i], sheet.y[point.j]) for point in sheet.points])
-    axes.loglog(*runs.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
+    axes.plot(*runs.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
     for line in sheet.lines:
         axes.plot(line.G, line.other, **_PHASE_LINES[line.source])
     for G, V in _PAPER:
         if upwards == "V" or np.isclose(V, groups.V or np.nan):
             other = V if upwards == "V" else groups.delta
             axes.plot(G, other, "x", color=style.BLACK, markersize=6, markeredgewidth=1.4, clip_on=False)
-    axes.set_xlim(sheet.x[0], sheet.x[-1])
-    axes.set_ylim(sheet.y[0], sheet.y[-1])
-    axes.set_xlabel(_AXES[sheet.plane.x.key])
-    axes.set_ylabel(_AXES[upwards])
-    for axis in (axes.xaxis, axes.yaxis):
-        style.plain_log(axis)
+    phase.finish(axes, sheet)
     axes.set_title(f"δ = {groups.delta:.3g}" if upwards == "V" else f"V = {groups.V:.3g}", fontsize=9)
     style.lighten(axes)
-
-
-def _edges(values: Floats) -> Floats:
-    """Boundaries between lattice values, half a step beyond the first and the last."""
-    log = np.log(values)
-    middle = (log[1:] + log[:-1]) / 2
-    return np.asarray(np.exp(np.concatenate([[2 * log[0] - middle[0]], middle, [2 * log[-1] - middle[-1]]])))
 
 
 def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
@@ -414,6 +391,9 @@ BLACK_RATE = 4.4e-4
 """Plastic shear rate times L sqrt(rho/E) that the paper's scale shows as black; white is 0."""
 
 YIELDED = style.VERMILLION
+_MIRROR = (-1.0, 1.0)
+"""Factors that draw the half X >= 0 of the elements on the left."""
+
 _STRIPS_EDGE = 0.5
 
 
@@ -467,31 +447,6 @@ def _section_of(data: xr.Dataset, frame: int) -> Section:
     nodes, cells = data["X_node"].values, data["X_cell"].values
     angle = np.interp(nodes, [nodes[0], *cells, nodes[-1]], [0.0, *turned, 0.0])
     return replace(section, normal=np.column_stack([-np.sin(angle), np.cos(angle)]))
-
-
-def boundary(shot: Snapshot, through: int) -> Floats:
-    """Outline of the half strip of elements, along the bottom and back along the top; shape (points, 2)."""
-    columns = shot.outline.reshape(-1, through, 8, 2)
-    bottom, top = columns[:, 0, :3].reshape(-1, 2), columns[:, -1, 4:7][:, ::-1].reshape(-1, 2)
-    return np.concatenate([bottom, top[::-1], bottom[:1]])
-
-
-def draw_elements(axes: Axes, shot: Snapshot, through: int) -> PolyCollection:
-    """Draw the strip as the left half, in the grey of its plastic shear rate."""
-    mirror = np.array([-1.0, 1.0])
-    # Anti-aliasing would leave hairlines between neighbouring quarters.
-    field = PolyCollection(
-        list(mirror * shot.quarter),
-        array=shot.rate,
-        cmap="gray_r",
-        norm=Normalize(0.0, BLACK_RATE),
-        edgecolors="none",
-        antialiaseds=False,
-        rasterized=True,
-    )
-    axes.add_collection(field, autolim=False)
-    axes.plot(*(mirror * boundary(shot, through)).T, color=style.BLACK, linewidth=_STRIPS_EDGE)
-    return field
 
 
 def draw_filament(axes: Axes, strip: Strip) -> None:
@@ -573,7 +528,8 @@ def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
         panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
         for (row, column), axes in np.ndenumerate(panels):
             scene, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
-            bar = draw_elements(axes, scene.film.at(INSTANTS[instant]), scene.film.run.mesh.through)
+            shot, through = scene.film.at(INSTANTS[instant]), scene.film.run.mesh.through
+            bar = draw_strip(axes, shot, through, _MIRROR, cmap="gray_r", norm=Normalize(0.0, BLACK_RATE))
             draw_filament(axes, strip_at(scene, INSTANTS[instant]))
             axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
             _frame(axes, depths[row])

@@ -237,7 +237,7 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
     sag = np.full((len(y), len(x)), np.nan)
     marks = np.full(sag.shape, "", dtype="<U64")
     sag[places], marks[places] = data.sag_over_span.values, members.regimes
-    edges = (_edges(x, log=across.is_log), _edges(y, log=upwards.is_log))
+    edges = (style.pixel_edges(x, is_log=across.is_log), style.pixel_edges(y, is_log=upwards.is_log))
     known = sag[np.isfinite(sag)]
     spreads = len(known) and np.min(known) > 0 and np.max(known) > _LOG_SAG * np.min(known)
     with style.styled():
@@ -258,14 +258,6 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
             _plain(scale.ax.yaxis, sag)
         members.legend(body, hollow=True)
     return figure
-
-
-def _edges(values: Floats, *, log: bool) -> Floats:
-    """Edges of the pixels around values, half a step beyond the first and the last."""
-    at = np.log(values) if log else values
-    middles = (at[1:] + at[:-1]) / 2
-    edges = np.concatenate([[2 * at[0] - middles[0]], middles, [2 * at[-1] - middles[-1]]])
-    return np.asarray(np.exp(edges) if log else edges)
 
 
 def _draw_boundaries(axes: Axes, edges: tuple[Floats, Floats], marks: npt.NDArray[np.str_]) -> None:
