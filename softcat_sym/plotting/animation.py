@@ -389,7 +389,6 @@ def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
 
 
 def _plain(axes: Axes, across: int, up: int) -> None:
-    style.lighten(axes)
     axes.tick_params(labelsize=10.5)
     axes.xaxis.set_major_locator(MaxNLocator(across, steps=(1, 2, 2.5, 5, 10)))
     axes.yaxis.set_major_locator(MaxNLocator(up, steps=(1, 2, 2.5, 5, 10)))

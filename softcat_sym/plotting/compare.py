@@ -77,11 +77,11 @@ def _share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
     for axes in panels:
         axes.set_xlim(0.0, float(clock.of(run.time[-1])))
         axes.grid(True)
-        style.lighten(axes)
         axes.yaxis.set_major_formatter("{x:.3g}")
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(f"time [{clock.symbol}]")
     top = panels[0].secondary_xaxis("top", functions=secondary_scale(clock.size / run.elastic_time))
+    top.spines["top"].set_visible(True)
     top.set_xlabel("time in L √(ρ/E)")
 
 
@@ -208,8 +208,6 @@ def shapes_figure(comparison: Comparison) -> Figure:
         below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
         below.grid(True)
         below.yaxis.set_major_formatter("{x:.3g}")
-        for axes in (above, below):
-            style.lighten(axes)
         both = [
             Line2D([], [], **wide, label="filament (coloured by time)"),
             Line2D([], [], **dashed, label=reference_name(comparison)),
@@ -254,7 +252,6 @@ def draw_strip(axes: Axes, shot: Snapshot, through: int, scale: ArrayLike, **col
     field = PolyCollection(list(np.asarray(scale) * shot.quarter), array=rate, **quads, **colours)
     axes.add_collection(field, autolim=False)
     axes.plot(*(np.asarray(scale) * boundary(shot, through)).T, color=style.BLACK, linewidth=0.5)
-    style.lighten(axes)
     return field
 
 

@@ -53,7 +53,6 @@ def experiment_figure(experiment: Experiment) -> Figure:
         axes.margins(0.05)
         for axis in (axes.xaxis, axes.yaxis):
             plain_log(axis, subs=(1.0, 2.0, 5.0))
-        style.lighten(axes)
         bar = body.colorbar(drawn, ax=axes, label="worst relative error", pad=0.02, aspect=22)
         plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %", (1.0, 2.0, 5.0))
     return figure
@@ -80,7 +79,6 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
             plain_log(axis, subs=(1.0,))
         axes.margins(0.04)
         axes.grid(True)
-        style.lighten(axes)
     return figure
 
 

@@ -65,7 +65,6 @@ def curves_figure(fit: Fit) -> Figure:
             draw(above, under, film, band, std)
             for axes in (above, under):
                 axes.grid(True)
-                style.lighten(axes)
             for edge in (-1.96, 0.0, 1.96):
                 under.axhline(edge, color=style.GREY, linewidth=0.8, linestyle=(0, (4, 2)) if edge else "-", zorder=1)
             far = max(2.6, 1.15 * float(np.abs(film.residuals).max()))
@@ -183,7 +182,6 @@ def _draw_profile(axes: Axes, one: Profile, free: FreeParameter, error: float) -
     axes.plot(unit.of([best]), [0], "o", color=style.VERMILLION, markersize=5, label="best fit", zorder=4)
     # The range far above the threshold is not of interest.
     axes.set_ylim(min(0.0, float(one.increase.min())) - 0.1 * one.threshold, 2.2 * one.threshold)
-    style.lighten(axes)
 
 
 def smooth(one: Profile) -> tuple[Floats, Floats]:
@@ -210,6 +208,7 @@ def correlation_figure(fit: Fit) -> Figure:
             axes.set_box_aspect(1)
             if row > column:
                 _draw_region(axes, fit, column, row)
+                axes.spines[:].set_visible(True)
                 continue
             correlation = float(fit.correlation[row, column])
             text = f"{correlation:+.3f}".replace("-", "\N{MINUS SIGN}") if math.isfinite(correlation) else "–"
@@ -299,7 +298,6 @@ def starts_figure(fit: Fit) -> Figure:
             axes.grid(True, axis="x")
             axes.tick_params(labelleft=k % across == 0)
             axes.set_ylabel("start" if k % across == 0 else "")
-            style.lighten(axes)
         marks: dict[str, Any] = {"color": style.BLACK, "linestyle": "", "markersize": 5}
         handles = [Line2D([], [], marker=mark, label=name, **marks) for mark, name in (("|", "start"), ("o", "end"))]
         if "white" in faces:
@@ -343,7 +341,6 @@ def collapse_figure(test: CollapseTest) -> Figure:
         lowest = min(min(top) - pillar, *(float(gap.y.min()) + gap.left_y for gap in test.gaps))
         axes.set_ylim(float(ruler.of(lowest)))
         axes.legend(loc="lower right", fontsize=7.5)
-        style.lighten(axes)
     return figure
 
 
@@ -369,7 +366,6 @@ def features_figure(time: Floats, midpoint: Floats, features: Features, title: s
         for axes in (left, right):
             axes.set_xlabel(f"time [{clock.symbol}]")
             axes.grid(True)
-            style.lighten(axes)
             axes.legend(loc="lower right", fontsize=7.5, frameon=True, framealpha=0.85, edgecolor="none")
         left.set_ylabel(f"sag [{ruler.symbol}]")
     return figure
@@ -446,7 +442,6 @@ def laws_figure(found: LawComparison) -> Figure:
             axes.set_ylim(-edge, edge)
             axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))
             axes.yaxis.set_major_formatter(FuncFormatter(plain))
-            style.lighten(axes)
             time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
             above = f"criterion {row.difference:.1f} above the best" if row.difference else "least criterion"
             rms = length_unit(one.residual_std).text(one.residual_std)

@@ -64,7 +64,6 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
         for axes in (above, below):
             number_axis(axes, "x", rate.min(), rate.max(), is_log=True, ticks=8)
             axes.grid(True)
-            style.lighten(axes)
         above.tick_params(labelbottom=False)
         below.set_xlabel("shear rate [1/s]")
         legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)

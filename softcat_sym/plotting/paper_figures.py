@@ -113,7 +113,6 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
                 axes.text(time, 1.8e-4, name, ha=side, fontsize=7.5, color=style.GREY)
             axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
             axes.grid(True)
-            style.lighten(axes)
             for axis in (axes.xaxis, axes.yaxis):
                 style.plain_log(axis)
         for axes in each[-1]:
@@ -224,7 +223,6 @@ def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
             axes.plot(G, other, "x", color=style.BLACK, markersize=6, markeredgewidth=1.4, clip_on=False)
     phase.finish(axes, sheet)
     axes.set_title(f"δ = {groups.delta:.3g}" if upwards == "V" else f"V = {groups.V:.3g}", fontsize=9)
-    style.lighten(axes)
 
 
 def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
@@ -329,7 +327,6 @@ def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
         for axes in panels.flat:
             axes.set_xlim(0, MOMENTS[-1])
             axes.grid(True)
-            style.lighten(axes)
         for axes in panels[-1]:
             axes.set_xlabel("t~ = (t/L) √(E/ρ)")
         for axes in panels[:, 0]:
@@ -558,7 +555,6 @@ def _frame(axes: Axes, depth: tuple[float, float]) -> None:
     axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15, 0.2, 0.25) if step < depth[1]])
     axes.set_xticks([-0.5, -0.25, 0.0, 0.25, 0.5])
     axes.tick_params(labelsize=7)
-    style.lighten(axes)
 
 
 def _draw_last(part: SubFigure, filmed: FilmedScene, depth: tuple[float, float]) -> None:

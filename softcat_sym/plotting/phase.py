@@ -93,6 +93,7 @@ def finish(axes: Axes, sheet: PhaseSheet) -> None:
     axes.set_ylim(sheet.plane.y.low, sheet.plane.y.high)
     for axis in (axes.xaxis, axes.yaxis):
         style.plain_log(axis)
+    axes.spines[:].set_visible(True)
     axes.set_xlabel(AXES["G"])
     axes.set_ylabel(AXES[sheet.plane.y.key])
 

@@ -105,7 +105,6 @@ def _draw_one(axes: Axes, fit: Fit, prior: Prior, values: Floats, scaled: Floats
             unit.of(ends), [0.02 * top] * 2, color=style.VERMILLION, linewidth=4, alpha=0.5, solid_capstyle="butt"
         )
     axes.set(ylim=(0.0, top), yticks=[])
-    style.lighten(axes)
     axes.spines["left"].set_visible(False)
     return unit
 
@@ -140,4 +139,3 @@ def _draw_pair(axes: Axes, fit: Fit, pair: list[Prior], scaled: list[Floats], un
         axes.contour(x, y, density, levels=levels, colors=style.BLUE, linewidths=(0.8, 1.2))
     best = [unit.of(fit.parameters[one.free.name].best) for one, unit in zip(pair, units, strict=True)]
     axes.plot(*best, "o", color=style.VERMILLION, markersize=4)
-    style.lighten(axes)

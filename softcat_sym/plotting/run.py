@@ -146,7 +146,6 @@ class Sheet:
         axes.set_xlabel(f"time [{self.clock.symbol}]")
         axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 5, steps=_STEPS))
         axes.grid(self.on_screen)
-        style.lighten(axes)
 
 
 def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
@@ -188,6 +187,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     share = share_unit(largest / span)
     right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
+    right.spines["right"].set_visible(True)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
         unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
@@ -198,6 +198,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
     top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
+    top.spines["top"].set_visible(True)
     top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
 
 
@@ -369,7 +370,6 @@ def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     axes.add_collection(quads, autolim=False)
     axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
-    style.lighten(axes)
 
 
 # Of the columns of the audit in their order. Line styles too: colour alone is not enough.
@@ -504,6 +504,7 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
     # As an image, for which a colour is looked up once a pixel; a mesh of as many quads takes several times as long.
     image = PcolorImage(axes, edges, places, shown.values[::every].T, norm=shown.norm, cmap=shown.colours)
     axes.add_image(image)
+    axes.spines[:].set_visible(True)
     axes.set_xlim(float(times[0]), float(times[-1]) if times[-1] > times[0] else None)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100

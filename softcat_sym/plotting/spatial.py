@@ -113,7 +113,6 @@ class SpatialAnimation(Pictures):
             self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
             self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
             below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
-            style.lighten(below)
             below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
             below.set_xlabel(f"time [{self._clock.symbol}]")
             below.set_ylabel(f"midpoint [{ruler.symbol}]")

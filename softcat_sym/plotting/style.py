@@ -93,6 +93,9 @@ RC: Final[dict[str, Any]] = {
     # Mathtext would load a parser, a sixth of a second, for the sake of one power of ten.
     "axes.formatter.use_mathtext": False,
     "axes.xmargin": 0.0,
+    # Only the spines that carry an axis; a picture that fills its axes is framed.
+    "axes.spines.top": False,
+    "axes.spines.right": False,
     "xtick.labelsize": 8.0,
     "ytick.labelsize": 8.0,
     "xtick.color": GREY,
@@ -125,12 +128,6 @@ def styled() -> AbstractContextManager[None]:
     # Matplotlib's versions disagree on the type of the keys, not on the keys.
     settings: Any = RC
     return rc_context(settings)
-
-
-def lighten(axes: Axes, twin: bool = False) -> None:
-    """Take away the spines that carry no axis."""
-    axes.spines["top"].set_visible(twin)
-    axes.spines["right"].set_visible(twin)
 
 
 def printable(text: str, longest: int = 78) -> str:

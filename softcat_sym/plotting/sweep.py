@@ -170,7 +170,6 @@ class _Members:
             axes.scatter(x[there], y[there], s=size, marker=marker, c=colour, zorder=3, **edge)
         axes.margins(0.04)
         axes.grid(True)
-        style.lighten(axes)
 
     def legend(self, body: Any, *, hollow: bool = False) -> None:
         """Regimes with their members, in colour or hollow, then what is no answer."""
@@ -244,6 +243,7 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
         figure, body = style.sheet(title, height=5.0)
         axes = body.subplots()
         axes.set_facecolor("#e6e6e6")
+        axes.spines[:].set_visible(True)
         norm = LogNorm() if spreads else Normalize()
         picture = axes.pcolormesh(
             *edges, np.ma.masked_invalid(sag), cmap="cividis", norm=norm, rasterized=True, zorder=1
