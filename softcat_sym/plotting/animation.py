@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,11 +18,12 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, PathPatch, Polygon
 from matplotlib.path import Path as Outline
 from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
-from softcat_sym.plotting.pictures import Pictures
 from softcat_sym.plotting.run import largest_sag, yielded_label
 from softcat_sym.plotting.section import (
     Floats,
@@ -33,7 +35,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
-from softcat_sym.plotting.spatial import SpatialAnimation
+from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
@@ -149,6 +151,33 @@ def write_film(
     return fill_atomically(directory / order.name, fill), animation.note
 
 
+class Pictures(ABC):
+    """Moments of a run, drawn in one figure."""
+
+    figure: Figure
+    note: str  # What they cannot show
+
+    @abstractmethod
+    def __len__(self) -> int: ...
+
+    @abstractmethod
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel], both even, as video wants them."""
+        width, height = self.figure.canvas.get_width_height()
+        return width - width % 2, height - height % 2
+
+    def pixels(self) -> NDArray[np.uint8]:
+        """What is drawn, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        width, height = self.size
+        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+        return drawn
+
+
 def animation_of(data: Fields, summary: Summary, scene: Scene, moments: int, width: int) -> Pictures:
     """The film of a run in its plane, or in space."""
     if "quaternion" not in data:
@@ -192,7 +221,7 @@ def _mp4(animation: Pictures, path: Path, ffmpeg: str, step: Callable[[str], Non
     with subprocess.Popen(command, start_new_session=True, **pipes) as process:
         ours, theirs = cast("IO[bytes]", process.stdin), cast("IO[bytes]", process.stderr)
         try:
-            for number, picture in enumerate(animation.pictures()):
+            for number, picture in enumerate(map(animation.picture, range(len(animation)))):
                 step(f"picture {number + 1} of {len(animation)}")
                 ours.write(picture.tobytes())
             _, said = process.communicate()
@@ -369,6 +398,59 @@ class Animation(Pictures):
             handles.insert(0, Patch(label=label.replace(", ", ",\n"), **_HATCHED))
         anchor = (left / WIDTH, (_BOTTOM - 0.25) / self.figure.get_figheight())
         self.figure.legend(handles=handles, loc="lower left", bbox_to_anchor=anchor, borderaxespad=0.0, fontsize=_FONT)
+
+
+_SPATIAL_HEIGHT = 8.0
+"""Of a film in space [inch]."""
+
+
+class SpatialAnimation(Pictures):
+    """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
+
+    def __init__(self, data: Fields, summary: Summary, scene: Scene, times: Floats, note: str, width: int) -> None:
+        time = array(data, "time")
+        self.times, self.note = times, note
+        nearest = np.abs(time[:, None] - times).argmin(axis=0)
+        tubes = {frame: tube(data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
+        corners = np.concatenate([one.reshape(-1, 3) for one in tubes.values()])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(times).max()))
+        self._shapes = [ruler.of(tubes[frame]) for frame in nearest.tolist()]
+        self._shown = [(float(time[frame]), float(array(data, "midpoint")[frame])) for frame in nearest.tolist()]
+        self._ruler = ruler
+        with style.styled():
+            self.figure: Figure = new_figure(WIDTH, _SPATIAL_HEIGHT)
+            self.figure.set_dpi(width / WIDTH)
+            self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
+            frame_tube(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
+            title = style.printable(scene.title, 70) or "Filament"
+            self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
+            self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
+            self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
+            below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
+            below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
+            below.set_xlabel(f"time [{self._clock.symbol}]")
+            below.set_ylabel(f"midpoint [{ruler.symbol}]")
+            (self._dot,) = below.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
+            style.stamp(self.figure, summary)
+        self._body: Poly3DCollection | None = None
+
+    def __len__(self) -> int:
+        return len(self._shapes)
+
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        with style.styled():
+            if self._body is not None:
+                self._body.remove()
+            self._body = draw_tube(self.axes, self._shapes[number])
+            time, height = self._shown[number]
+            self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
+            self._now.set_text(f"t = {self._clock.text(time)}")
+            canvas.draw()
+        return self.pixels()
 
 
 def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
