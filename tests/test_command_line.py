@@ -640,7 +640,7 @@ def test_too_little_memory_is_one_sentence_and_no_window_is_needed(softcat: Soft
             raise error
 
         with softcat.monkeypatch.context() as patch:
-            patch.setattr("softcat_sym.cli.explain.scene_of", refuse)
+            patch.setattr("softcat_sym.cli.application.scene_of", refuse)
             done = softcat("explain", "no-yield")
         assert done.status == 2
         assert "memory" in done.err and done.err.count("\n") == 1

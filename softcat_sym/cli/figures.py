@@ -7,17 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import (
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    Texts,
-    commands,
-    interrupted,
-    option,
-    output_directory,
-    print_written,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
     from softcat_sym.studies.paper_figures import FilmedScene
@@ -25,12 +15,14 @@ if TYPE_CHECKING:
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@commands.command()
+@cli.commands.command()
 def figures(
-    output: OutputOption = None,
-    only: Annotated[Texts, option("NUMBER", f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable.")] = None,
-    fresh: FreshOption = False,
-    quiet: QuietOption = False,
+    output: cli.OutputOption = None,
+    only: Annotated[
+        cli.Texts, cli.option("NUMBER", f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable.")
+    ] = None,
+    fresh: cli.FreshOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
@@ -41,7 +33,7 @@ def figures(
     """
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
-    output = output_directory(output, "figures")
+    output = cli.output_directory(output, "figures")
     from softcat_sym import store
     from softcat_sym.files import made, write_all
 
@@ -56,14 +48,14 @@ def figures(
             waiting.pop(0)
             if not quiet:
                 typer.echo(caption)
-                print_written(written, output)
+                cli.print_written(written, output)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
         if waiting != asked:
             done = " and ".join(number for number in asked if number not in waiting)
             again = " ".join(f"--only {number}" for number in waiting)
             text = f"figure {done} is written; softcat figures -o {output} {again} resumes from {output}"
-        raise interrupted(text) from None
+        raise cli.interrupted(text) from None
 
 
 def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> tuple[dict[str, bytes], str]:
