@@ -125,7 +125,7 @@ def samples(
 
 def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
     """Write all files, or none if some exist already with other content."""
-    from softcat_sym.files import write_all
+    from softcat_sym.files import write_results
 
     paths = {folder / name: content for name, content in contents.items()}
     there = [
@@ -135,4 +135,4 @@ def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> N
     ]
     if there and not force:
         raise SoftcatError(f"already exist, and not replaced without --force: {', '.join(there)}")
-    write_all(folder, contents)
+    write_results(folder, contents)

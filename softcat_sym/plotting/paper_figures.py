@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from softcat_sym.files import json_bytes
+from softcat_sym.drawing import Report
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import phase, style
 from softcat_sym.plotting.compare import draw_strip
@@ -123,8 +123,8 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
     return figure
 
 
-def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 2, by file name."""
+def maxwell_descent_report(panels: Sequence[Panel]) -> Report:
+    """Picture, data and facts of figure 2."""
     curves, facts = [], []
     for panel in panels:
         named = {"delta": panel.delta, "tau_star": panel.tau_star}
@@ -133,11 +133,9 @@ def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
             curves.append(pd.DataFrame(named | columns))
         share = {"tension_over_bending_at_t_high": panel.tension_over_bending, "outcomes": panel.outcomes}
         facts.append(named | {"t_low": panel.t_low, "t_high": panel.t_high} | share)
-    return {
-        **printed("figure2", maxwell_descent_figure(panels)),
-        "figure2.csv": pd.concat(curves).to_csv(index=False).encode(),
-        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": facts}),
-    }
+    caption = maxwell_caption(panels)
+    files = {"figure2.csv": pd.concat(curves), "figure2.json": {"caption": caption, "panels": facts}}
+    return Report({**printed("figure2", maxwell_descent_figure(panels)), **files}, [caption])
 
 
 _PHASE_LINES: dict[str, dict[str, Any]] = {
@@ -225,8 +223,8 @@ def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
     axes.set_title(f"δ = {groups.delta:.3g}" if upwards == "V" else f"V = {groups.V:.3g}", fontsize=9)
 
 
-def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
-    """Picture, data and facts of figure 3(a), by file name."""
+def phase_report(diagram: PhaseDiagram) -> Report:
+    """Picture, data and facts of figure 3(a)."""
     runs, lines, planes = [], [], []
     for sheet in diagram.sheets:
         name = sheet.plane.name
@@ -249,12 +247,13 @@ def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
         ]  # fmt: skip
         nodes = {"runs": sheet.runs, "lattice_nodes": sheet.nodes, "nodes_never_run": sheet.saved}
         planes.append({"plane": name, **nodes, "regimes": sheet.counts, "boundary_over_formula": boundaries})
-    return {
-        **printed("figure3a", phase_figure(diagram)),
+    caption = phase_caption(diagram)
+    files = {
         "figure3a-runs.csv": table(runs),
         "figure3a-lines.csv": table(lines),
-        "figure3a.json": json_bytes({"caption": phase_caption(diagram), "planes": planes}),
+        "figure3a.json": {"caption": caption, "planes": planes},
     }
+    return Report({**printed("figure3a", phase_figure(diagram)), **files}, [caption])
 
 
 _ELEMENTS: dict[str, Any] = {"color": style.BLACK, "linewidth": 3.2, "alpha": 0.35, "solid_capstyle": "butt"}
@@ -368,8 +367,8 @@ def _draw_alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
     axes.yaxis.set_major_formatter("{x:.3g}")
 
 
-def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 3(b), by file name."""
+def midpoint_report(scenes: Sequence[FilmedScene]) -> Report:
+    """Picture, data and facts of figure 3(b)."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
     curves = []
     for filmed in scenes:
@@ -377,11 +376,9 @@ def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
         for name, (time, height) in named.items():
             keys = {"scene": filmed.of.name, "curve": name.replace(",", " with")}
             curves.append(pd.DataFrame(keys | {"t_tilde": time, "midpoint_over_L": height}))
-    return {
-        **printed("figure3b", midpoints_figure(scenes)),
-        "figure3b.csv": table(curves),
-        "figure3b.json": json_bytes({"caption": midpoints_caption(known), "scenes": list(known.values())}),
-    }
+    caption = midpoints_caption(known)
+    files = {"figure3b.csv": table(curves), "figure3b.json": {"caption": caption, "scenes": list(known.values())}}
+    return Report({**printed("figure3b", midpoints_figure(scenes)), **files}, [caption])
 
 
 BLACK_RATE = 4.4e-4
@@ -582,8 +579,8 @@ def _draw_last(part: SubFigure, filmed: FilmedScene, depth: tuple[float, float])
     legend(part, handles=handles, ncols=3)
 
 
-def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 4, by file name."""
+def snapshot_report(filmed: Sequence[FilmedScene]) -> Report:
+    """Picture, data and facts of figure 4."""
     scenes = {each.of.name: each for each in filmed if each.of.name in SNAPSHOTS}
     last = scenes[SNAPSHOTS[-1]]
     points, cells, facts = [], [], []
@@ -609,10 +606,11 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
     element, corner = np.indices(outline.shape[:2]).reshape(2, -1)
     x, y = outline.reshape(-1, 2).T
     corners = [pd.DataFrame({"element": element, "corner": corner, "x_over_L": x, "y_over_L": y})]
-    return {
-        **printed("figure4", snapshots_figure(filmed)),
+    caption = snapshots_caption(scenes)
+    files = {
         "figure4-elements.csv": table(points),
         "figure4-filament.csv": table(cells),
         "figure4-mesh.csv": table(corners),
-        "figure4.json": json_bytes({"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": facts}),
+        "figure4.json": {"caption": caption, "alpha": ALPHA, "snapshots": facts},
     }
+    return Report({**printed("figure4", snapshots_figure(filmed)), **files}, [caption])
