@@ -49,22 +49,18 @@ def replace_atomically(path: Path, content: bytes) -> Path:
     return fill_atomically(path, fill)
 
 
-def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
-    """Write several files into a folder, which is made if missing, :func:`written_together`."""
-    with ExitStack() as folders, written_together():
-        paths = [Path(directory) / name for name in contents]
-        for folder in dict.fromkeys(path.parent for path in paths):
-            folders.enter_context(made(folder))
-        return [replace_atomically(path, content) for path, content in zip(paths, contents.values(), strict=True)]
-
-
 def write_results(directory: str | Path, contents: Mapping[str, object]) -> list[Path]:
-    """Write figures as PNG, frames as CSV, documents as JSON, texts and bytes as they are; each file is replaced whole.
+    """Write figures as PNG, frames as CSV, documents as JSON, texts and bytes as they are, :func:`written_together`.
 
-    A content may be a function that makes it. Everything is drawn before anything is written. What is None is left out.
+    Folders that are missing are made. A content may be a function that makes it; everything is made before anything is
+    written. What is None is left out.
     """
-    made = ((name, content() if callable(content) else content) for name, content in contents.items())
-    return write_all(directory, {name: _encoded(content) for name, content in made if content is not None})
+    made_now = ((name, content() if callable(content) else content) for name, content in contents.items())
+    encoded = {Path(directory) / name: _encoded(content) for name, content in made_now if content is not None}
+    with ExitStack() as folders, written_together():
+        for folder in dict.fromkeys(path.parent for path in encoded):
+            folders.enter_context(made(folder))
+        return [replace_atomically(path, content) for path, content in encoded.items()]
 
 
 def _encoded(content: Any) -> bytes:

@@ -26,7 +26,7 @@ from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.error_control.estimate import Resolution, resolution_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.files import write_all, written_together
+from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.reading import as_scene, load_scene
@@ -88,7 +88,7 @@ def generate(
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
     contents = contents_of(as_scene(scene), check_name(name), rhs=rhs, progress=progress)
-    return write_all(directory, {file: text.encode() for file, text in contents.items()})
+    return write_results(directory, contents)
 
 
 def contents_of(scene: Scene, name: str, *, rhs: bool, progress: Progress | None = None) -> dict[str, str]:
@@ -225,9 +225,4 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
 
 def write(directory: str | Path, on_progress: Callable[[str], None] = lambda _: None) -> list[Path]:
     """Write the products, all or none; folders of structures that are no longer among them are left alone."""
-    folders: dict[Path, dict[str, bytes]] = {}
-    for path, text in contents(bundled(on_progress)).items():
-        place = Path(directory) / path
-        folders.setdefault(place.parent, {})[place.name] = text.encode()
-    with written_together():
-        return [path for folder in sorted(folders) for path in write_all(folder, folders[folder])]
+    return write_results(directory, dict(sorted(contents(bundled(on_progress)).items())))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -80,6 +80,7 @@ def simulated(scene: Scene, progress: Progress | None = None, announce: Callable
     """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.effects.choosing import choose_effects
+    from softcat_sym.solvers.outcome import Outcome
     from softcat_sym.solvers.run_cost import run_cost
     from softcat_sym.solvers.solution import Interrupted, Silence, watched
 
@@ -96,7 +97,8 @@ def simulated(scene: Scene, progress: Progress | None = None, announce: Callable
         run = finished[-1] if finished else stopped.part()  # type: ignore[attr-defined]
         if len(run.fields["time"]) < _SOMETHING:
             raise
-        raise Interrupted(lambda: run.interrupted(scene)) from None
+        message = "it was interrupted before its error was known"
+        raise Interrupted(lambda: run.revised({}, Outcome.interrupted, message, scene)) from None
 
 
 def _with_all_that_matters(scene: Scene, progress: Progress, finished: list[Run]) -> Run:
@@ -133,14 +135,26 @@ def _with_all_that_matters(scene: Scene, progress: Progress, finished: list[Run]
                 return aside
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
-            answer = run.repeated(repeats).settled(scene, ends)
+            answer = _repeated(run, repeats).revised({"settled_s": ends}, scene=scene)
             if falls:
-                return answer.descended(scene)
+                return _descended(answer, scene)
             return answer if end is None else _broken(answer, scene, until, end, effects)
         clock.set_aside()
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
         repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
+
+
+def _repeated(run: Run, repeats: list[str]) -> Run:
+    """The same run as the last of several: each text says what the run before had overlooked."""
+    from softcat_sym.solvers.outcome import Outcome
+
+    warnings = [*run.summary["warnings"]]
+    if len(repeats) > 1:
+        warnings.append(f"repeated {len(repeats)} times: an estimate is wrong for this scene, please report it")
+    message = "; ".join(f"{name}: {how}" for name, how in run.missing_effect.items())
+    changes = {"repeats": repeats, "warnings": warnings}
+    return run.revised(changes, Outcome.missing_effect if message else None, message)
 
 
 def _in_space(scene: Scene, run: Run, progress: Progress, finished: list[Run]) -> Run | None:
@@ -153,7 +167,9 @@ def _in_space(scene: Scene, run: Run, progress: Progress, finished: list[Run]) -
         return None
     progress.stage("again, in three dimensions: it is unstable sideways")
     finished.clear()
-    return _with_all_that_matters(moved, progress, finished).left_its_plane(Sideways(**found))
+    spatial, planar = _with_all_that_matters(moved, progress, finished), Sideways(**found)
+    changes = {"sideways": found, "dimensions_reason": f"in its plane it is {planar.found}"}
+    return spatial.revised({**changes, "warnings": [*spatial.summary["warnings"], planar.followed]})
 
 
 def _up_to_its_fall(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:
@@ -163,7 +179,24 @@ def _up_to_its_fall(run: Run, effects: Effects, clock: Clock, progress: Progress
     clock.set_aside()
     progress.stage("again, up to its fall")
     brief = run.scene.replace({"run.duration": f"{run.summary['descends']['time_s']!r} s"})
-    return run_once(brief, brief, effects, clock, progress).descended(brief)
+    return _descended(run_once(brief, brief, effects, clock, progress), brief)
+
+
+def _descended(run: Run, scene: Scene) -> Run:
+    """The answer to a scene whose filament falls for ever: up to when, how far and how fast."""
+    import numpy as np
+
+    from softcat_sym.solvers.outcome import Outcome
+
+    time, midpoint = run.fields["time"], run.fields["midpoint"]
+    rate = float(np.gradient(midpoint, time, edge_order=2)[-1])
+    end = {"time_s": float(time[-1]), "midpoint_m": float(midpoint[-1]), "rate_m_per_s": rate}
+    message = (
+        f"it falls for ever: the run ends after {time[-1]:.4g} s, with the midpoint at {midpoint[-1]:.4g} m, "
+        f"moving at {rate:.4g} m/s"
+    )
+    changes = {"descends": end, "midpoint_settled_m": None, "midpoint_settled_why": "it falls for ever"}
+    return replace(run, outcome=Outcome.solved).revised(changes, Outcome.descends, message, scene)
 
 
 def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> tuple[Run, Break]:
@@ -192,11 +225,17 @@ def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progres
 
 
 def _broken(answer: Run, scene: Scene, until: Scene, end: Break, effects: Effects) -> Run:
-    """The answer of a filament that breaks, with the error of the instant."""
+    """The answer of a filament that breaks, at the end that is its load, with the error of the instant."""
     from softcat_sym.results.breaking import break_at_end
+    from softcat_sym.solvers.outcome import Outcome
 
     end, load = break_at_end(scene, answer.fields, end.rate_per_s)
-    return answer.broken(scene, replace(end, time_error_s=_time_error(answer, until, end, effects)), load)
+    end = replace(end, time_error_s=_time_error(answer, until, end, effects))
+    changes = {"broken": asdict(end), "midpoint_settled_m": None, "midpoint_settled_why": "it breaks"}
+    outcome, message = Outcome.broken, end.text
+    if abs(load - 1) > scene.run.accuracy:
+        outcome, message = Outcome.inaccurate, f"{end.text}, but bears {load:.3g} of its limit then"
+    return answer.revised(changes, outcome, message, scene)
 
 
 def _time_error(answer: Run, until: Scene, end: Break, effects: Effects) -> float | None:

@@ -8,7 +8,6 @@ import json
 import os
 import pty
 import re
-import resource
 import select
 import signal
 import subprocess
@@ -30,7 +29,6 @@ from softcat_sym.cli import plain, print_whatever_the_terminal_takes
 from softcat_sym.cli.application import output_directory
 from softcat_sym.cli.completing import complete_change, complete_scene
 from softcat_sym.cli.explain import article, print_explanation
-from softcat_sym.cli.overview import COMMANDS
 from softcat_sym.codegen.library import store
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
@@ -73,17 +71,6 @@ def program(*arguments: str | Path, cwd: Path | None = None, **environment: str)
         check=False,
         timeout=120,
     )
-
-
-def test_every_command_is_listed_under_its_group_and_helps(softcat: Softcat) -> None:
-    groups = re.split(r"(?m)^(Everyday|Fitting|Validation|Developer):\n", softcat("-h").out)[1:]
-    names = [line.split()[0] for text in groups[1::2] for line in text.splitlines() if re.match(r"  [a-z-]+  ", line)]
-    assert (len(groups), len(names)) == (8, 22)
-    told = {name: words for group in COMMANDS.values() for name, words in group.items()}
-    for name in names:
-        helped = " ".join(softcat(name, "-h").out.split())
-        assert f"softcat {name} [OPTIONS]" in helped and told[name] in helped
-    assert softcat("--version").out.startswith("softcat ") and softcat("fly").status == 2
 
 
 @pytest.mark.skipif(version("typer") != LOCKED["typer"], reason="the layout is that of the locked typer")
@@ -516,18 +503,6 @@ def test_an_explanation_can_be_written_whatever_its_title_and_groups(softcat: So
     assert "infinite" in printed(explain(weightless))
 
 
-def test_what_rings_long_is_told_beforehand_and_what_to_do_about_it() -> None:
-    changes = {"run.duration": "60 s", "run.accuracy": 0.01}
-    undamped = explain(sc.load_scene("agar-bar", {**changes, "material.loss_tangent": 0.0}))
-    # Without a compiler it takes more than a minute, and more is told that cuts it.
-    assert "rings some 602 periods" in undamped.ringing and "load.ramp" in undamped.ringing
-    assert undamped.damping == ""
-    damped = explain(sc.load_scene("agar-bar", changes))
-    assert damped.damping.startswith("first natural frequency 10.03 Hz; loss tangent 0.05")
-    assert "rings some" in damped.ringing and "load.ramp" not in damped.ringing
-    assert explain(sc.load_scene("cold-honey")).ringing == ""
-
-
 @pytest.mark.slow
 def test_every_bundled_scene_is_explained() -> None:
     for name in sc.bundled_names():
@@ -568,29 +543,12 @@ def test_what_is_stored_is_shown_and_cleared(softcat: Softcat, tmp_path: Path, m
     assert (bad.status, bad.out) == (2, "") and "SOFTCAT_CACHE_LIMIT is 'much'; accepted: " in bad.err
 
 
-def offered(line: str, shell: str = "bash", cwd: Path | None = None) -> str:
+def offered(line: str, cwd: Path | None = None) -> str:
     """What the shell is offered behind the last word of a command line."""
-    asking = {
-        "bash": {"COMP_WORDS": line, "COMP_CWORD": str(len(line.split(" ")) - 1)},
-        "zsh": {"_TYPER_COMPLETE_ARGS": line},
-        "fish": {"_TYPER_COMPLETE_ARGS": line, "_TYPER_COMPLETE_FISH_ACTION": "get-args"},
-    }[shell]
-    done = program(cwd=cwd, _SOFTCAT_COMPLETE=f"complete_{shell}", **asking)
+    asking = {"COMP_WORDS": line, "COMP_CWORD": str(len(line.split(" ")) - 1)}
+    done = program(cwd=cwd, _SOFTCAT_COMPLETE="complete_bash", **asking)
     assert done.stderr == ""
     return done.stdout
-
-
-@pytest.mark.slow
-def test_commands_and_scenes_are_offered_and_the_script_installed(tmp_path: Path) -> None:
-    for shell in ("bash", "zsh", "fish"):
-        assert "explain" in offered("softcat exp", shell)
-        scenes, home = offered("softcat run ink", shell), tmp_path / shell
-        assert "ink-bridge" in scenes and "maxwell" not in scenes
-        home.mkdir()
-        places = {"HOME": str(home), "ZDOTDIR": str(home), "_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION": "1"}
-        done = program("--install-completion", shell, **places)
-        assert done.returncode == 0, done.stderr
-        assert any("_SOFTCAT_COMPLETE" in path.read_text() for path in home.rglob("*") if path.is_file())
 
 
 @pytest.mark.slow
@@ -614,18 +572,7 @@ def test_scenes_keys_and_paths_are_offered(tmp_path: Path) -> None:
     assert tuple(complete_scene("")) == sc.bundled_names()
 
 
-@pytest.mark.slow
-def test_a_tab_is_answered_before_one_notices_and_loads_nothing_heavy() -> None:
-    """Half a second of the processor, the best of three: how long one waits where nothing else runs."""
-
-    def seconds(line: str) -> float:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        assert offered(line).strip()
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-    for line in ("softcat run ink", "softcat run ink-bridge --set material.y"):
-        assert min(seconds(line) for _ in range(3)) < 0.5
+def test_completion_loads_nothing_heavy() -> None:
     code = (
         "import sys\nfrom softcat_sym.cli.completing import complete_change, complete_scene\n"
         "assert complete_scene('ink') and complete_change('material.')\n"
@@ -693,7 +640,7 @@ def test_too_little_memory_is_one_sentence_and_no_window_is_needed(softcat: Soft
             raise error
 
         with softcat.monkeypatch.context() as patch:
-            patch.setattr("softcat_sym.cli.explain.scene_of", refuse)
+            patch.setattr("softcat_sym.cli.application.scene_of", refuse)
             done = softcat("explain", "no-yield")
         assert done.status == 2
         assert "memory" in done.err and done.err.count("\n") == 1

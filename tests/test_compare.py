@@ -28,7 +28,7 @@ from softcat_sym.files import finite, json_bytes
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.plotting import style
-from softcat_sym.plotting.compare import rate_fields, tables
+from softcat_sym.plotting.compare import rate_snapshots, tables
 from softcat_sym.plotting.style import first_frames
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix
@@ -277,30 +277,20 @@ def marked(run: ElementRun) -> ElementRun:
     place = 1.0 + 100 * run.point[..., 0] + 10 * run.point[..., 1]
     share = np.linspace(1, 0, len(run.rate_time))
     share[3:] = 0
-    straight = np.broadcast_to(run.X, run.x.shape)
-    return replace(run, rate=share[:, None, None] * place, x=straight.copy(), y=np.zeros_like(run.y))
+    return replace(run, rate=share[:, None, None] * place, displacement=np.zeros_like(run.displacement))
 
 
 def test_each_rate_is_drawn_where_it_was_measured(comparison: Comparison) -> None:
-    run, thickness = marked(comparison.elements), comparison.scene.filament.thickness
-    fields = rate_fields(run, thickness)
+    run, span = marked(comparison.elements), comparison.scene.filament.span
+    shots = rate_snapshots(replace(comparison, reference=run))
     # Of the moments, that at 10 % flows still; the fastest is the first; the last is always there.
-    assert [field.time for field in fields] == [run.time[0], run.time[2], run.time[-1]]
-    first = fields[0]
-    assert first.rate.shape == (16, 4)
-    np.testing.assert_allclose(first.rate, np.sqrt(3) * (1 + 100 * first.X + 10 * first.Y))
-    # Undeformed, a quarter of an element surrounds the reference position of its Gauss point.
-    assert np.all((first.x[:-1, :-1] < first.X) & (first.X < first.x[1:, 1:]))
-    assert np.all((first.y[:-1, :-1] < first.Y) & (first.Y < first.y[1:, 1:]))
-    np.testing.assert_allclose(np.ptp(first.y, axis=1), thickness)
-    # A strip that turns stays as thick as its stretch allows, with vertical ends.
-    run = comparison.elements
-    for field in rate_fields(run, thickness):
-        drawn = np.hypot(*(np.diff(c[:, [0, -1]], axis=1)[:, 0] for c in (field.x, field.y)))
-        frame = int(np.abs(run.time - field.time).argmin())
-        stretch = np.hypot(np.gradient(run.x[frame], run.X), np.gradient(run.y[frame], run.X))
-        np.testing.assert_allclose(drawn, thickness / np.sqrt(stretch))
-        assert np.ptp(field.x[0]) < 1e-9 * thickness and np.ptp(field.x[-1]) < 1e-9 * thickness
+    assert [shot.time for shot in shots] == [run.time[0], run.time[2], run.time[-1]]
+    place = span * shots[0].place
+    np.testing.assert_allclose(place, run.point.reshape(-1, 2), atol=1e-12 * span)
+    np.testing.assert_allclose(shots[0].rate, np.sqrt(3) * (1 + 100 * place[:, 0] + 10 * place[:, 1]))
+    # A quarter of an element surrounds its Gauss point.
+    corners = span * shots[0].quarter
+    assert np.all((corners.min(axis=1) < place) & (place < corners.max(axis=1)))
 
 
 @pytest.mark.slow

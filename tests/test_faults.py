@@ -21,7 +21,7 @@ import xarray as xr
 from softcat_sym import cache, store
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, made, replace_atomically, write_all, written_together
+from softcat_sym.files import fill_atomically, made, replace_atomically, write_results, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.reference.element_loop import write_checkpoint
 from softcat_sym.results.netcdf import netcdf_file
@@ -195,14 +195,14 @@ def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path
         fill_atomically(tmp_path / "third", full)
     assert raised.value.filename == str(tmp_path / "third")
     assert files_in(tmp_path) == {"old": b"old"}
-    write_all(tmp_path, {"old": b"new", "new": b"newer"})
+    write_results(tmp_path, {"old": b"new", "new": b"newer"})
     assert files_in(tmp_path) == {"old": b"new", "new": b"newer"}
     (tmp_path / "b").mkdir()
     with pytest.raises(IsADirectoryError):
-        write_all(tmp_path, {"a": b"1", "b": b"2"})
+        write_results(tmp_path, {"a": b"1", "b": b"2"})
     assert not (tmp_path / "a").exists()
     with pytest.raises(OSError, match="No space"), written_together():
-        write_all(tmp_path / "c" / "d", {"e": b"1"})
+        write_results(tmp_path / "c" / "d", {"e": b"1"})
         fill_atomically(tmp_path / "third", full)
     assert not (tmp_path / "c").exists(), "nor are folders left in which nothing is"
 

@@ -12,7 +12,8 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.plotting.paper_figures import DPI, boundary, printed, strip_at
+from softcat_sym.plotting.compare import boundary
+from softcat_sym.plotting.paper_figures import DPI, printed, strip_at
 from softcat_sym.plotting.style import axes_in_inches, new_figure
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference.element_loop import Mesh

@@ -18,7 +18,6 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.axis import Axis
-from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.image import PcolorImage
 from matplotlib.text import Text
@@ -26,7 +25,7 @@ from matplotlib.transforms import Bbox
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym import files, plotting
+from softcat_sym import plotting
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,
@@ -58,7 +57,6 @@ from softcat_sym.plotting.style import (
     first_frames,
     picture_style,
     png,
-    printable,
     printed,
     refused,
     shown_part,
@@ -133,24 +131,9 @@ def test_node_angles_are_second_order_and_turn_past_the_vertical():
     # A kink at the clamp does not turn the end face around.
     x, y = np.array([0.0, 1e-3, 1.0, 2.0]), np.array([0.0, -5.0, -5.0, -5.0])
     assert abs(node_angles(x, y)[0] + np.pi / 2) < 0.31
-    assert np.all(np.isfinite(node_angles(x[:2], y[:2])))
 
 
 def test_elastic_core():
-    for mean, bending, core in (
-        (0.0, 0.0, (-1.0, 1.0)),
-        (0.9, 0.0, (-1.0, 1.0)),
-        (0.0, 2.0, (-0.5, 0.5)),
-        (0.0, -2.0, (-0.5, 0.5)),
-        (0.5, 2.0, (-0.75, 0.25)),
-        (0.5, -2.0, (-0.25, 0.75)),
-        (-0.5, 2.0, (-0.25, 0.75)),
-        (0.5, 1.0, (-1.0, 0.5)),
-        (0.5, -1.0, (-0.5, 1.0)),
-        (0.5, 1e-320, (-1.0, 1.0)),
-    ):
-        lower, upper = elastic_core(np.array([9e3 * mean]), np.array([9e3 * bending]), 9e3)
-        assert (lower[0], upper[0]) == pytest.approx(core, abs=1e-12), (mean, bending)
     # Every shaded point exceeds yield and no other does, but within rounding of the boundary.
     generator = np.random.default_rng(7)
     mean, bending = generator.normal(size=400), 3 * generator.normal(size=400)
@@ -167,7 +150,7 @@ def test_elastic_core():
         assert sum(map(area, quads)) == pytest.approx(area(outline(section)), rel=1e-12)
 
 
-def test_the_shaded_area_is_the_analytic_one(make_scene, make_run, descent, scene):
+def test_the_shaded_area_is_the_analytic_one(make_scene, make_run):
     """Stress Y(0.5 + 2 c zeta): the area fraction integrates (1 - core/2) over X.
 
     Tension beyond zeta = 0.5/|slope| where |slope| > 0.5, compression beyond 1.5/|slope| where |slope| > 1.5; with
@@ -188,15 +171,6 @@ def test_the_shaded_area_is_the_analytic_one(make_scene, make_run, descent, scen
         quads = yielded_quads(section, np.full(400, 0.8), np.full(400, float(side)), 1.0)
         inner, outer = sorted(radius - side * thickness / 2 * zeta for zeta in (0.2, 1.0))
         assert sum(map(area, quads)) == pytest.approx(half_angle * (outer**2 - inner**2), rel=1e-5)
-    for frame in (40, 90, 200):
-        section = section_at(descent, frame)
-        quads = yielded_quads(
-            section, descent["stress_mean"][frame], descent["stress_bending"][frame], scene.material.yield_stress
-        )
-        weight = np.hypot(np.diff(section.x), np.diff(section.y)) * descent["thickness"][frame]
-        expected = float(np.sum(weight * descent["yielded_fraction"][frame]) / weight.sum())
-        # A bent filament is longer on its outer side, by thickness times curvature: a few per cent here.
-        assert sum(map(area, quads)) / area(outline(section)) == pytest.approx(expected, rel=0.06)
 
 
 def test_yielded_is_what_flows_and_not_what_rests_on_the_yield_stress(descent, scene, make_scene):
@@ -310,41 +284,18 @@ def test_energies_have_one_unit_and_the_imbalance_is_what_is_missing(descent, su
     assert {"kinetic", "elastic", "dissipated", "external work"} < set(drawn)
     imbalance, largest = energy_imbalance(descent)
     np.testing.assert_allclose(lower.lines[0].get_ydata(), 1e6 * imbalance / largest)
-    data = {
-        "energy_kinetic": [0.0, 1.0, 1.5],
-        "energy_elastic": [0.5, 0.5, 1.0],
-        "energy_potential": [10.0, 7.0, 3.0],
-        "energy_dissipated": [0.0, 1.0, 4.0],
-        "energy_gradient": [0.0, 0.0, 0.5],
-        "energy_surface": [0.0, 0.0, 0.0],
-        "work_external": [0.0, -1.0, -0.5],
-    }
-    imbalance, largest = energy_imbalance(data)
-    np.testing.assert_allclose(imbalance, 0.0)
-    assert largest == 10.0
-    data["energy_dissipated"] = [0.0, 1.0, 4.25]
-    np.testing.assert_allclose(energy_imbalance(data)[0], [0.0, 0.0, 0.25])
 
 
 def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene):
     """Those of effects too, whatever their names; what is nothing at all times is left out."""
     held = {**descent, "energy_elastic_foundation": 0.1 * descent["energy_elastic"]}
-    for style, own in (("screen", "--"), ("column", ":")):
-        upper = energy_figure({**held, "energy_surface": descent["energy_kinetic"]}, summary, scene, style).axes[0]
-        lines = {str(line.get_label()): line for line in upper.lines}
-        np.testing.assert_allclose(lines["elastic foundation"].get_ydata(), 1e6 * held["energy_elastic_foundation"])
-        np.testing.assert_allclose(lines["surface"].get_ydata(), 1e6 * descent["energy_kinetic"])
-        assert "gradient" not in lines and own in {line.get_linestyle() for line in upper.lines}
-    assert energy_imbalance(held)[1] == energy_imbalance(descent)[1]
-    np.testing.assert_allclose(
-        energy_imbalance(held)[0] - energy_imbalance(descent)[0], held["energy_elastic_foundation"], atol=1e-12
-    )
+    lines = {str(line.get_label()): line for line in energy_figure(held, summary, scene, "column").axes[0].lines}
+    np.testing.assert_allclose(lines["elastic foundation"].get_ydata(), 1e6 * held["energy_elastic_foundation"])
+    assert "gradient" not in lines
 
 
 def test_shapes_are_drawn_swollen(descent, summary, scene):
     """About the same centreline, by as much as is asked and said."""
-    run = sc.simulate(sc.load_scene("gelatin-strand", {"numerics.estimate": False, "numerics.cells": 8}))
-    assert shapes_figure(run.data, run.summary, run.scene, radius=2.0).axes
     plain, swollen = (shapes_figure(descent, summary, scene, radius=radius) for radius in (1.0, 5.0))
     (thin, thick) = (np.array(figure.axes[-1].patches[0].get_xy()) for figure in (plain, swollen))
     middle = len(thin) // 4
@@ -408,19 +359,15 @@ def test_the_mark_stands_where_the_sag_is_nine_tenths_of_the_last(descent, summa
     assert bad.get_title(loc="left") == ""
 
 
-def test_a_few_hinges_do_not_take_the_colours_from_the_rest(descent, summary, scene, caplog):
+def test_a_few_hinges_do_not_take_the_colours_from_the_rest(descent, summary, scene):
     stretch = 1 + 0.01 * np.linspace(0, 1, 201)[:, None] * np.ones((201, 160))
     stretch[:, 0] = 1.5
     first, _ = maps_of(descent | {"stretch": stretch}, scene)
     assert first.beyond and 0.9 < first.norm.vmax <= 1.0  # per cent
     stretch[:] = np.geomspace(1, 900, 201)[:, None]
-    assert isinstance(maps_of(descent | {"stretch": stretch}, scene)[0].norm, LogNorm)
     figure = space_time_figure(descent | {"stretch": stretch}, summary, scene)
-    with caplog.at_level("WARNING"):
-        png(figure)
-    shown = words_of(figure)
-    assert {"10.0", "100"} <= set(shown) and not any("$" in text for text in shown)
-    assert caplog.records == []
+    png(figure)
+    assert {"10.0", "100"} <= set(words_of(figure)) and not any("$" in text for text in words_of(figure))
 
 
 HELD = 1 - np.exp(-3 * TIMES)
@@ -457,7 +404,7 @@ def drawn_words(figure: Figure) -> Iterator[tuple[str, Bbox]]:
 def test_every_word_can_be_read(make_run, make_scene, summary, name):
     """None over another, none beyond the paper, no power of ten beside an axis."""
     span, thickness, sags, times, limit = SCENES[name]
-    scene = make_scene(title=name, span=span, thickness=thickness, limit=limit)
+    scene = make_scene(title=f"$x^{{ {name} 漢", span=span, thickness=thickness, limit=limit)
     run = make_run(scene, sags, times, cells=60)
     for style, (what, draw) in itertools.product(("screen", "column", "page"), FIGURES.items()):
         with styled_for(style):
@@ -529,31 +476,15 @@ def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_sta
         rows = list(csv.DictReader(stream))
     np.testing.assert_array_equal([float(row["time_s"]) for row in rows], descent["time"])
     np.testing.assert_array_equal([float(row["midpoint_m"]) for row in rows], descent["midpoint"])
-    taken, file = tmp_path / "taken", tmp_path / "file"
+    taken = tmp_path / "taken"
     (taken / "shapes.png").mkdir(parents=True)
-    file.write_text("")
     with pytest.raises(OSError, match=r"shapes\.png"):
         run_of(descent, summary, scene).write(taken)
     assert [path.name for path in taken.iterdir()] == ["shapes.png"]
-    with pytest.raises(OSError, match="file"):
-        run_of(descent, summary, scene).write(file)
     less = {name: values for name, values in descent.items() if name != "stretch"}
     with pytest.raises(KeyError):
         run_of(less, summary, scene).write(tmp_path / "nowhere")
     assert not (tmp_path / "nowhere").exists()
-
-
-def test_a_write_that_fails_midway_keeps_the_old_file(tmp_path, monkeypatch):
-    target = tmp_path / "table.csv"
-    target.write_bytes(b"old")
-
-    def full(self: Path, other: Path) -> Path:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", full)
-    with pytest.raises(OSError, match="No space"):
-        files.replace_atomically(target, b"new")
-    assert [(path, path.read_bytes()) for path in tmp_path.iterdir()] == [(target, b"old")]
 
 
 @pytest.mark.slow
@@ -574,13 +505,6 @@ def test_whatever_a_run_leaves_is_drawn_without_a_warning(scene, summary, make_r
             for draw in FIGURES.values():
                 with styled_for(style):
                     assert png(draw(data, summary, of, style)).startswith(b"\x89PNG"), name
-
-
-def test_awkward_titles_are_made_printable(descent, summary, make_scene):
-    for text, shown in (("a $x^{ b", "a $x^{ b"), ("two\nlines", "two lines"), ("5 µm – 漢", "5 µm – ?")):
-        assert printable(text) == shown
-    scene = make_scene(title="$\\frac{$ 漢字 " + 200 * "long ")
-    assert all(png(draw(descent, summary, scene)).startswith(b"\x89PNG") for draw in FIGURES.values())
 
 
 def test_what_draws_loads_no_more_than_it_needs():
@@ -650,12 +574,8 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper():
         assert closest(["#d62728", "#8c6d1f"], eye) < closest(["#d62728", "#8c6d1f"], np.eye(3).tolist()) / 2
     assert len({line for _, line in LINES[1:]}) == len(LINES) - 1
     script = (resources.files("softcat_sym.plotting") / "templates" / "sliders_data.js").read_text(encoding="utf-8")
-    block = re.search(r"COLOURS = \[(.*?)\]", script)
-    assert block is not None
-    colours = re.findall(r'"(#[0-9A-F]{6})"', block[1])
-    assert len(colours) == 6
-    assert closest(colours, DEUTERANOPIA) > 10
-    assert closest(colours[:3], DEUTERANOPIA) > 20
+    colours = re.findall(r'"(#[0-9A-F]{6})"', script.partition("COLOURS = [")[2].partition("]")[0])
+    assert len(colours) == 6 and closest(colours, DEUTERANOPIA) > 10 and closest(colours[:3], DEUTERANOPIA) > 20
 
 
 @pytest.mark.parametrize(("width", "millimetres"), [("column", 84.0), ("page", 174.0)])
@@ -698,7 +618,6 @@ def test_units_and_numbers_read_well():
     for choose, symbols in ((length_unit, lengths), (time_unit, times), (energy_unit, {2.5e-4: "µJ"})):
         assert {value: choose(value).symbol for value in symbols} == symbols
     assert length_unit(0.0, fallback=0.2).symbol == "mm"
-    assert energy_unit(2.5e-4).of([2.5e-4, 0.0]) == pytest.approx([250.0, 0.0])
     minus = "\N{MINUS SIGN}"
     for value, text in ((9.32e3, "9.32 kPa"), (4e6, "4.00 MPa"), (200.0, "200 Pa"), (-7e10, f"{minus}70.0 GPa")):
         assert stress_unit(value).text(value) == text

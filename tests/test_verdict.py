@@ -73,12 +73,9 @@ def test_regimes() -> None:
     hardly = -0.05 * (1 - 0.01 * np.cos(time) - np.exp(-time))
     assert label(fields(DYING), midpoint=swinging) == "arrested-underdamped"
     assert label(fields(DYING), midpoint=hardly) == "arrested-overdamped"
-    for law, regime in (("elastic", "elastic"), ("maxwell", "viscous"), ("bingham", "descending")):
-        assert run(law).summary["regime"] == regime
-    for section in ("rectangle", "circle"):
-        strong = simulate(scene_of(material={"yield_stress": "1 MPa"}, filament={"section": section}))
-        assert strong.summary["regime"] == "no-yield"
-        assert float(strong.data["energy_dissipated"][-1]) == float(strong.data["yielded_fraction"].max()) == 0
+    strong = simulate(scene_of(material={"yield_stress": "1 MPa"}))
+    assert strong.summary["regime"] == "no-yield"
+    assert float(strong.data["energy_dissipated"][-1]) == float(strong.data["yielded_fraction"].max()) == 0
 
 
 def test_arrest_is_slow_everywhere_for_the_stated_time() -> None:
@@ -169,8 +166,6 @@ def test_the_strain_of_a_neck_does_not_depend_on_the_grid() -> None:
         for end in (slice(None, near), slice(-near, None)):
             stretch[end] += opening / (near * length[0])
         assert neck_strain(stretch, length, neck) == pytest.approx(opening / neck, rel=0.02)
-    where = np.linspace(-1, 1, 80)
-    assert neck_strain(1 + 0.3 * where**2, np.full(80, 0.01), 0.02) < 0.05
     # A thin string yields most at its supports: from cell to cell by far more than a neck of its thickness holds.
     length = np.full(80, 0.5 / 40)
     smooth = 1 + 0.1 * (np.abs(np.arange(80) - 39.5) / 40) ** 2

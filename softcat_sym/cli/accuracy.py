@@ -5,37 +5,27 @@ from __future__ import annotations
 from typing import Annotated
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    Number,
-    OutputOption,
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    commands,
-    interrupted,
-    option,
-    present,
-    scene_and_directory,
-    switch,
-)
+from softcat_sym.cli import application as cli
 
 
-@commands.command()
+@cli.commands.command()
 def accuracy(
-    scene: SceneArgument,
-    output: OutputOption = None,
-    everything: Annotated[bool, switch("Measure every integrator of the package, and every rival.", "--all")] = False,
+    scene: cli.SceneArgument,
+    output: cli.OutputOption = None,
+    everything: Annotated[
+        bool, cli.switch("Measure every integrator of the package, and every rival.", "--all")
+    ] = False,
     limit: Annotated[
-        Number,
-        option(
+        cli.Number,
+        cli.option(
             "SECONDS",
             "Time for all measurements; those that do not finish in this time are left out.",
             min=0.1,
             show_default="45, with --all 600",
         ),
     ] = None,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Measure time over accuracy, against IDAS and SciPy's Radau.
 
@@ -48,13 +38,13 @@ def accuracy(
     from softcat_sym.studies.work_precision import LIMIT, LIMIT_OF_ALL, study
     from softcat_sym.studies.work_precision_programs import PROGRAMS, RIVALS
 
-    asked, output = scene_and_directory(scene, changes, output, "accuracy")
+    asked, output = cli.scene_and_directory(scene, changes, output, "accuracy")
     programs, usual = (PROGRAMS, LIMIT_OF_ALL) if everything else (RIVALS, LIMIT)
     try:
         with Display(quiet=quiet) as progress:
             progress.stage("accuracy")
             found = study(scene, asked, programs, limit or usual, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
-        raise interrupted("nothing was written") from None
+        raise cli.interrupted("nothing was written") from None
     report = drawing.report(found)
-    present(report, report.write(output), output, quiet=quiet)
+    cli.present(report, report.write(output), output, quiet=quiet)

@@ -111,6 +111,7 @@ def switch(help_text: str, *names: str) -> Any:
 Text = str | None
 Texts = list[str] | None
 Number = float | None
+"""Types of options that may be left out."""
 
 _TimeLimit = Annotated[
     Number,

@@ -8,22 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    FreshOption,
-    OptionalScene,
-    OutputOption,
-    QuietOption,
-    SetOption,
-    Text,
-    commands,
-    judge,
-    option,
-    output_directory,
-    present,
-    scene_and_directory,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.errors import SceneError, SoftcatError
 
 if TYPE_CHECKING:
@@ -32,44 +17,48 @@ if TYPE_CHECKING:
 
 
 def _value(help_text: str) -> Any:
-    return option("VALUE", help_text)
+    return cli.option("VALUE", help_text)
 
 
-@commands.command()
+@cli.commands.command()
 def card(
     context: typer.Context,
-    scene: OptionalScene = None,
-    output: OutputOption = None,
-    sag: Annotated[Text, option("LENGTH", "Largest sag allowed: '1 mm', or '5 %' of the span (default).")] = None,
-    density: Annotated[Text, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
-    span: Annotated[Text, _value("Span, where no SCENE is given: '2 mm'.")] = None,
-    diameter: Annotated[Text, _value("Diameter of the round filament: '250 um'.")] = None,
-    law: Annotated[Text, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
+    scene: cli.OptionalScene = None,
+    output: cli.OutputOption = None,
+    sag: Annotated[
+        cli.Text, cli.option("LENGTH", "Largest sag allowed: '1 mm', or '5 %' of the span (default).")
+    ] = None,
+    density: Annotated[cli.Text, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
+    span: Annotated[cli.Text, _value("Span, where no SCENE is given: '2 mm'.")] = None,
+    diameter: Annotated[cli.Text, _value("Diameter of the round filament: '250 um'.")] = None,
+    law: Annotated[cli.Text, _value("Law: bingham, newtonian, elastic, herschel-bulkley, ...")] = None,
     youngs_modulus: Annotated[
-        Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
+        cli.Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its storage modulus.")
     ] = None,
-    viscosity: Annotated[Text, _value("Viscosity in extension: '30 Pa*s'.")] = None,
-    yield_stress: Annotated[Text, _value("Yield stress in tension: '350 Pa'.")] = None,
-    index: Annotated[Text, _value("Index of the power law: 0.5.")] = None,
-    shear_viscosity: Annotated[Text, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
+    viscosity: Annotated[cli.Text, _value("Viscosity in extension: '30 Pa*s'.")] = None,
+    yield_stress: Annotated[cli.Text, _value("Yield stress in tension: '350 Pa'.")] = None,
+    index: Annotated[cli.Text, _value("Index of the power law: 0.5.")] = None,
+    shear_viscosity: Annotated[cli.Text, _value("Viscosity in shear, which is converted: '10 Pa*s'.")] = None,
     shear_consistency: Annotated[
-        Text, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
+        cli.Text, _value("Consistency in shear of a law with an index, converted: '10 Pa*s^0.5'.")
     ] = None,
-    shear_yield_stress: Annotated[Text, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
+    shear_yield_stress: Annotated[cli.Text, _value("Yield stress in shear, which is converted: '200 Pa'.")] = None,
     surface_tension: Annotated[
-        Text, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
+        cli.Text, _value("Surface tension: '72 mN/m' is that of water. Without the option there is none.")
     ] = None,
     flow_curve: Annotated[
-        Text, option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
+        cli.Text, cli.option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
     ] = None,
-    ends: Annotated[Text, _value("Ends: clamped (default) or pinned.")] = None,
-    duration: Annotated[Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")] = None,
+    ends: Annotated[cli.Text, _value("Ends: clamped (default) or pinned.")] = None,
+    duration: Annotated[
+        cli.Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")
+    ] = None,
     no_span: Annotated[
-        bool, switch("Leave out the longest span, which takes a large part of the time.", "--no-span")
+        bool, cli.switch("Leave out the longest span, which takes a large part of the time.", "--no-span")
     ] = False,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Find how far, when and over which gap a filament sags.
 
@@ -97,24 +86,24 @@ def card(
 
     notes: tuple[str, ...] = ()
     if scene is not None:
-        asked, output = scene_and_directory(scene, changes, output, "card")
+        asked, output = cli.scene_and_directory(scene, changes, output, "card")
     else:
         asked, notes = scene_from_flags(flags, changes or [])
-        output = output_directory(output, "card", asked=asked)
+        output = cli.output_directory(output, "card", asked=asked)
     words = ["softcat", "card", *([scene] if scene else [])]
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
-    with study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+    with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         found = make_card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
         live, why = _live_page(found, progress)
         progress.stage("drawing")
         report = drawing.report(found, command=shlex.join([*words, "-o", "DIR"]), live=live)
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
     if why and not quiet:
         typer.echo(f"no live page: {why}")
-    judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
+    cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 
 def _live_page(found: Card, progress: Progress) -> tuple[str, str]:

@@ -10,23 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    Text,
-    commands,
-    judge,
-    option,
-    present,
-    print_written,
-    scene_and_directory,
-    scene_of,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
     from softcat_sym.reference.element_loop import Clamp, Mesh
@@ -55,7 +39,7 @@ def _compare_once(
         checkpoint.unlink(missing_ok=True)
     if checkpoint is not None and checkpoint.is_file() and not quiet:
         typer.echo(f"the elements resume from {checkpoint}")
-    with study(output, fresh=fresh):
+    with cli.study(output, fresh=fresh):
         comparison = run_comparison(
             scene,
             mesh,
@@ -68,9 +52,9 @@ def _compare_once(
         written = report.write(output)
     if engine is Engine.ELEMENTS and vtk_available():
         written.append(write_vtk(scene, comparison.elements, output / "vtk")[0])
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
     own = comparison.filament.trajectory
-    judge(own.outcome, own.summary["message"], quiet=quiet)
+    cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
 def _write_deck(scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
@@ -81,7 +65,7 @@ def _write_deck(scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: 
     deck = calculix_deck(scene, mesh, clamp=clamp).text
     written = write_results(output, {"calculix/deck.inp": deck, "scene.toml": scene.to_toml()})
     if not quiet:
-        print_written(written, output)
+        cli.print_written(written, output)
 
 
 def _compare_varied(
@@ -103,19 +87,19 @@ def _compare_varied(
     from softcat_sym.studies.theory_end import read_variation, where_theory_ends
 
     variation = read_variation(vary)
-    asked, output = scene_and_directory(name, changes, output, "compare")
+    asked, output = cli.scene_and_directory(name, changes, output, "compare")
 
     def listening(value: str, scene: Scene) -> Listening:
         return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
 
     def scene_with(change: str) -> Scene:
-        return scene_of(name, [*(changes or []), change])
+        return cli.scene_of(name, [*(changes or []), change])
 
     folder = output / "elements"
     if fresh:
         for path in folder.glob(64 * "[0-9a-f]" + ".npz"):
             path.unlink()
-    with study(output, fresh=fresh):
+    with cli.study(output, fresh=fresh):
         end = where_theory_ends(
             asked,
             variation,
@@ -127,40 +111,40 @@ def _compare_varied(
             progress=listening,
         )
     report = drawing.report(end)
-    present(report, report.write(output), output, quiet=quiet)
+    cli.present(report, report.write(output), output, quiet=quiet)
 
 
-@commands.command()
+@cli.commands.command()
 def compare(
-    scene: SceneArgument,
-    output: OutputOption = None,
+    scene: cli.SceneArgument,
+    output: cli.OutputOption = None,
     mesh: Annotated[
-        Text,
-        option(
+        cli.Text,
+        cli.option(
             "ALONGxTHROUGH",
             "Elements along half the span and through the thickness.",
             show_default="64x4; with --vary 32x4",
         ),
     ] = None,
     vary: Annotated[
-        Text,
-        option(
+        cli.Text,
+        cli.option(
             "KEY=VALUE,VALUE,...",
             "Measure the theories at several values of one variable, or KEY=FIRST:LAST:NUMBER[:log].",
         ),
     ] = None,
     fixed_face: Annotated[
-        bool, switch("Hold every point of the clamped face, which then cannot thin.", "--fixed-face")
+        bool, cli.switch("Hold every point of the clamped face, which then cannot thin.", "--fixed-face")
     ] = False,
     engine: Annotated[
-        Engine, option(None, "The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
+        Engine, cli.option(None, "The package's own elements, CalculiX (Debian: calculix-ccx), or both.")
     ] = Engine.ELEMENTS,
     deck_only: Annotated[
-        bool, switch("Write CalculiX's input deck into DIR/calculix, and run nothing.", "--write-input-only")
+        bool, cli.switch("Write CalculiX's input deck into DIR/calculix, and run nothing.", "--write-input-only")
     ] = False,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Compare a filament with finite elements.
 
@@ -185,7 +169,7 @@ def compare(
             )
         _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
-    resolved, output = scene_and_directory(scene, changes, output, "compare")
+    resolved, output = cli.scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
     if deck_only:
         _write_deck(resolved, output, size, face, quiet=quiet)

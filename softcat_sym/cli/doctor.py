@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from softcat_sym.cli.application import UNTRUSTED, QuietOption, commands, print_error
+from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
@@ -32,8 +32,8 @@ class Finding:
     is_fault: bool = False  # Whether the package does not work without the remedy
 
 
-@commands.command()
-def doctor(quiet: QuietOption = False) -> None:
+@cli.commands.command()
+def doctor(quiet: cli.QuietOption = False) -> None:
     """Check the installation, the compiler and the cache, and run a test.
 
     The test runs a bundled scene, interpreted and compiled, and compares its sag with the exact one of a viscous beam.
@@ -49,11 +49,11 @@ def doctor(quiet: QuietOption = False) -> None:
             if finding.is_fault:
                 _say("", f"remedy: {finding.remedy}")
         elif finding.is_fault:
-            print_error(f"{finding.name}: {finding.text}; {finding.remedy}")
+            cli.print_error(f"{finding.name}: {finding.text}; {finding.remedy}")
     if not quiet:
         _say("result", f"faults: {faults}; each has its remedy above" if faults else "everything works")
     if faults:
-        raise typer.Exit(UNTRUSTED)
+        raise typer.Exit(cli.UNTRUSTED)
 
 
 def _say(name: str, text: str) -> None:

@@ -8,35 +8,21 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    FreshOption,
-    OptionalScene,
-    OutputOption,
-    QuietOption,
-    SetOption,
-    commands,
-    judge,
-    output_directory,
-    present,
-    scene_and_directory,
-    scene_of,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
     from softcat_sym.studies.pricing import Pricing
 
 
-@commands.command()
+@cli.commands.command()
 def effects(
-    scene: OptionalScene = None,
-    output: OutputOption = None,
-    bundled: Annotated[bool, switch("Price all bundled scenes instead, and write a table.", "--bundled")] = False,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    scene: cli.OptionalScene = None,
+    output: cli.OutputOption = None,
+    bundled: Annotated[bool, cli.switch("Price all bundled scenes instead, and write a table.", "--bundled")] = False,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Measure each effect's share of the answer, and its cost.
 
@@ -49,17 +35,17 @@ def effects(
     if scene is None:
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
-    asked, output = scene_and_directory(scene, changes, output, "effects")
+    asked, output = cli.scene_and_directory(scene, changes, output, "effects")
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.pricing import price_effects
 
-    with study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+    with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         pricing = price_effects(asked, progress, scene)
         progress.stage("drawing")
         report = drawing.report(pricing)
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
-    judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
+    cli.judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
 
 
 def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
@@ -75,17 +61,17 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
     errors: list[SoftcatError] = []
     for name in bundled_names():
         try:
-            choose_effects(scene_of(name, changes))
+            choose_effects(cli.scene_of(name, changes))
         except SoftcatError as error:
             errors.append(error)
     if len(errors) == len(bundled_names()):
         raise errors[0]
-    output = output_directory(output, "effects")
-    with study(output, fresh=fresh):
+    output = cli.output_directory(output, "effects")
+    with cli.study(output, fresh=fresh):
         for name in bundled_names():
             contents: dict[str, object] = {}
             try:
-                asked = scene_of(name, changes)
+                asked = cli.scene_of(name, changes)
                 with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
                     done[name] = pricing = price_effects(asked, progress, name)
                 contents = {

@@ -5,21 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Annotated, TypedDict
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    Text,
-    Texts,
-    commands,
-    option,
-    present,
-    read_pair,
-    scene_and_directory,
-    study,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
     from softcat_sym.design.critical_span import CriticalSpan
@@ -29,32 +15,36 @@ if TYPE_CHECKING:
 _RANGE = "LOW:HIGH"
 
 
-@commands.command()
+@cli.commands.command()
 def experiment(
-    scene: SceneArgument,
-    free: Annotated[list[str], option("NAME", "Parameter that the film is to determine: viscosity. Repeatable.")],
-    noise: Annotated[str, option("LENGTH", "Error of one reading: '10 um', or '1 %' of the largest sag.")],
-    output: OutputOption = None,
-    span: Annotated[Text, option(_RANGE, "Spans to choose from: 5:50 mm. By default the scene's span stays.")] = None,
+    scene: cli.SceneArgument,
+    free: Annotated[list[str], cli.option("NAME", "Parameter that the film is to determine: viscosity. Repeatable.")],
+    noise: Annotated[str, cli.option("LENGTH", "Error of one reading: '10 um', or '1 %' of the largest sag.")],
+    output: cli.OutputOption = None,
+    span: Annotated[
+        cli.Text, cli.option(_RANGE, "Spans to choose from: 5:50 mm. By default the scene's span stays.")
+    ] = None,
     thickness: Annotated[
-        Text, option(_RANGE, "Thicknesses to choose from: 1:4 mm. By default the scene's thickness stays.")
+        cli.Text, cli.option(_RANGE, "Thicknesses to choose from: 1:4 mm. By default the scene's thickness stays.")
     ] = None,
-    frame_rate: Annotated[Text, option(_RANGE, "Frame rates that the camera has: 25:1000 Hz.")] = None,
-    duration: Annotated[Text, option(_RANGE, "Durations that the film may have: 1:60 s.")] = None,
+    frame_rate: Annotated[cli.Text, cli.option(_RANGE, "Frame rates that the camera has: 25:1000 Hz.")] = None,
+    duration: Annotated[cli.Text, cli.option(_RANGE, "Durations that the film may have: 1:60 s.")] = None,
     nuisance: Annotated[
-        Texts, option("NAME", "Parameter that is unknown too, but not asked for: time_offset. Repeatable.")
+        cli.Texts, cli.option("NAME", "Parameter that is unknown too, but not asked for: time_offset. Repeatable.")
     ] = None,
-    max_frames: Annotated[int | None, option("NUMBER", "Frames that the camera can store.", min=2)] = None,
+    max_frames: Annotated[int | None, cli.option("NUMBER", "Frames that the camera can store.", min=2)] = None,
     rough: Annotated[
-        float, option("FACTOR", "Factor by which the scene's values may be too large or too small.")
+        float, cli.option("FACTOR", "Factor by which the scene's values may be too large or too small.")
     ] = 1.0,
     max_sag: Annotated[
-        Text, option("LENGTH", "Largest sag of the designed filament: '5 mm', or '5 %' of its span.")
+        cli.Text, cli.option("LENGTH", "Largest sag of the designed filament: '5 mm', or '5 %' of its span.")
     ] = None,
-    sag: Annotated[Text, option("LENGTH", "Also find the largest span of the scene that sags less: '1 mm'.")] = None,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    sag: Annotated[
+        cli.Text, cli.option("LENGTH", "Also find the largest span of the scene that sags less: '1 mm'.")
+    ] = None,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Design the film that determines a material best.
 
@@ -63,13 +53,13 @@ def experiment(
     error is smallest; quantities without a range stay as in the scene. After Ctrl-C the same command resumes from the
     experiments that were tried.
     """
-    asked, output = scene_and_directory(scene, changes, output, "experiment")
+    asked, output = cli.scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
     from softcat_sym.design.experiment import design_experiment
     from softcat_sym.progress import StudyDisplay
 
     how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
-    with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         # The faster of the two comes first.
         critical = None if sag is None else _critical(asked, sag, progress)
@@ -77,7 +67,7 @@ def experiment(
         progress.stage("drawing")
         report = drawing.report(design, critical=critical)
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
 
 
 class _How(TypedDict):
@@ -91,7 +81,7 @@ class _How(TypedDict):
 
 def _within(given: dict[str, str | None]) -> dict[str, object]:
     """Read the ranges; a text that is no pair is passed on, as one value or for the design to refuse."""
-    return {name: read_pair(text) or text for name, text in given.items() if text is not None}
+    return {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
 
 
 def _critical(scene: Scene, limit: str, progress: Progress) -> CriticalSpan:

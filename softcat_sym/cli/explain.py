@@ -6,17 +6,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-from softcat_sym.cli.application import (
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    VerboseOption,
-    commands,
-    output_option,
-    print_written,
-    scene_and_directory,
-    scene_of,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -28,16 +18,18 @@ if TYPE_CHECKING:
 Rows = list[tuple[str, ...]]
 
 
-@commands.command()
+@cli.commands.command()
 def explain(
-    scene: SceneArgument,
+    scene: cli.SceneArgument,
     output: Annotated[
         Path | None,
-        output_option(None, "Folder for explain.json, equations.tex and scene.toml; without it nothing is written."),
+        cli.output_option(
+            None, "Folder for explain.json, equations.tex and scene.toml; without it nothing is written."
+        ),
     ] = None,
-    changes: SetOption = None,
-    verbose: VerboseOption = False,
-    quiet: QuietOption = False,
+    changes: cli.SetOption = None,
+    verbose: cli.VerboseOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Explain before a run what to expect, and which effects are on.
 
@@ -45,9 +37,9 @@ def explain(
     the problem and the limits of the theory; with -v the equations too.
     """
     if output is None:
-        asked = scene_of(scene, changes)
+        asked = cli.scene_of(scene, changes)
     else:
-        asked, output = scene_and_directory(scene, changes, output, "explain")
+        asked, output = cli.scene_and_directory(scene, changes, output, "explain")
     from softcat_sym.files import write_results
     from softcat_sym.studies.explanation import explain as explained
 
@@ -61,7 +53,7 @@ def explain(
     if not quiet:
         print_explanation(explanation, verbose=verbose)
         if written:
-            print_written(written, output)
+            cli.print_written(written, output)
 
 
 _ESCAPED = str.maketrans(

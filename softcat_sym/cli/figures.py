@@ -7,30 +7,23 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import (
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    Texts,
-    commands,
-    interrupted,
-    option,
-    output_directory,
-    print_written,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
+    from softcat_sym.drawing import Report
     from softcat_sym.studies.paper_figures import FilmedScene
 
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@commands.command()
+@cli.commands.command()
 def figures(
-    output: OutputOption = None,
-    only: Annotated[Texts, option("NUMBER", f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable.")] = None,
-    fresh: FreshOption = False,
-    quiet: QuietOption = False,
+    output: cli.OutputOption = None,
+    only: Annotated[
+        cli.Texts, cli.option("NUMBER", f"Draw only this figure: {', '.join(_NUMBERS)}. Repeatable.")
+    ] = None,
+    fresh: cli.FreshOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
@@ -41,9 +34,9 @@ def figures(
     """
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
-    output = output_directory(output, "figures")
+    output = cli.output_directory(output, "figures")
     from softcat_sym import store
-    from softcat_sym.files import made, write_all
+    from softcat_sym.files import made
 
     filmed: dict[str, FilmedScene] = {}
     asked = [number for number in _NUMBERS if number in (only or _NUMBERS)]
@@ -51,23 +44,21 @@ def figures(
     try:
         while waiting:
             with store.fresh(fresh), made(output):
-                contents, caption = _draw(waiting[0], output, filmed, quiet)
-                written = write_all(output, contents)
+                report = _draw(waiting[0], output, filmed, quiet)
+                written = report.write(output)
             waiting.pop(0)
-            if not quiet:
-                typer.echo(caption)
-                print_written(written, output)
+            cli.present(report, written, output, quiet=quiet)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
         if waiting != asked:
             done = " and ".join(number for number in asked if number not in waiting)
             again = " ".join(f"--only {number}" for number in waiting)
             text = f"figure {done} is written; softcat figures -o {output} {again} resumes from {output}"
-        raise interrupted(text) from None
+        raise cli.interrupted(text) from None
 
 
-def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> tuple[dict[str, bytes], str]:
-    """Files and caption of a figure; scenes are filmed once for all figures."""
+def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> Report:
+    """A figure with its data and its caption; scenes are filmed once for all figures."""
     from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting import paper_figures as drawing
     from softcat_sym.plotting.terminal import IntegrationProgress, StepProgress
@@ -79,19 +70,16 @@ def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool
         steps = 2 * len(study.RELAXATION) * len(study.SLENDERNESS)
         with StepProgress(steps, "figure 2", quiet=quiet) as progress:
             panels = study.maxwell_descents(progress.step)
-        return drawing.maxwell_descent_files(panels), drawing.maxwell_caption(panels)
+        return drawing.maxwell_descent_report(panels)
     if number == "3a":
         scene = load_scene("arrested-overdamped", list(SETTINGS))
         with MembersBar("figure 3(a)", quiet=quiet) as members:
             diagram = phase_diagram(scene, progress=members)
-        return drawing.phase_files(diagram), drawing.phase_caption(diagram)
+        return drawing.phase_report(diagram)
     for scene_of in study.SCENES:
         if scene_of.name not in filmed and (number == "3b" or scene_of.name in study.SNAPSHOTS):
             duration = load_scene(scene_of.name).run.duration
             with IntegrationProgress(duration, quiet=quiet) as bar:
                 filmed[scene_of.name] = study.film_scene(scene_of, output, bar)
-    scenes = {each.name: filmed[each.name] for each in study.SCENES if each.name in filmed}
-    if number == "3b":
-        facts = {name: study.scene_facts(each) for name, each in scenes.items()}
-        return drawing.midpoint_files(list(scenes.values())), drawing.midpoints_caption(facts)
-    return drawing.snapshot_files(list(scenes.values())), drawing.snapshots_caption(scenes)
+    scenes = [filmed[each.name] for each in study.SCENES if each.name in filmed]
+    return drawing.midpoint_report(scenes) if number == "3b" else drawing.snapshot_report(scenes)

@@ -10,25 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    UNTRUSTED,
-    FreshOption,
-    Number,
-    OutputOption,
-    QuietOption,
-    SetOption,
-    Text,
-    Texts,
-    checked_limit,
-    commands,
-    option,
-    present,
-    print_error,
-    read_pair,
-    scene_and_directory,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
 
@@ -46,7 +28,7 @@ _SCALE = 2.0
 """Default scale of a robust loss: standard errors beyond which a reading counts as an outlier."""
 
 
-@commands.command()
+@cli.commands.command()
 def fit(
     data: Annotated[
         list[Path],
@@ -56,79 +38,80 @@ def fit(
     ],
     scene: Annotated[
         str,
-        option(
+        cli.option(
             "SCENE",
             "Scene with the known values: the name of a bundled scene, or the path of a TOML file.",
             autocompletion=complete_scene,
         ),
     ],
-    output: OutputOption = None,
+    output: cli.OutputOption = None,
     free: Annotated[
-        Texts, option("NAME", "Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable.")
+        cli.Texts,
+        cli.option("NAME", "Parameter to fit: viscosity, or thickness@each for one value a film. Repeatable."),
     ] = None,
     law: Annotated[
-        Texts,
-        option(
+        cli.Texts,
+        cli.option(
             "LAW",
             "Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
         ),
     ] = None,
     test: Annotated[
-        Text,
-        option(
+        cli.Text,
+        cli.option(
             "TEST",
             "collapse: DATA is the contour (x, y) of a strand on pillars; its yield stress and modulus are fitted.",
         ),
     ] = None,
     bounds: Annotated[
-        Texts, option("NAME=LOW:HIGH", "Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable.")
+        cli.Texts, cli.option("NAME=LOW:HIGH", "Bounds of a parameter: 'viscosity=1:1e4 Pa*s'. Repeatable.")
     ] = None,
     loss: Annotated[
-        str, option("LOSS", "Loss of a residual: linear, or soft-l1 or cauchy for data with outliers.")
+        str, cli.option("LOSS", "Loss of a residual: linear, or soft-l1 or cauchy for data with outliers.")
     ] = "linear",
     scale: Annotated[
-        Number, option("NUMBER", "Standard errors beyond which a reading counts as an outlier; 2 by default.")
+        cli.Number, cli.option("NUMBER", "Standard errors beyond which a reading counts as an outlier; 2 by default.")
     ] = None,
     starts: Annotated[
-        int, option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
+        int, cli.option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
     ] = STARTS,
     no_profiles: Annotated[
         bool,
-        switch(
+        cli.switch(
             "Take intervals from the curvature at the optimum: faster, and less accurate.", "--no-profile-likelihood"
         ),
     ] = False,
     flow_curve: Annotated[
-        Path | None, option("CSV", "Flow curve of the same material, which is fitted together with the films.")
+        Path | None, cli.option("CSV", "Flow curve of the same material, which is fitted together with the films.")
     ] = None,
     calibrated: Annotated[
         bool,
-        switch(
+        cli.switch(
             "Assume exact scale, clock, zero and tilt of the camera; else 2 %, one frame, 2 % and 1 deg.",
             "--calibrated",
         ),
     ] = False,
     no_discrepancy: Annotated[
-        bool, switch("Leave the theory's own error out of the intervals.", "--no-discrepancy")
+        bool, cli.switch("Leave the theory's own error out of the intervals.", "--no-discrepancy")
     ] = False,
     time_limit: Annotated[
-        Number,
-        option("SECONDS", "Time after which the fit ends with the best result so far.", callback=checked_limit),
+        cli.Number,
+        cli.option("SECONDS", "Time after which the fit ends with the best result so far.", callback=cli.checked_limit),
     ] = None,
     posterior: Annotated[
-        bool, switch("Also draw from the posterior; this needs the extra bayes.", "--posterior")
+        bool, cli.switch("Also draw from the posterior; this needs the extra bayes.", "--posterior")
     ] = False,
     prior: Annotated[
-        Texts,
-        option(
+        cli.Texts,
+        cli.option(
             "NAME=DIST",
             "Prior of a parameter, from scipy.stats: 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'. Repeatable.",
         ),
     ] = None,
-    seed: Annotated[int, option(None, "Seed of the initial guesses.", min=0)] = 0,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    seed: Annotated[int, cli.option(None, "Seed of the initial guesses.", min=0)] = 0,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Fit a material to films of a falling filament.
 
@@ -139,7 +122,7 @@ def fit(
     """
     _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
-    known, output = scene_and_directory(scene, changes, output, "fit")
+    known, output = cli.scene_and_directory(scene, changes, output, "fit")
     from softcat_sym.fitting.collapse_test import read_contour
     from softcat_sym.fitting.measurements import read_measurements
     from softcat_sym.fitting.posterior import packages, posterior_of
@@ -149,7 +132,7 @@ def fit(
         # A missing package is reported before the fit.
         packages()
     films = read_contour(data[0]) if test else read_measurements(data)
-    with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+    with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
@@ -161,13 +144,13 @@ def fit(
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
     if not found.outcome.converged:
         if quiet:
-            print_error(f"{found.outcome.word}: {found.outcome.value}")
-        raise typer.Exit(UNTRUSTED)
+            cli.print_error(f"{found.outcome.word}: {found.outcome.value}")
+        raise typer.Exit(cli.UNTRUSTED)
     if drawn is not None and not drawn.outcome.is_success:
-        raise typer.Exit(UNTRUSTED)
+        raise typer.Exit(cli.UNTRUSTED)
 
 
 def _check(
@@ -242,7 +225,7 @@ def _bounds(texts: list[str]) -> dict[str, tuple[object, object]]:
     found: dict[str, tuple[object, object]] = {}
     for text in texts:
         name, _, pair = (part.strip() for part in text.partition("="))
-        ends = read_pair(pair)
+        ends = cli.read_pair(pair)
         if not name or ends is None:
             raise typer.BadParameter(f"{text!r} are no bounds: {_FORM}", param_hint="--bounds")
         if name in found:

@@ -7,35 +7,26 @@ from typing import Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    OutputOption,
-    QuietOption,
-    SetOption,
-    Text,
-    commands,
-    option,
-    output_directory,
-    present,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 
 
-@commands.command("flow-curve")
+@cli.commands.command("flow-curve")
 def flow_curve(
     curve: Annotated[
         str, typer.Argument(metavar="CSV", help="CSV file with columns shear_rate_1_s and shear_stress_Pa.")
     ],
     scene: Annotated[
-        Text, option("SCENE", "Scene to write with the fitted material.", autocompletion=complete_scene)
+        cli.Text, cli.option("SCENE", "Scene to write with the fitted material.", autocompletion=complete_scene)
     ] = None,
     law: Annotated[
-        Text,
-        option("LAW", "Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley."),
+        cli.Text,
+        cli.option("LAW", "Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley."),
     ] = None,
-    sample: Annotated[Text, option("NAME", "Sample to fit, where a column sample_id names several.")] = None,
-    output: OutputOption = None,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    sample: Annotated[cli.Text, cli.option("NAME", "Sample to fit, where a column sample_id names several.")] = None,
+    output: cli.OutputOption = None,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Fit a law to a rheometer's flow curve.
 
@@ -47,6 +38,6 @@ def flow_curve(
 
     fit = fit_flow_curve(curve, sample)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
-    output = output_directory(output, "flow-curve", scene, handed_on)
+    output = cli.output_directory(output, "flow-curve", scene, handed_on)
     report = drawing.report(fit, law=law, scene=handed_on)
-    present(report, report.write(output), output, quiet=quiet)
+    cli.present(report, report.write(output), output, quiet=quiet)

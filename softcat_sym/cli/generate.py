@@ -8,19 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import (
-    OptionalScene,
-    OutputOption,
-    QuietOption,
-    SetOption,
-    Texts,
-    commands,
-    interrupted,
-    option,
-    output_directory,
-    scene_and_directory,
-    switch,
-)
+from softcat_sym.cli import application as cli
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -28,30 +16,30 @@ if TYPE_CHECKING:
 _NAME = "filament"
 
 
-@commands.command()
+@cli.commands.command()
 def generate(
-    scene: OptionalScene = None,
-    output: OutputOption = None,
+    scene: cli.OptionalScene = None,
+    output: cli.OutputOption = None,
     bundled: Annotated[
-        bool, switch("Write the C of all bundled scenes instead, with one runtime for all.", "--bundled")
+        bool, cli.switch("Write the C of all bundled scenes instead, with one runtime for all.", "--bundled")
     ] = False,
-    changes: SetOption = None,
+    changes: cli.SetOption = None,
     rhs: Annotated[
-        bool, switch("Add the right-hand side and its sparse Jacobian, for an integrator of your own.", "--rhs")
+        bool, cli.switch("Add the right-hand side and its sparse Jacobian, for an integrator of your own.", "--rhs")
     ] = False,
     name: Annotated[
-        str, option("NAME", "Name of the C file and of its functions, where a program holds several filaments.")
+        str, cli.option("NAME", "Name of the C file and of its functions, where a program holds several filaments.")
     ] = _NAME,
     web: Annotated[
-        bool, switch("Write a page NAME.html instead, with sliders, that solves the scene in a browser.", "--web")
+        bool, cli.switch("Write a page NAME.html instead, with sliders, that solves the scene in a browser.", "--web")
     ] = False,
     sliders: Annotated[
-        Texts,
-        option(
+        cli.Texts,
+        cli.option(
             "KEY=LOW:HIGH[:log]", "With --web: a slider for one more key, or another range. Repeatable.", "--slider"
         ),
     ] = None,
-    quiet: QuietOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Write the solver of a scene as C99, or as a web page with sliders.
 
@@ -66,10 +54,10 @@ def generate(
     refused: dict[str, str] = {}
     try:
         if scene is None:
-            output = output_directory(output, "generate")
+            output = cli.output_directory(output, "generate")
             written, refused = _all_bundled(output, web=web, quiet=quiet)
         else:
-            asked, output = scene_and_directory(scene, changes, output, "generate")
+            asked, output = cli.scene_and_directory(scene, changes, output, "generate")
             if web:
                 page = name if name != _NAME else Path(scene).stem
                 written = _page(asked, output, sliders or (), page, quiet=quiet)
@@ -80,7 +68,7 @@ def generate(
                 with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
                     written = generation.generate(asked, output, rhs, name, progress)
     except KeyboardInterrupt:
-        raise interrupted("nothing was written; finished C texts are kept in the cache") from None
+        raise cli.interrupted("nothing was written; finished C texts are kept in the cache") from None
     if quiet:
         return
     size = sum(path.stat().st_size for path in written)

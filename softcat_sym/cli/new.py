@@ -10,37 +10,39 @@ from typing import Annotated, Any
 
 import typer
 
-from softcat_sym.cli.application import OutputOption, QuietOption, Text, commands, option, output_directory, switch
+from softcat_sym.cli import application as cli
 from softcat_sym.errors import SceneError, SoftcatError
 
 
 def _value(help_text: str, *names: str) -> Any:
-    return option("VALUE", help_text, *names)
+    return cli.option("VALUE", help_text, *names)
 
 
-ForceOption = Annotated[bool, switch("Replace an existing file.", "--force")]
+ForceOption = Annotated[bool, cli.switch("Replace an existing file.", "--force")]
 
 
-@commands.command()
+@cli.commands.command()
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="File to write: my-ink.toml.")],
-    span: Annotated[Text, _value("Distance of the supports: '5 mm'.")] = None,
-    diameter: Annotated[Text, _value("Diameter of the strand: '0.4 mm'.")] = None,
-    density: Annotated[Text, _value("Density: '2200 kg/m^3'.")] = None,
-    law: Annotated[Text, _value("Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
-    youngs_modulus: Annotated[Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its G'.")] = None,
+    span: Annotated[cli.Text, _value("Distance of the supports: '5 mm'.")] = None,
+    diameter: Annotated[cli.Text, _value("Diameter of the strand: '0.4 mm'.")] = None,
+    density: Annotated[cli.Text, _value("Density: '2200 kg/m^3'.")] = None,
+    law: Annotated[cli.Text, _value("Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    youngs_modulus: Annotated[
+        cli.Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its G'.")
+    ] = None,
     yield_stress: Annotated[
-        Text, _value("Yield stress in shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
+        cli.Text, _value("Yield stress in shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
     ] = None,
-    viscosity: Annotated[Text, _value("Viscosity in shear once it flows: '10 Pa*s'.", "--shear-viscosity")] = None,
+    viscosity: Annotated[cli.Text, _value("Viscosity in shear once it flows: '10 Pa*s'.", "--shear-viscosity")] = None,
     consistency: Annotated[
-        Text, _value("Consistency in shear of a law with an index: '10 Pa*s^0.5'.", "--shear-consistency")
+        cli.Text, _value("Consistency in shear of a law with an index: '10 Pa*s^0.5'.", "--shear-consistency")
     ] = None,
-    index: Annotated[Text, _value("Index of herschel-bulkley or power-law: 0.5.")] = None,
-    surface_tension: Annotated[Text, _value("Surface tension: '72 mN/m'.")] = None,
-    duration: Annotated[Text, _value("Duration of the run: '0.5 s'.")] = None,
+    index: Annotated[cli.Text, _value("Index of herschel-bulkley or power-law: 0.5.")] = None,
+    surface_tension: Annotated[cli.Text, _value("Surface tension: '72 mN/m'.")] = None,
+    duration: Annotated[cli.Text, _value("Duration of the run: '0.5 s'.")] = None,
     force: ForceOption = False,
-    quiet: QuietOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Write a first scene of your own, with comments.
 
@@ -102,18 +104,18 @@ def _asked() -> dict[str, str]:
     return answers
 
 
-@commands.command()
+@cli.commands.command()
 def samples(
-    output: OutputOption = None,
+    output: cli.OutputOption = None,
     force: ForceOption = False,
-    quiet: QuietOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Copy sample files: a scene, a film, a flow curve.
 
     my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve. This package
     computed film and curve, with added noise, as their first lines say.
     """
-    output = output_directory(output, "samples")
+    output = cli.output_directory(output, "samples")
     folder = files("softcat_sym") / "samples"
     contents = {entry.name: entry.read_bytes() for entry in sorted(folder.iterdir(), key=lambda entry: entry.name)}
     _write_new(output, contents, force=force)
@@ -123,7 +125,7 @@ def samples(
 
 def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
     """Write all files, or none if some exist already with other content."""
-    from softcat_sym.files import write_all
+    from softcat_sym.files import write_results
 
     paths = {folder / name: content for name, content in contents.items()}
     there = [
@@ -133,4 +135,4 @@ def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> N
     ]
     if there and not force:
         raise SoftcatError(f"already exist, and not replaced without --force: {', '.join(there)}")
-    write_all(folder, contents)
+    write_results(folder, contents)

@@ -7,35 +7,26 @@ from typing import Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    SetOption,
-    Texts,
-    commands,
-    option,
-    present,
-    scene_and_directory,
-    study,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
 
 
-@commands.command()
+@cli.commands.command()
 def phase(
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")
     ] = "arrested-overdamped",
-    output: OutputOption = None,
-    plane: Annotated[Texts, option("NAME", "Plane of groups: G-delta or G-V. Repeatable; both by default.")] = None,
-    resolution: Annotated[int, option("CELLS", "Cells of the finest lattice along each axis.")] = 40,
+    output: cli.OutputOption = None,
+    plane: Annotated[
+        cli.Texts, cli.option("NAME", "Plane of groups: G-delta or G-V. Repeatable; both by default.")
+    ] = None,
+    resolution: Annotated[int, cli.option("CELLS", "Cells of the finest lattice along each axis.")] = 40,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     local_cluster: ClusterOption = None,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Map the regimes over planes of dimensionless groups.
 
@@ -48,9 +39,9 @@ def phase(
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
     from softcat_sym.studies.phase_runs import PLANES
 
-    asked, output = scene_and_directory(scene, changes, output, "phase", SETTINGS)
+    asked, output = cli.scene_and_directory(scene, changes, output, "phase", SETTINGS)
     planes = plane or list(PLANES)
-    with study(output, fresh=fresh):
+    with cli.study(output, fresh=fresh):
         with MembersBar("phase diagram", quiet=quiet) as bar:
             diagram = phase_diagram(
                 asked,
@@ -63,4 +54,4 @@ def phase(
             )
         report = drawing.report(diagram)
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)

@@ -8,24 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    OutputOption,
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    Text,
-    VerboseOption,
-    commands,
-    interrupted,
-    judge,
-    option,
-    output_directory,
-    output_option,
-    print_error,
-    print_written,
-    scene_and_directory,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.interrupts import ending
 
 if TYPE_CHECKING:
@@ -33,29 +16,29 @@ if TYPE_CHECKING:
     from softcat_sym.results.run import Run
 
 AnimateOption = Annotated[
-    Text, option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
+    cli.Text, cli.option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
 ]
-SecondsOption = Annotated[float, option("SECONDS", "Length of the film.")]
+SecondsOption = Annotated[float, cli.option("SECONDS", "Length of the film.")]
 StyleOption = Annotated[
-    str, option("STYLE", "Style of the pictures: screen; publication (a column wide, PDF too); page.")
+    str, cli.option("STYLE", "Style of the pictures: screen; publication (a column wide, PDF too); page.")
 ]
-RadiusOption = Annotated[float, option("FACTOR", "Factor by which shapes are drawn thicker, to show beads.")]
+RadiusOption = Annotated[float, cli.option("FACTOR", "Factor by which shapes are drawn thicker, to show beads.")]
 
 
-@commands.command()
+@cli.commands.command()
 def run(
-    scene: SceneArgument,
-    output: Annotated[Path | None, output_option("softcat-out/SCENE")] = None,
-    changes: SetOption = None,
+    scene: cli.SceneArgument,
+    output: Annotated[Path | None, cli.output_option("softcat-out/SCENE")] = None,
+    changes: cli.SetOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
     no_pictures: Annotated[
-        bool, switch("Write only trajectory.nc, summary.json and scene.toml, which is faster.", "--no-pictures")
+        bool, cli.switch("Write only trajectory.nc, summary.json and scene.toml, which is faster.", "--no-pictures")
     ] = False,
-    verbose: VerboseOption = False,
-    quiet: QuietOption = False,
+    verbose: cli.VerboseOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Simulate one filament.
 
@@ -63,7 +46,7 @@ def run(
     """
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
-    asked, output = scene_and_directory(scene, changes, output, "run")
+    asked, output = cli.scene_and_directory(scene, changes, output, "run")
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
     from softcat_sym.solvers.solution import Interrupted
@@ -74,11 +57,11 @@ def run(
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             try:
-                trajectory = simulated(asked, progress, print_error)
+                trajectory = simulated(asked, progress, cli.print_error)
             except Interrupted as stopped:
                 # What there is, at once: pictures can be drawn of it later.
                 trajectory, no_pictures, order = stopped.part(), True, None
-                print_error(f"{ending()}; what was computed is in {output}, its pictures are not: {again}")
+                cli.print_error(f"{ending()}; what was computed is in {output}, its pictures are not: {again}")
             ending().no_limit()
             progress.stage("writing")
             # The numbers are written first, so that they remain after Ctrl-C during the drawing.
@@ -89,35 +72,35 @@ def run(
                 written = written.joined_by(output, report.files)
     except KeyboardInterrupt:
         left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
-        raise interrupted(left) from None
+        raise cli.interrupted(left) from None
     films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
         except KeyboardInterrupt:
             left = f"the run is in {output}, its film is not: {again} --animate {order.name}"
-            raise interrupted(left) from None
+            raise cli.interrupted(left) from None
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
-    judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
+    cli.judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
-@commands.command()
+@cli.commands.command()
 def draw(
     trajectory: Annotated[
         Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
     ],
-    output: OutputOption = None,
+    output: cli.OutputOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     radius: RadiusOption = 1.0,
     vtk: Annotated[
-        bool, switch("Write every frame for ParaView into DIR/vtk; this needs the extra fem.", "--vtk")
+        bool, cli.switch("Write every frame for ParaView into DIR/vtk; this needs the extra fem.", "--vtk")
     ] = False,
-    quiet: QuietOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Draw a finished run again: in another style, as a film, or for ParaView.
 
@@ -130,7 +113,7 @@ def draw(
 
         require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
-    output = output_directory(output, "draw", folder.resolve().name)
+    output = cli.output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, write_results, written_together
     from softcat_sym.results.run import check_drawable, open_run
 
@@ -143,9 +126,9 @@ def draw(
             files += [] if order is None else [_film(order, output, run, quiet=quiet)]
             files += write_run_vtk(run, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
-        raise interrupted("nothing was written") from None
+        raise cli.interrupted("nothing was written") from None
     if not quiet:
-        print_written(files, output)
+        cli.print_written(files, output)
 
 
 def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
@@ -169,5 +152,5 @@ def _film(order: FilmOrder, output: Path, run: Run, *, quiet: bool) -> Path:
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
         path, note = write_film(order, output, (run.fields, run.summary, run.scene), progress.step)
     if note:
-        print_error(f"{path.name}: {note}")
+        cli.print_error(f"{path.name}: {note}")
     return path

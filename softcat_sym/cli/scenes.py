@@ -8,29 +8,21 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import (
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    Texts,
-    check_directory,
-    commands,
-    option,
-    output_option,
-    scene_of,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
 
 
-@commands.command()
+@cli.commands.command()
 def scenes(
-    output: Annotated[Path | None, output_option(None, "Run the scenes, and write a gallery into this folder.")] = None,
-    only: Annotated[Texts, option("NAME", "Take only this scene. Repeatable.", autocompletion=complete_scene)] = None,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    output: Annotated[
+        Path | None, cli.output_option(None, "Run the scenes, and write a gallery into this folder.")
+    ] = None,
+    only: Annotated[
+        cli.Texts, cli.option("NAME", "Take only this scene. Repeatable.", autocompletion=complete_scene)
+    ] = None,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """List the bundled scenes, with the lesson of each.
 
@@ -45,7 +37,7 @@ def scenes(
         raise typer.BadParameter(f"no bundled scene {unknown[0]!r}: softcat scenes lists them", param_hint="--only")
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
-        check_directory(output)
+        cli.check_directory(output)
         from softcat_sym.plotting.gallery import exhibit_of, write_gallery
         from softcat_sym.plotting.terminal import StepProgress
         from softcat_sym.scene.reading import load_scene
@@ -53,7 +45,7 @@ def scenes(
         for name in names:
             load_scene(name, changes or [])
         shown = []
-        with study(output, fresh=False), StepProgress(len(names), "gallery", quiet=quiet) as progress:
+        with cli.study(output, fresh=False), StepProgress(len(names), "gallery", quiet=quiet) as progress:
             for name in names:
                 progress.step(name)
                 shown.append(exhibit_of(name, changes or []))
@@ -69,21 +61,21 @@ def scenes(
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
 
 
-@commands.command()
-def show(scene: SceneArgument, changes: SetOption = None) -> None:
+@cli.commands.command()
+def show(scene: cli.SceneArgument, changes: cli.SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
     The output is TOML in SI units, and a valid scene itself: softcat show ink-bridge > my-ink.toml
     """
     from softcat_sym.scene.toml import toml_of
 
-    typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)
+    typer.echo(toml_of(cli.scene_of(scene, changes), every_default=True), nl=False)
 
 
-@commands.command()
+@cli.commands.command()
 def keys(
     part: Annotated[str, typer.Argument(metavar="[PART]", help="Part of a key's name: material, or stress.")] = "",
-    markdown: Annotated[bool, switch("Print the list as a page of the manual.", "--markdown")] = False,
+    markdown: Annotated[bool, cli.switch("Print the list as a page of the manual.", "--markdown")] = False,
 ) -> None:
     """List the keys of a scene: unit, default and meaning.
 

@@ -8,38 +8,22 @@ from typing import Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    UNTRUSTED,
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    SceneArgument,
-    SetOption,
-    Text,
-    Texts,
-    commands,
-    option,
-    present,
-    print_error,
-    scene_and_directory,
-    study,
-    switch,
-)
+from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
 
-WorkersOption = Annotated[int | None, option("THREADS", "Number of threads; by default one for each core.")]
-SchedulerOption = Annotated[Text, option("ADDRESS", "Run on this Dask cluster: tcp://host:8786.")]
-ClusterOption = Annotated[int | None, option("N", "Start a Dask cluster of N processes, and run on it.")]
+WorkersOption = Annotated[int | None, cli.option("THREADS", "Number of threads; by default one for each core.")]
+SchedulerOption = Annotated[cli.Text, cli.option("ADDRESS", "Run on this Dask cluster: tcp://host:8786.")]
+ClusterOption = Annotated[int | None, cli.option("N", "Start a Dask cluster of N processes, and run on it.")]
 
 
-@commands.command()
+@cli.commands.command()
 def sweep(
-    scene: SceneArgument,
-    output: OutputOption = None,
+    scene: cli.SceneArgument,
+    output: cli.OutputOption = None,
     vary: Annotated[
-        Texts,
-        option(
+        cli.Texts,
+        cli.option(
             "KEY=VALUES",
             "KEY=a:b:n, KEY=a:b:n:log, or KEY=v1,v2,v3; units as in the scene: 'filament.span=5:50 mm:10'. "
             "With --mode lhs, KEY=a:b is enough. Repeatable.",
@@ -47,24 +31,26 @@ def sweep(
         ),
     ] = None,
     mode: Annotated[
-        str, option("MODE", "Combination of the values: grid, all; zip, side by side; lhs, a Latin hypercube.")
+        str, cli.option("MODE", "Combination of the values: grid, all; zip, side by side; lhs, a Latin hypercube.")
     ] = "grid",
     table: Annotated[
         Path | None,
-        option("FILE", "Table with one member a row; its header names the keys: 'filament.span [mm]'.", "--from-csv"),
+        cli.option(
+            "FILE", "Table with one member a row; its header names the keys: 'filament.span [mm]'.", "--from-csv"
+        ),
     ] = None,
-    samples: Annotated[int | None, option("N", "Number of members of a hypercube.")] = None,
-    seed: Annotated[int, option("S", "Seed of the hypercube.")] = 0,
-    shapes: Annotated[bool, switch("Store the shapes, and write sliders.html.", "--shapes")] = False,
+    samples: Annotated[int | None, cli.option("N", "Number of members of a hypercube.")] = None,
+    seed: Annotated[int, cli.option("S", "Seed of the hypercube.")] = 0,
+    shapes: Annotated[bool, cli.switch("Store the shapes, and write sliders.html.", "--shapes")] = False,
     estimate: Annotated[
-        bool, switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
+        bool, cli.switch("Estimate the error of each member, as softcat run does: much slower.", "--estimate")
     ] = False,
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     local_cluster: ClusterOption = None,
-    fresh: FreshOption = False,
-    changes: SetOption = None,
-    quiet: QuietOption = False,
+    fresh: cli.FreshOption = False,
+    changes: cli.SetOption = None,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Simulate a filament for every value of some parameters.
 
@@ -84,14 +70,14 @@ def sweep(
     check_executor(*where)
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
-    base, output = scene_and_directory(scene, changes, output, "sweep")
+    base, output = cli.scene_and_directory(scene, changes, output, "sweep")
     plan = plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
-    with study(output, fresh=fresh):
+    with cli.study(output, fresh=fresh):
         with MembersBar("sweep", quiet=quiet) as bar:
             done = run_sweep(plan, output, where, bar)
         report = drawing.report(done)
         written = [output / "sweep.nc", output / "sweep.csv", *report.write(output)]
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
-        print_error("no member is an answer; sweep.csv has the reason of each")
-        raise typer.Exit(UNTRUSTED)
+        cli.print_error("no member is an answer; sweep.csv has the reason of each")
+        raise typer.Exit(cli.UNTRUSTED)

@@ -8,29 +8,19 @@ from typing import Annotated
 import typer
 
 from softcat_sym import drawing
-from softcat_sym.cli.application import (
-    UNTRUSTED,
-    FreshOption,
-    OutputOption,
-    QuietOption,
-    commands,
-    output_directory,
-    present,
-    print_error,
-    study,
-)
+from softcat_sym.cli import application as cli
 
 _NAMES = typer.Argument(
     metavar="CASE", help="Only these cases: mora, princeton, ...; a wrong name lists all.", show_default="all of them"
 )
 
 
-@commands.command()
+@cli.commands.command()
 def validate(
     cases: Annotated[list[str] | None, _NAMES] = None,
-    output: OutputOption = None,
-    fresh: FreshOption = False,
-    quiet: QuietOption = False,
+    output: cli.OutputOption = None,
+    fresh: cli.FreshOption = False,
+    quiet: cli.QuietOption = False,
 ) -> None:
     """Compare the package with published experiments and computations.
 
@@ -44,16 +34,16 @@ def validate(
 
     names = list(cases or ())
     chosen = chosen_cases(names)
-    output = output_directory(output, "validate")
+    output = cli.output_directory(output, "validate")
     from softcat_sym.plotting.terminal import StepProgress
 
-    with study(output, fresh=fresh), StepProgress(len(chosen), "cases", quiet=quiet) as progress:
+    with cli.study(output, fresh=fresh), StepProgress(len(chosen), "cases", quiet=quiet) as progress:
         validation = compare_with_published(names, progress)
         progress.stage("drawing")
         report = drawing.report(validation, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
         written = report.write(output)
-    present(report, written, output, quiet=quiet)
+    cli.present(report, written, output, quiet=quiet)
     for result in validation.failures:
-        print_error(f"{result.case.name}: {result.failure}")
+        cli.print_error(f"{result.case.name}: {result.failure}")
     if validation.failures:
-        raise typer.Exit(UNTRUSTED)
+        raise typer.Exit(cli.UNTRUSTED)

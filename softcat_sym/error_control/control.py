@@ -21,6 +21,7 @@ from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import shortest_hinge_cell
 from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build, run_once
+from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import choose_backend
 from softcat_sym.solvers.solution import Progress, Silence
 
@@ -67,7 +68,7 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
         "wall_s": clock.laps(),
     }
     if errors is None:
-        return answer.estimated(summary, (), "")
+        return answer.revised(summary)
     summary["error_estimate"] = errors.to_dict(effects=sum(answer.summary["checked"].values()))
     warnings = [f"the error is not fully estimated: the run with {what} has no answer" for what in errors.failed]
     short = shortest_hinge_cell(scene, effects, answer.fields["X_node"], answer.fields["yielded_fraction"])
@@ -76,7 +77,8 @@ def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: P
         laps = clock.laps()
         besides = laps["total"] - laps["compile"] - runs.compiling - sum(run.solve + run.besides for run in runs.made)
         summary["next_digit"] = asdict(next_digit(scene, effects, (found.resolution, errors), runs.made, besides))
-    return answer.estimated(summary, [*warnings, *filter(None, [warning])], missed)
+    warnings = [*answer.summary["warnings"], *warnings, *filter(None, [warning])]
+    return answer.revised({**summary, "warnings": warnings}, Outcome.inaccurate if missed else None, missed)
 
 
 class _Runs:

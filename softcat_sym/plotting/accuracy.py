@@ -57,7 +57,6 @@ def work_precision_figure(runs: pd.DataFrame, title: str, caption: str = "", flo
                 axes.axhspan(floor / 10, floor, color=style.FILAMENT, lw=0, zorder=0)
             axes.set_title(printable(problem), fontsize=9, loc="left", parse_math=False)
             axes.grid(True)
-            style.lighten(axes)
         for axes in panels.flat[len(problems) :]:
             axes.remove()
         first = panels.flat[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,17 +15,19 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch, PathPatch
+from matplotlib.patches import Patch, PathPatch, Polygon
 from matplotlib.path import Path as Outline
 from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
-from softcat_sym.plotting.pictures import Pictures
-from softcat_sym.plotting.run import yielded_label
+from softcat_sym.plotting.run import largest_sag, yielded_label
 from softcat_sym.plotting.section import (
     Floats,
+    Section,
     array,
     outline,
     quads_outside,
@@ -32,7 +35,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
-from softcat_sym.plotting.spatial import SpatialAnimation
+from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
@@ -52,61 +55,20 @@ _AMID = 0.5 * (_ZETA[1:] + _ZETA[:-1])
 _FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending", "midpoint")
 
 
-@dataclass(frozen=True, slots=True)
-class Moment:
-    """The filament at one time."""
-
-    time: float  # [s]
-    midpoint: float  # Its height [m]
-    outline: Floats  # Closed polygon, shape (vertex, 2) [m]
-    strips: Floats  # Quads that cover it, every cell in as many strips through the thickness, shape (quad, 4, 2) [m]
-    stress: Floats  # Magnitude of the axial stress sigma_0 + sigma_1 zeta amid each, shape (quad,) [Pa]
-    yielded: Floats  # Quads of what yields, shape (quad, 4, 2) [m]
-
-
-class Film:
-    """Moments of a run, equally spaced in time."""
-
-    def __init__(self, data: Fields, scene: Scene, moments: int) -> None:
-        time = array(data, "time")
-        self.times: Floats = np.linspace(time[0], time[-1], max(1, moments))
-        after = np.clip(np.searchsorted(time, self.times), 1, max(1, time.size - 1))
-        before = after - 1
-        after = np.minimum(after, time.size - 1)
-        gap = time[after] - time[before]
-        part = np.where(gap > 0, (self.times - time[before]) / np.where(gap > 0, gap, 1.0), 0.0)
-        self.run_times: Floats = time
-        self.run_midpoint: Floats = array(data, "midpoint")
-        self.resolved = "core_low" in data
-        yields = yielding_of(data, scene)
-        fields = {name: array(data, name) for name in _FIELDS} | {"low": yields.low, "high": yields.high}
-        self._data: dict[str, Floats] = {"time": self.times, "X_node": array(data, "X_node")}
-        self._data["X_cell"] = array(data, "X_cell")
-        for name, values in fields.items():
-            share = part.reshape(-1, *(1,) * (values.ndim - 1))
-            self._data[name] = (1 - share) * values[before] + share * values[after]
-        self.midpoint: Floats = self._data["midpoint"]
-        self._clamped = [one.holds_angle for one in scene.ends.supports]
-        outlines = np.stack([outline(section_at(self._data, k, self._clamped)) for k in range(self.times.size)])
-        self.bounds: Floats = np.stack([outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))])
-        self.largest = float(np.quantile(np.stack([self._stress(k) for k in range(self.times.size)]), 0.995))
-        y = self._data["y"]
-        line = y[:, :1] + (y[:, -1:] - y[:, :1]) * np.linspace(0.0, 1.0, y.shape[1])
-        self.sag = float(np.abs(y - line).max())
-
-    def _stress(self, number: int) -> Floats:
-        mean, slope = (self._data[name][number] for name in ("stress_mean", "stress_bending"))
-        return np.asarray(np.abs(mean + np.multiply.outer(_AMID, slope)).ravel())
-
-    def moment(self, number: int) -> Moment:
-        """What is shown at the moment of this number."""
-        data = self._data
-        section = section_at(data, number, self._clamped)
-        yielded = quads_outside(section, data["low"][number], data["high"][number])
-        grid = np.stack([section.at(float(zeta)) for zeta in _ZETA])
-        strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
-        time, midpoint = float(self.times[number]), float(self.midpoint[number])
-        return Moment(time, midpoint, outline(section), strips, self._stress(number), yielded)
+def moments_of(data: Fields, scene: Scene, count: int) -> dict[str, Floats]:
+    """Fields of a run at so many equally spaced times, linear between frames."""
+    time, yields = array(data, "time"), yielding_of(data, scene)
+    times = np.linspace(time[0], time[-1], max(1, count))
+    fields = {name: array(data, name) for name in _FIELDS} | {"low": yields.low, "high": yields.high}
+    found = {"time": times, "X_node": array(data, "X_node"), "X_cell": array(data, "X_cell")}
+    if time.size == 1:
+        return found | {name: np.repeat(values, times.size, axis=0) for name, values in fields.items()}
+    before = np.clip(np.searchsorted(time, times) - 1, 0, time.size - 2)
+    part = (times - time[before]) / (time[before + 1] - time[before])
+    for name, values in fields.items():
+        share = part.reshape(-1, *(1,) * (values.ndim - 1))
+        found[name] = (1 - share) * values[before] + share * values[before + 1]
+    return found
 
 
 KINDS: Final = {"gif": 12.5, "mp4": 25.0}
@@ -189,6 +151,33 @@ def write_film(
     return fill_atomically(directory / order.name, fill), animation.note
 
 
+class Pictures(ABC):
+    """Moments of a run, drawn in one figure."""
+
+    figure: Figure
+    note: str  # What they cannot show
+
+    @abstractmethod
+    def __len__(self) -> int: ...
+
+    @abstractmethod
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel], both even, as video wants them."""
+        width, height = self.figure.canvas.get_width_height()
+        return width - width % 2, height - height % 2
+
+    def pixels(self) -> NDArray[np.uint8]:
+        """What is drawn, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        width, height = self.size
+        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+        return drawn
+
+
 def animation_of(data: Fields, summary: Summary, scene: Scene, moments: int, width: int) -> Pictures:
     """The film of a run in its plane, or in space."""
     if "quaternion" not in data:
@@ -232,7 +221,7 @@ def _mp4(animation: Pictures, path: Path, ffmpeg: str, step: Callable[[str], Non
     with subprocess.Popen(command, start_new_session=True, **pipes) as process:
         ours, theirs = cast("IO[bytes]", process.stdin), cast("IO[bytes]", process.stderr)
         try:
-            for number, picture in enumerate(animation.pictures()):
+            for number, picture in enumerate(map(animation.picture, range(len(animation)))):
                 step(f"picture {number + 1} of {len(animation)}")
                 ours.write(picture.tobytes())
             _, said = process.communicate()
@@ -275,40 +264,49 @@ class Animation(Pictures):
         self, data: Fields, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
     ) -> None:
         data, summary = shown_part(data, summary)
-        film = self._film = Film(data, scene, moments)
-        self.times: Floats = film.times
-        self.note = film_note(film.times, data, summary)
-        self._ruler = length_unit(float(np.abs(film.bounds).max()), scene.filament.span)
-        self._clock = time_unit(float(np.abs(film.times).max()))
-        self._over = scene.material.yield_stress or stress_unit(film.largest).size
+        self._run, self._scene, self.film = data, scene, moments_of(data, scene, moments)
+        self.times: Floats = self.film["time"]
+        self.note = film_note(self.times, data, summary)
+        outlines = np.stack([outline(self._section(k)) for k in range(len(self))])
+        low, high = outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))
+        self._largest = float(np.quantile([self._stress(k) for k in range(len(self))], 0.995))
+        self._ruler = length_unit(float(np.abs([low, high]).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(self.times).max()))
+        self._over = scene.material.yield_stress or stress_unit(self._largest).size
         # The largest scale at which every moment fits; what it leaves free is shared by both sides.
-        stretch = vertical_stretch(film.sag, scene.filament.thickness, scene.filament.span)
+        stretch = vertical_stretch(largest_sag(self.film["y"]), scene.filament.thickness, scene.filament.span)
         across = WIDTH - _LEFT - _RIGHT
-        centre, extent = film.bounds.mean(axis=0), np.ptp(film.bounds, axis=0)
-        extent = extent + np.array([0.04 * extent[0], 0.7 * scene.filament.thickness])
+        extent = 1.04 * (high - low) + np.array([0.0, 0.7 * scene.filament.thickness])
         scale = min(across / extent[0], _TALLEST / (stretch * extent[1]))
         tall = max(_LOWEST, scale * stretch * extent[1])
         half = np.array([across / scale, tall / (scale * stretch)]) / 2
-        self._tall = tall
         with style.styled():
-            height = _BOTTOM + _TRACE + _BETWEEN + tall + _TOP
-            self.figure: Figure = new_figure(WIDTH, height)
+            self.figure: Figure = new_figure(WIDTH, _BOTTOM + _TRACE + _BETWEEN + tall + _TOP)
             self.figure.set_dpi(width / WIDTH)
             self.axes = axes_in_inches(self.figure, _LEFT, _BOTTOM + _TRACE + _BETWEEN, across, tall)
-            self.axes.set_xlim(*self._ruler.of([centre[0] - half[0], centre[0] + half[0]]))
-            self.axes.set_ylim(*self._ruler.of([centre[1] - half[1], centre[1] + half[1]]))
+            limits = self._ruler.of(np.array([-half, half]) + (low + high) / 2).T
+            self.axes.set(xlim=limits[0], ylim=limits[1])
             _plain(self.axes, 9, max(2, int(tall / 0.45)))
             scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
             self.axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
             self.axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
-            self._moving = [*self._filament(), *self._trace(), self._head(scene, summary), *stamp(self.figure, summary)]
+            self._moving = [*self._filament(), *self._trace(), self._head(summary), *stamp(self.figure, summary)]
             for artist in self._moving:
                 artist.set_animated(True)
-            self._legend(scene, yielded_label(data, scene))
+            self._legend(yielded_label(data, scene))
             self._background: Any = None
 
+    def _section(self, number: int) -> Section:
+        ends = self._scene.ends
+        return section_at(self.film, number, [one.holds_angle for one in ends.supports])
+
+    def _stress(self, number: int) -> Floats:
+        """Magnitude of the axial stress amid every strip of every cell [Pa]."""
+        mean, slope = self.film["stress_mean"][number], self.film["stress_bending"][number]
+        return np.asarray(np.abs(mean + np.multiply.outer(_AMID, slope)).ravel())
+
     def __len__(self) -> int:
-        return self._film.times.size
+        return self.times.size
 
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
@@ -318,31 +316,36 @@ class Animation(Pictures):
                 canvas.draw()  # without what moves: that is marked as animated
                 self._background = canvas.copy_from_bbox(self.figure.bbox)
             canvas.restore_region(self._background)
-            self._show(self._film.moment(number))
+            self._show(number)
             for artist in self._moving:
                 self.figure.draw_artist(artist)
         return self.pixels()
 
-    def _show(self, moment: Moment) -> None:
+    def _show(self, number: int) -> None:
         """Move everything to where it is at a moment."""
-        ruler, clock, film = self._ruler, self._clock, self._film
-        self._body.set_verts(list(ruler.of(moment.strips)))
-        self._body.set_array(moment.stress / self._over)
-        self._edge.set_path(_closed(ruler.of(moment.outline)[None]))
-        self._yielded.set_path(_closed(ruler.of(moment.yielded)))
-        self._yielded.set_visible(bool(len(moment.yielded)))
-        until = film.run_times <= moment.time
-        times = np.append(film.run_times[until], moment.time)
-        self._past.set_data(clock.of(times), ruler.of(np.append(film.run_midpoint[until], moment.midpoint)))
-        self._dot.set_data([clock.of(moment.time)], [ruler.of(moment.midpoint)])
-        largest = float(clock.of(film.times[-1]))
+        ruler, clock, film = self._ruler, self._clock, self.film
+        section, time, midpoint = self._section(number), float(self.times[number]), float(film["midpoint"][number])
+        grid = ruler.of([section.at(float(zeta)) for zeta in _ZETA])
+        strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
+        self._body.set_verts(list(strips))
+        self._body.set_array(self._stress(number) / self._over)
+        self._edge.set_xy(ruler.of(outline(section)))
+        yielded = quads_outside(section, film["low"][number], film["high"][number])
+        self._yielded.set_path(Outline.make_compound_path_from_polys(ruler.of(yielded)))
+        self._yielded.set_visible(bool(len(yielded)))
+        times = array(self._run, "time")
+        past = times <= time
+        heights = np.append(array(self._run, "midpoint")[past], midpoint)
+        self._past.set_data(clock.of(np.append(times[past], time)), ruler.of(heights))
+        self._dot.set_data([clock.of(time)], [ruler.of(midpoint)])
+        largest = float(clock.of(self.times[-1]))
         decimals = 3 if largest < 10 else 2 if largest < 100 else 1
-        self._now.set_text(f"t = {clock.of(moment.time):.{decimals}f} {clock.symbol}")
+        self._now.set_text(f"t = {clock.of(time):.{decimals}f} {clock.symbol}")
 
-    def _head(self, scene: Scene, summary: Summary) -> Any:
+    def _head(self, summary: Summary) -> Any:
         """Title, how the run ended, what the film cannot show, and the clock, which moves."""
         height, left, right = self.figure.get_figheight(), _LEFT / WIDTH, 1 - _RIGHT / WIDTH
-        title = style.printable(scene.title, 70) or "Filament"
+        title = style.printable(self._scene.title, 70) or "Filament"
         ending = style.printable(" · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key)), 90)
         place: dict[str, Any] = {"y": 1 - 0.14 / height, "va": "top"}
         below: dict[str, Any] = {"y": 1 - 0.45 / height, "va": "top"}
@@ -354,12 +357,13 @@ class Animation(Pictures):
 
     def _filament(self) -> tuple[Any, ...]:
         """Body coloured by stress, hatched where it yields, its edge; behind it the shape it started from."""
-        self.axes.fill(*self._ruler.of(self._film.moment(0).outline).T, linewidth=0.8, **_DASHED)
-        norm = Normalize(0.0, self._film.largest / self._over or 1.0)
+        start = self._ruler.of(outline(self._section(0)))
+        self.axes.fill(*start.T, linewidth=0.8, **_DASHED)
+        norm = Normalize(0.0, self._largest / self._over or 1.0)
         self._body = PolyCollection([], cmap=_COLOURS, norm=norm, edgecolors="none", antialiaseds=False)
         self.axes.add_collection(self._body, autolim=False)
-        self._yielded = PathPatch(_closed(np.zeros((0, 1, 2))), **_HATCHED)
-        self._edge = PathPatch(_closed(np.zeros((0, 1, 2))), facecolor="none", edgecolor=style.BLACK, linewidth=0.9)
+        self._yielded = PathPatch(Outline(start), **_HATCHED)
+        self._edge = Polygon(start, facecolor="none", edgecolor=style.BLACK, linewidth=0.9)
         self.axes.add_artist(self._yielded)
         self.axes.add_artist(self._edge)
         return self._body, self._yielded, self._edge
@@ -367,7 +371,7 @@ class Animation(Pictures):
     def _trace(self) -> tuple[Any, ...]:
         """The midpoint against time, by all frames of the run: all of it in grey, what has passed in blue."""
         axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, 0.6 * (WIDTH - _LEFT - _RIGHT), _TRACE)
-        time, height = self._clock.of(self._film.run_times), self._ruler.of(self._film.run_midpoint)
+        time, height = self._clock.of(array(self._run, "time")), self._ruler.of(array(self._run, "midpoint"))
         axes.plot(time, height, color="#d0d4d8", linewidth=1.6)
         axes.set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
         axes.set_xlabel(f"time [{self._clock.symbol}]", fontsize=_FONT)
@@ -378,14 +382,14 @@ class Animation(Pictures):
         (self._dot,) = axes.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
         return self._past, self._dot
 
-    def _legend(self, scene: Scene, label: str) -> None:
+    def _legend(self, label: str) -> None:
         """The colour bar of the stress, and what hatching and dashes mean."""
         left = _LEFT + 0.67 * (WIDTH - _LEFT - _RIGHT)
         bar = axes_in_inches(self.figure, left, _BOTTOM + _TRACE - 0.2, WIDTH - _RIGHT - left, 0.18)
         # Of a section resolved fibre by fibre, this is the linear stress nearest to what its fibres bear.
-        what = "linear part of the axial stress" if self._film.resolved else "axial stress"
-        limit = scene.material.yield_stress
-        unit = f" [{stress_unit(self._film.largest).symbol}]" if limit is None else " / yield stress"
+        what = "linear part of the axial stress" if "core_low" in self._run else "axial stress"
+        limit = self._scene.material.yield_stress
+        unit = f" [{stress_unit(self._largest).symbol}]" if limit is None else " / yield stress"
         drawn = self.figure.colorbar(self._body, cax=bar, orientation="horizontal")
         drawn.set_label(f"{what}{unit}", fontsize=_FONT)
         bar.tick_params(labelsize=10.5)
@@ -394,6 +398,59 @@ class Animation(Pictures):
             handles.insert(0, Patch(label=label.replace(", ", ",\n"), **_HATCHED))
         anchor = (left / WIDTH, (_BOTTOM - 0.25) / self.figure.get_figheight())
         self.figure.legend(handles=handles, loc="lower left", bbox_to_anchor=anchor, borderaxespad=0.0, fontsize=_FONT)
+
+
+_SPATIAL_HEIGHT = 8.0
+"""Of a film in space [inch]."""
+
+
+class SpatialAnimation(Pictures):
+    """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
+
+    def __init__(self, data: Fields, summary: Summary, scene: Scene, times: Floats, note: str, width: int) -> None:
+        time = array(data, "time")
+        self.times, self.note = times, note
+        nearest = np.abs(time[:, None] - times).argmin(axis=0)
+        tubes = {frame: tube(data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
+        corners = np.concatenate([one.reshape(-1, 3) for one in tubes.values()])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(times).max()))
+        self._shapes = [ruler.of(tubes[frame]) for frame in nearest.tolist()]
+        self._shown = [(float(time[frame]), float(array(data, "midpoint")[frame])) for frame in nearest.tolist()]
+        self._ruler = ruler
+        with style.styled():
+            self.figure: Figure = new_figure(WIDTH, _SPATIAL_HEIGHT)
+            self.figure.set_dpi(width / WIDTH)
+            self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
+            frame_tube(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
+            title = style.printable(scene.title, 70) or "Filament"
+            self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
+            self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
+            self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
+            below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
+            below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
+            below.set_xlabel(f"time [{self._clock.symbol}]")
+            below.set_ylabel(f"midpoint [{ruler.symbol}]")
+            (self._dot,) = below.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
+            style.stamp(self.figure, summary)
+        self._body: Poly3DCollection | None = None
+
+    def __len__(self) -> int:
+        return len(self._shapes)
+
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        with style.styled():
+            if self._body is not None:
+                self._body.remove()
+            self._body = draw_tube(self.axes, self._shapes[number])
+            time, height = self._shown[number]
+            self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
+            self._now.set_text(f"t = {self._clock.text(time)}")
+            canvas.draw()
+        return self.pixels()
 
 
 def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
@@ -414,17 +471,6 @@ def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
 
 
 def _plain(axes: Axes, across: int, up: int) -> None:
-    style.lighten(axes)
     axes.tick_params(labelsize=10.5)
     axes.xaxis.set_major_locator(MaxNLocator(across, steps=(1, 2, 2.5, 5, 10)))
     axes.yaxis.set_major_locator(MaxNLocator(up, steps=(1, 2, 2.5, 5, 10)))
-
-
-def _closed(polygons: Floats) -> Outline:
-    """One path of several polygons, shape (polygon, vertex, 2)."""
-    if not len(polygons):
-        return Outline(np.zeros((0, 2)))
-    closed = np.concatenate([polygons, polygons[:, :1]], axis=1)
-    codes = np.full(closed.shape[1], Outline.LINETO, dtype=np.uint8)
-    codes[0], codes[-1] = Outline.MOVETO, Outline.CLOSEPOLY
-    return Outline(closed.reshape(-1, 2), np.tile(codes, len(polygons)))

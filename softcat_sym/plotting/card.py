@@ -223,8 +223,6 @@ def card_figure(card: Card) -> Figure:
         _draw_shape(axes["shape"], card, section, stretch)
         _draw_descent(axes["descent"], card)
         _draw_exponents(axes["span"], card)
-        for each in axes.values():
-            style.lighten(each)
     return figure
 
 

@@ -12,21 +12,21 @@ import matplotlib
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.collections import QuadMesh
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.section import node_angles
 from softcat_sym.plotting.style import headed, legend, secondary_scale
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
-from softcat_sym.reference.elements import ElementRun
+from softcat_sym.reference.elements import ElementRun, Snapshot, snapshot, strip_of
 from softcat_sym.studies.compare import SHARES, Comparison, moments
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
@@ -77,11 +77,11 @@ def _share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
     for axes in panels:
         axes.set_xlim(0.0, float(clock.of(run.time[-1])))
         axes.grid(True)
-        style.lighten(axes)
         axes.yaxis.set_major_formatter("{x:.3g}")
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(f"time [{clock.symbol}]")
     top = panels[0].secondary_xaxis("top", functions=secondary_scale(clock.size / run.elastic_time))
+    top.spines["top"].set_visible(True)
     top.set_xlabel("time in L √(ρ/E)")
 
 
@@ -208,8 +208,6 @@ def shapes_figure(comparison: Comparison) -> Figure:
         below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
         below.grid(True)
         below.yaxis.set_major_formatter("{x:.3g}")
-        for axes in (above, below):
-            style.lighten(axes)
         both = [
             Line2D([], [], **wide, label="filament (coloured by time)"),
             Line2D([], [], **dashed, label=reference_name(comparison)),
@@ -222,112 +220,74 @@ def shapes_figure(comparison: Comparison) -> Figure:
 _CLOSE = 2.5
 _DECADES = 4.0
 _RESTING = "#dcdcdc"
-_RATE_NOTE = (
-    "√3 times the equivalent tensile rate, at the Gauss points; grey: no flow, or slower than the scale.\n"
-    "Sections are drawn plane, normal to the centreline averaged over half a thickness, thinned as stretch^(−1/2)."
-)
+_RATE_NOTE = "√3 times the equivalent tensile rate, at the Gauss points; grey: no flow, or slower than the scale."
 
 
-@dataclass(frozen=True)
-class RateField:
-    """Plastic shear rate at one time, each Gauss point on its quarter of an element."""
-
-    time: float  # [s]
-    x: Floats  # shape (2 along + 1, 2 through + 1); Corners of the quarters in the plane [m]
-    y: Floats
-    X: Floats  # shape (2 along, 2 through); Reference positions of the Gauss points [m]
-    Y: Floats
-    rate: Floats  # shape (2 along, 2 through); sqrt(3) times the equivalent tensile plastic rate [1/s]
-
-
-def rate_fields(run: ElementRun, thickness: float) -> list[RateField]:
-    """The fields kept nearest to the moments of the error table, and the one that flows fastest.
+def rate_snapshots(comparison: Comparison) -> list[Snapshot]:
+    """The strips kept nearest to the moments of the error table, and the one that flows fastest.
 
     Of those before the last only what flows is worth a picture: a filament that is held early needs no four of them.
     """
+    run, strip = comparison.elements, strip_of(comparison.scene, comparison.elements)
     largest = run.rate.max(axis=(1, 2))
     tabulated = {int(np.abs(run.rate_time - share * run.time[-1]).argmin()) for share in SHARES}
     flowing = {field for field in {*tabulated, int(largest.argmax())} if largest[field] > 0}
-    return [_field(run, thickness, field) for field in sorted(flowing | {len(largest) - 1})]
+    moved = run.displacement / comparison.scene.filament.span
+    kept = sorted(flowing | {len(largest) - 1})
+    return [snapshot(strip, float(run.rate_time[field]), moved[field], run.rate[field]) for field in kept]
 
 
-def _field(run: ElementRun, thickness: float, field: int) -> RateField:
-    frame = int(np.abs(run.time - run.rate_time[field]).argmin())
-    rows = np.linspace(-thickness / 2, thickness / 2, 2 * run.mesh.through + 1)
-    points = run.point.reshape(-1, 2)
-    # Columns of nodes lie on the edges and in the middles of the elements: one Gauss point to each quarter.
-    column, row = np.searchsorted(run.X, points[:, 0]) - 1, np.searchsorted(rows, points[:, 1]) - 1
-    placed = np.empty((len(run.X) - 1, len(rows) - 1, 3))
-    placed[column, row, :2], placed[column, row, 2] = points, np.sqrt(3) * run.rate[field].ravel()
-    x, y = run.x[frame], run.y[frame]
-    angle = _section_angles(run.X, x, y, thickness)
-    stretch = np.hypot(np.gradient(x, run.X), np.gradient(y, run.X))
-    offset = rows / np.sqrt(stretch)[:, None]
-    return RateField(
-        float(run.rate_time[field]),
-        x[:, None] - offset * np.sin(angle)[:, None],
-        y[:, None] + offset * np.cos(angle)[:, None],
-        *(placed[..., k] for k in range(3)),
-    )
+def boundary(shot: Snapshot, through: int) -> Floats:
+    """Outline of the half strip of elements, along the bottom and back along the top; shape (points, 2)."""
+    columns = shot.outline.reshape(-1, through, 8, 2)
+    bottom, top = columns[:, 0, :3].reshape(-1, 2), columns[:, -1, 4:7][:, ::-1].reshape(-1, 2)
+    return np.concatenate([bottom, top[::-1], bottom[:1]])
 
 
-def _section_angles(X: Floats, x: Floats, y: Floats, thickness: float) -> Floats:
-    """Angle of the centreline, averaged over half a thickness: next to a clamp true normals would cross.
-
-    It is odd about the midspan and about the clamp, where sections stay vertical.
-    """
-    angle = node_angles(x, y)
-    angle[[0, -1]] = 0.0
-    places = np.concatenate([X - X[-1], X[1:], X[1:] + X[-1]])
-    mirrored = -angle[::-1]
-    turned = np.concatenate([mirrored, angle[1:], mirrored[1:]])
-    area = np.concatenate([[0.0], np.cumsum((turned[1:] + turned[:-1]) / 2 * np.diff(places))])
-    ends = (np.interp(X + side * thickness / 4, places, area) for side in (1, -1))
-    return np.asarray((next(ends) - next(ends)) / (thickness / 2))
+def draw_strip(axes: Axes, shot: Snapshot, through: int, scale: ArrayLike, **colours: Any) -> PolyCollection:
+    """Draw the half strip, its lengths times a scale, in the colours of its plastic shear rate."""
+    # Anti-aliasing would leave hairlines between neighbouring quarters; the outline hides their stairs.
+    quads: dict[str, Any] = {"edgecolors": "none", "antialiaseds": False, "rasterized": True}
+    rate = np.ma.masked_less_equal(shot.rate, 0.0)
+    field = PolyCollection(list(np.asarray(scale) * shot.quarter), array=rate, **quads, **colours)
+    axes.add_collection(field, autolim=False)
+    axes.plot(*(np.asarray(scale) * boundary(shot, through)).T, color=style.BLACK, linewidth=0.5)
+    return field
 
 
 def rate_figure(comparison: Comparison) -> Figure:
     """Draw the fields below one another, the whole half span on the left, the clamp on the right."""
     span, thickness = comparison.scene.filament.span, comparison.scene.filament.thickness
-    fields = rate_fields(comparison.elements, thickness)
+    shots, mesh = rate_snapshots(comparison), comparison.elements.mesh
+    corners = [span * shot.outline.reshape(-1, 2) for shot in shots]
     # Of panels four inches wide; the deepest shape is no taller than a page allows.
-    heights = [float(np.clip(4.0 / (0.54 * span) * (np.ptp(field.y) + thickness), 1.0, 2.2)) for field in fields]
-    flows = any((field.rate > 0).any() for field in fields)
-    top = max(float(field.rate.max()) for field in fields) or 1.0
-    norm = LogNorm(top * 10**-_DECADES, top)
+    heights = [float(np.clip(4.0 / (0.54 * span) * (np.ptp(at[:, 1]) + thickness), 1.0, 2.2)) for at in corners]
+    top = max(float(shot.rate.max()) for shot in shots)
+    norm = LogNorm((top or 1.0) * 10**-_DECADES, top or 1.0)
+    colours = matplotlib.colormaps["viridis"].with_extremes(bad=_RESTING, under=_RESTING)
     ruler, clock = length_unit(span), time_unit(float(comparison.elements.time[-1]))
-    notes = _RATE_NOTE if flows else "Nothing flows, at none of the times at which the field was kept."
+    notes = _RATE_NOTE if top > 0 else "Nothing flows, at none of the times at which the field was kept."
     what, height = "plastic shear rate in the elements", sum(heights) + 0.35 * len(heights) + 0.9
     with style.styled():
         figure, body = headed(comparison.scene, what, {}, height=height, notes=notes)
-        panels = body.subplots(len(fields), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
-        for field, (whole, close) in zip(fields, panels, strict=True):
-            drawn = _strip(whole, field, norm, ruler)
-            _strip(close, field, norm, ruler)
-            low, high = float(field.y.min()) - thickness / 2, float(field.y.max()) + thickness / 2
+        panels = body.subplots(len(shots), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
+        for shot, at, (whole, close) in zip(shots, corners, panels, strict=True):
+            for axes in (whole, close):
+                drawn = draw_strip(axes, shot, mesh.through, span / ruler.size, norm=norm, cmap=colours)
+            low, high = float(at[:, 1].min()) - thickness / 2, float(at[:, 1].max()) + thickness / 2
             _window(whole, ruler, (-0.02 * span, 0.52 * span), (low, high))
             beside, half = span / 2 - 0.45 * _CLOSE * thickness, _CLOSE * thickness / 2
-            level = float(np.interp(beside, field.x[:, len(field.x[0]) // 2], field.y[:, len(field.x[0]) // 2]))
+            level = float(at[np.abs(at[:, 0] - beside) <= half, 1].mean())
             _window(close, ruler, (beside - half, beside + half), (level - half / 2, level + half / 2))
-            whole.set_title(f"t = {clock.text(field.time)}", loc="left", fontsize=8.5, pad=3.0)
+            whole.set_title(f"t = {clock.text(shot.time)}", loc="left", fontsize=8.5, pad=3.0)
             close.set_title("at the clamp", loc="left", fontsize=8.5, pad=3.0)
             whole.set_ylabel(f"y [{ruler.symbol}]")
         for axes in panels[-1]:
             axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
-        if flows:
+        if top > 0:
             bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
             bar.set_label("plastic shear rate [1/s]")
     return figure
-
-
-def _strip(axes: Axes, field: RateField, norm: LogNorm, ruler: Unit) -> QuadMesh:
-    colours = matplotlib.colormaps["viridis"].with_extremes(bad=_RESTING, under=_RESTING)
-    rate = np.ma.masked_less_equal(field.rate, 0.0)
-    style.lighten(axes)
-    # The outline hides the stairs of the quads, which are not anti-aliased lest hairlines show between them.
-    x, y = (np.concatenate([c[:, 0], c[-1], c[::-1, -1], c[0, ::-1]]) for c in (ruler.of(field.x), ruler.of(field.y)))
-    axes.plot(x, y, color=style.BLACK, linewidth=0.5, zorder=3)
-    return axes.pcolormesh(ruler.of(field.x), ruler.of(field.y), rate, norm=norm, cmap=colours, rasterized=True)
 
 
 def _window(axes: Axes, ruler: Unit, x: tuple[float, float], y: tuple[float, float]) -> None:
@@ -358,14 +318,12 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
         .join(pd.DataFrame(pair.filament, columns=["filament_x_m", "filament_y_m"]))
         for pair in shape_pairs(comparison)
     )
+    X, Y = elements.point.reshape(-1, 2).T
+    order = np.lexsort((Y, np.round(X / comparison.scene.filament.span, 9)))
+    points = {"X_m": X[order], "Y_m": Y[order]}
     found["compare_plastic_rate.csv"] = pd.concat(
-        pd.DataFrame(
-            {
-                **{"time_s": field.time, "X_m": field.X.ravel(), "Y_m": field.Y.ravel()},
-                "plastic_shear_rate_per_s": field.rate.ravel(),
-            }
-        )
-        for field in rate_fields(elements, comparison.scene.filament.thickness)
+        pd.DataFrame({"time_s": shot.time, **points, "plastic_shear_rate_per_s": shot.rate[order]})
+        for shot in rate_snapshots(comparison)
     )
     return found
 

@@ -14,7 +14,6 @@ from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_figures import plain
 from softcat_sym.plotting.style import plain_log
 from softcat_sym.plotting.units import length_unit
 
@@ -54,7 +53,6 @@ def experiment_figure(experiment: Experiment) -> Figure:
         axes.margins(0.05)
         for axis in (axes.xaxis, axes.yaxis):
             plain_log(axis, subs=(1.0, 2.0, 5.0))
-        style.lighten(axes)
         bar = body.colorbar(drawn, ax=axes, label="worst relative error", pad=0.02, aspect=22)
         plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %", (1.0, 2.0, 5.0))
     return figure
@@ -78,10 +76,9 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
         axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
         axes.set(xscale="log", yscale="log", xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
         for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis, plain, (1.0,))
+            plain_log(axis, subs=(1.0,))
         axes.margins(0.04)
         axes.grid(True)
-        style.lighten(axes)
     return figure
 
 

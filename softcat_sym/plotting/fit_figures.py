@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from softcat_sym.fitting.features import Features, Floats
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_words import display_unit, noise_text, reading_text, starts_text
-from softcat_sym.plotting.style import legend, sheet
+from softcat_sym.plotting.style import legend, number_axis, plain, sheet
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -39,38 +38,13 @@ def headed(fit: Fit, what: str, height: float) -> tuple[Figure, SubFigure]:
     return sheet(fit.scene.title or "Filament", what, height=height)
 
 
-def plain(value: float, place: object = None) -> str:
-    """Write a tick's number with at most six digits, a true minus sign and a short exponent."""
-    del place
-    text = re.sub(r"e([+-])0*", lambda match: "e" + match[1].strip("+"), f"{value:.6g}")
-    return text.replace("-", "\N{MINUS SIGN}")
-
-
-def _number_axis(axes: Axes, low: float, high: float, *, logarithmic: bool) -> None:
-    """Limits of a horizontal axis, with a few ticks of plain numbers."""
-    axis = axes.xaxis
-    if logarithmic:
-        axes.set_xscale("log")
-        room, decades = (high / low) ** 0.05, math.log10(high / low)
-        axes.set_xlim(low / room, high * room)
-        subs = (1.0, 2.0, 5.0) if decades < 1.5 else (1.0, 3.0) if decades < 2.5 else (1.0,)
-        axis.set_major_locator(LogLocator(subs=subs, numticks=5))
-        axis.set_minor_locator(NullLocator())
-        axis.set_minor_formatter(NullFormatter())
-    else:
-        room = 0.05 * (high - low) or 0.05 * abs(high) or 1.0
-        axes.set_xlim(low - room, high + room)
-        axis.set_major_locator(MaxNLocator(3))
-    axis.set_major_formatter(FuncFormatter(plain))
-
-
 def parameter_axis(axes: Axes, free: FreeParameter, values: Floats, best: float) -> Unit:
     """Set up the horizontal axis for values of a parameter, and return its unit."""
     values = values[np.isfinite(values)]
     low, high = float(values.min()), float(values.max())
     logarithmic = free.logarithmic and high > LOGARITHMIC_FROM * low
     unit = display_unit(free.unit, best if logarithmic else float(np.abs(values).max()))
-    _number_axis(axes, low / unit.size, high / unit.size, logarithmic=logarithmic)
+    number_axis(axes, "x", low / unit.size, high / unit.size, is_log=logarithmic)
     axes.set_xlabel(free.name if free.unit == "1" else f"{free.name} [{unit.symbol}]", fontsize=8)
     return unit
 
@@ -91,7 +65,6 @@ def curves_figure(fit: Fit) -> Figure:
             draw(above, under, film, band, std)
             for axes in (above, under):
                 axes.grid(True)
-                style.lighten(axes)
             for edge in (-1.96, 0.0, 1.96):
                 under.axhline(edge, color=style.GREY, linewidth=0.8, linestyle=(0, (4, 2)) if edge else "-", zorder=1)
             far = max(2.6, 1.15 * float(np.abs(film.residuals).max()))
@@ -164,7 +137,7 @@ def time_axis(axes: Axes, times: Floats) -> None:
     if later.size > 2 and float(np.median(later)) < 0.12 * end:
         axes.set_xscale("log")
         axes.set_xlim(float(later.min()) / 1.1, end * 1.1)
-        style.plain_log(axes.xaxis, plain)
+        style.plain_log(axes.xaxis)
     else:
         room = 0.02 * (end - start)
         axes.set_xlim(min(0.0, start) - room if start < 0.2 * end else start - room, end + room)
@@ -209,7 +182,6 @@ def _draw_profile(axes: Axes, one: Profile, free: FreeParameter, error: float) -
     axes.plot(unit.of([best]), [0], "o", color=style.VERMILLION, markersize=5, label="best fit", zorder=4)
     # The range far above the threshold is not of interest.
     axes.set_ylim(min(0.0, float(one.increase.min())) - 0.1 * one.threshold, 2.2 * one.threshold)
-    style.lighten(axes)
 
 
 def smooth(one: Profile) -> tuple[Floats, Floats]:
@@ -236,6 +208,7 @@ def correlation_figure(fit: Fit) -> Figure:
             axes.set_box_aspect(1)
             if row > column:
                 _draw_region(axes, fit, column, row)
+                axes.spines[:].set_visible(True)
                 continue
             correlation = float(fit.correlation[row, column])
             text = f"{correlation:+.3f}".replace("-", "\N{MINUS SIGN}") if math.isfinite(correlation) else "–"
@@ -309,7 +282,8 @@ def starts_figure(fit: Fit) -> Figure:
                 continue
             if k == 0:
                 ends = shares
-                _number_axis(axes, float(ends.min()), float(ends.max()), logarithmic=bool(least > 0 and ends.max() > 3))
+                spread = bool(least > 0 and ends.max() > 3)
+                number_axis(axes, "x", float(ends.min()), float(ends.max()), is_log=spread)
                 axes.set_xlabel("misfit / least misfit" if least > 0 else "misfit", fontsize=8)
             else:
                 free = fit.problem.free[k - 1]
@@ -324,7 +298,6 @@ def starts_figure(fit: Fit) -> Figure:
             axes.grid(True, axis="x")
             axes.tick_params(labelleft=k % across == 0)
             axes.set_ylabel("start" if k % across == 0 else "")
-            style.lighten(axes)
         marks: dict[str, Any] = {"color": style.BLACK, "linestyle": "", "markersize": 5}
         handles = [Line2D([], [], marker=mark, label=name, **marks) for mark, name in (("|", "start"), ("o", "end"))]
         if "white" in faces:
@@ -368,7 +341,6 @@ def collapse_figure(test: CollapseTest) -> Figure:
         lowest = min(min(top) - pillar, *(float(gap.y.min()) + gap.left_y for gap in test.gaps))
         axes.set_ylim(float(ruler.of(lowest)))
         axes.legend(loc="lower right", fontsize=7.5)
-        style.lighten(axes)
     return figure
 
 
@@ -394,7 +366,6 @@ def features_figure(time: Floats, midpoint: Floats, features: Features, title: s
         for axes in (left, right):
             axes.set_xlabel(f"time [{clock.symbol}]")
             axes.grid(True)
-            style.lighten(axes)
             axes.legend(loc="lower right", fontsize=7.5, frameon=True, framealpha=0.85, edgecolor="none")
         left.set_ylabel(f"sag [{ruler.symbol}]")
     return figure
@@ -471,7 +442,6 @@ def laws_figure(found: LawComparison) -> Figure:
             axes.set_ylim(-edge, edge)
             axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))
             axes.yaxis.set_major_formatter(FuncFormatter(plain))
-            style.lighten(axes)
             time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
             above = f"criterion {row.difference:.1f} above the best" if row.difference else "least criterion"
             rms = length_unit(one.residual_std).text(one.residual_std)

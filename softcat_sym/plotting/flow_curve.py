@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import cycle
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, NullLocator, StrMethodFormatter
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
-from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, Candidate, Floats, FlowCurveFit
+from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, Candidate, FlowCurveFit
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.style import legend, number_axis
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
 
@@ -59,7 +57,8 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
             above.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
             residual = 100 * one.residuals[order]
             below.plot(rate[order], residual, color=color, linewidth=0.8, marker=marker, markersize=3.0)
-        _log(above, "y", np.concatenate([curve.shear_stress, *(one.fitted for one in fit.candidates)]))
+        stresses = np.concatenate([curve.shear_stress, *(one.fitted for one in fit.candidates)])
+        number_axis(above, "y", stresses.min(), stresses.max(), is_log=True, ticks=8)
         # Exact data leave rounding only, which is not worth a look.
         far = max(1.12 * max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates), 1e-3)
         below.set_ylim(-far, far)
@@ -67,30 +66,12 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
         above.set_ylabel("shear stress [Pa]")
         below.set_ylabel("residual [%]")
         for axes in (above, below):
-            _log(axes, "x", curve.shear_rate)
+            number_axis(axes, "x", rate.min(), rate.max(), is_log=True, ticks=8)
             axes.grid(True)
-            style.lighten(axes)
         above.tick_params(labelbottom=False)
         below.set_xlabel("shear rate [1/s]")
         legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
     return figure
-
-
-def _log(axes: Axes, which: Literal["x", "y"], values: Floats) -> None:
-    """Make an axis logarithmic, with a little room and ticks written as plain numbers."""
-    low, high = float(np.log10(values.min())), float(np.log10(values.max()))
-    room = max(0.04 * (high - low), 0.02)
-    axes.set(**{f"{which}scale": "log"})
-    axes.set(**{f"{which}lim": (10 ** (low - room), 10 ** (high + room))})
-    axis = axes.xaxis if which == "x" else axes.yaxis
-    if high - low < 0.7:
-        # Powers of ten, or 1, 2 and 5 times them, would leave one tick or none.
-        axis.set_major_locator(MaxNLocator(5))
-        axis.set_minor_locator(NullLocator())
-    else:
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high - low < 2.5 else (1.0,), numticks=12))
-    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:

@@ -109,7 +109,9 @@ def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
         room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
         axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
         axes.set_axis_off()
-        stretch = vertical_stretch(largest_sag(shapes), scene.filament.thickness, scene.filament.span)
+        stretch = vertical_stretch(
+            largest_sag(np.array([shape.section.y for shape in shapes])), scene.filament.thickness, scene.filament.span
+        )
         # Equal lengths within the room, centred; three per cent of air around.
         scale = min(room[0] / (high[0] - low[0]), room[1] / (stretch * (high[1] - low[1]))) / 1.06
         centre, half = (low + high) / 2, room / np.array([scale, scale * stretch]) / 2

@@ -10,17 +10,19 @@ import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from softcat_sym.files import json_bytes
+from softcat_sym.drawing import Report
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
-from softcat_sym.plotting import style
+from softcat_sym.plotting import phase, style
+from softcat_sym.plotting.compare import draw_strip
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
 from softcat_sym.plotting.style import legend
+from softcat_sym.reference.elements import Snapshot
 from softcat_sym.scene.scene import elastic_time, groups_of
 from softcat_sym.studies.paper_figures import (
     ALPHA,
@@ -33,7 +35,6 @@ from softcat_sym.studies.paper_figures import (
     THEORIES,
     FilmedScene,
     Panel,
-    Snapshot,
     scene_facts,
 )
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY
@@ -112,7 +113,6 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
                 axes.text(time, 1.8e-4, name, ha=side, fontsize=7.5, color=style.GREY)
             axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
             axes.grid(True)
-            style.lighten(axes)
             for axis in (axes.xaxis, axes.yaxis):
                 style.plain_log(axis)
         for axes in each[-1]:
@@ -123,8 +123,8 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
     return figure
 
 
-def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 2, by file name."""
+def maxwell_descent_report(panels: Sequence[Panel]) -> Report:
+    """Picture, data and facts of figure 2."""
     curves, facts = [], []
     for panel in panels:
         named = {"delta": panel.delta, "tau_star": panel.tau_star}
@@ -133,21 +133,11 @@ def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
             curves.append(pd.DataFrame(named | columns))
         share = {"tension_over_bending_at_t_high": panel.tension_over_bending, "outcomes": panel.outcomes}
         facts.append(named | {"t_low": panel.t_low, "t_high": panel.t_high} | share)
-    return {
-        **printed("figure2", maxwell_descent_figure(panels)),
-        "figure2.csv": pd.concat(curves).to_csv(index=False).encode(),
-        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": facts}),
-    }
+    caption = maxwell_caption(panels)
+    files = {"figure2.csv": pd.concat(curves), "figure2.json": {"caption": caption, "panels": facts}}
+    return Report({**printed("figure2", maxwell_descent_figure(panels)), **files}, [caption])
 
 
-_REGIMES = {
-    "no-yield": ("no yielding", "#f4f4f0"),
-    "arrested-underdamped": ("arrested, underdamped", "#bfe3f5"),
-    "arrested-overdamped": ("arrested, overdamped", "#a5dcc6"),
-    CLAMPS_ONLY: ("descent, fast at the clamps alone", "#fce6d6"),
-    "descending": ("continual descent", "#f4b98f"),
-}
-_NONE = ("no answer, localised", "#9a9a9a")
 _PHASE_LINES: dict[str, dict[str, Any]] = {
     "paper": {"color": style.BLACK, "linewidth": 1.4, "linestyle": (0, (5, 2))},
     "exact": {"color": style.BLUE, "linewidth": 1.3},
@@ -158,7 +148,6 @@ _NAMES = {
     "exact": "exact: sudden load (left), slow load with tension, catenary",
     "estimate": "estimates: first yield with this ramp, spring-back of 5 %",
 }
-_AXES = {"delta": "δ = h0 / L", "V": "V = η / (ρ √(g L³))", "G": "G = ρ g L / σY"}
 
 # The paper's parameters in figure 3(b): G, V.
 _PAPER = ((0.01, 26.0), (0.4, 26.0), (0.4, 0.4), (1.9, 26.0))
@@ -211,8 +200,8 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
         figure, body = _figure(4.6, phase_caption(diagram))
         for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
             _draw_phases(axes, diagram, sheet)
-        kinds = (*_REGIMES.values(), _NONE)
-        patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=name) for name, c in kinds]
+        looks = dict.fromkeys(phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.labels))
+        patches = [Patch(facecolor=look.tint, edgecolor=style.GREY, linewidth=0.4, label=look.words) for look in looks]
         lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
         legend(body, handles=patches, ncols=len(patches), handlelength=2.0, fontsize=7.2)
         legend(body, "upper left", handles=lines, ncols=len(lines), handlelength=2.0, fontsize=7.2)
@@ -220,38 +209,22 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
 
 
 def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
-    marks, groups, upwards = list(_REGIMES), groups_of(diagram.scene), sheet.plane.y.key
-    numbers = np.vectorize(lambda mark: marks.index(mark) if mark in marks else len(marks))(sheet.labels)
-    colours = ListedColormap([colour for _, colour in (*_REGIMES.values(), _NONE)])
-    edges = (_edges(sheet.x), _edges(sheet.y))
-    axes.pcolormesh(*edges, numbers.T, cmap=colours, vmin=-0.5, vmax=len(marks) + 0.5, rasterized=True)
+    groups, upwards = groups_of(diagram.scene), sheet.plane.y.key
+    phase.draw_tints(axes, sheet)
     runs = np.array([(sheet.x[point.i], sheet.y[point.j]) for point in sheet.points])
-    axes.loglog(*runs.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
+    axes.plot(*runs.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
     for line in sheet.lines:
         axes.plot(line.G, line.other, **_PHASE_LINES[line.source])
     for G, V in _PAPER:
         if upwards == "V" or np.isclose(V, groups.V or np.nan):
             other = V if upwards == "V" else groups.delta
             axes.plot(G, other, "x", color=style.BLACK, markersize=6, markeredgewidth=1.4, clip_on=False)
-    axes.set_xlim(sheet.x[0], sheet.x[-1])
-    axes.set_ylim(sheet.y[0], sheet.y[-1])
-    axes.set_xlabel(_AXES[sheet.plane.x.key])
-    axes.set_ylabel(_AXES[upwards])
-    for axis in (axes.xaxis, axes.yaxis):
-        style.plain_log(axis)
+    phase.finish(axes, sheet)
     axes.set_title(f"δ = {groups.delta:.3g}" if upwards == "V" else f"V = {groups.V:.3g}", fontsize=9)
-    style.lighten(axes)
 
 
-def _edges(values: Floats) -> Floats:
-    """Boundaries between lattice values, half a step beyond the first and the last."""
-    log = np.log(values)
-    middle = (log[1:] + log[:-1]) / 2
-    return np.asarray(np.exp(np.concatenate([[2 * log[0] - middle[0]], middle, [2 * log[-1] - middle[-1]]])))
-
-
-def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
-    """Picture, data and facts of figure 3(a), by file name."""
+def phase_report(diagram: PhaseDiagram) -> Report:
+    """Picture, data and facts of figure 3(a)."""
     runs, lines, planes = [], [], []
     for sheet in diagram.sheets:
         name = sheet.plane.name
@@ -274,12 +247,13 @@ def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
         ]  # fmt: skip
         nodes = {"runs": sheet.runs, "lattice_nodes": sheet.nodes, "nodes_never_run": sheet.saved}
         planes.append({"plane": name, **nodes, "regimes": sheet.counts, "boundary_over_formula": boundaries})
-    return {
-        **printed("figure3a", phase_figure(diagram)),
+    caption = phase_caption(diagram)
+    files = {
         "figure3a-runs.csv": table(runs),
         "figure3a-lines.csv": table(lines),
-        "figure3a.json": json_bytes({"caption": phase_caption(diagram), "planes": planes}),
+        "figure3a.json": {"caption": caption, "planes": planes},
     }
+    return Report({**printed("figure3a", phase_figure(diagram)), **files}, [caption])
 
 
 _ELEMENTS: dict[str, Any] = {"color": style.BLACK, "linewidth": 3.2, "alpha": 0.35, "solid_capstyle": "butt"}
@@ -352,7 +326,6 @@ def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
         for axes in panels.flat:
             axes.set_xlim(0, MOMENTS[-1])
             axes.grid(True)
-            style.lighten(axes)
         for axes in panels[-1]:
             axes.set_xlabel("t~ = (t/L) √(E/ρ)")
         for axes in panels[:, 0]:
@@ -394,8 +367,8 @@ def _draw_alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
     axes.yaxis.set_major_formatter("{x:.3g}")
 
 
-def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 3(b), by file name."""
+def midpoint_report(scenes: Sequence[FilmedScene]) -> Report:
+    """Picture, data and facts of figure 3(b)."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
     curves = []
     for filmed in scenes:
@@ -403,17 +376,18 @@ def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
         for name, (time, height) in named.items():
             keys = {"scene": filmed.of.name, "curve": name.replace(",", " with")}
             curves.append(pd.DataFrame(keys | {"t_tilde": time, "midpoint_over_L": height}))
-    return {
-        **printed("figure3b", midpoints_figure(scenes)),
-        "figure3b.csv": table(curves),
-        "figure3b.json": json_bytes({"caption": midpoints_caption(known), "scenes": list(known.values())}),
-    }
+    caption = midpoints_caption(known)
+    files = {"figure3b.csv": table(curves), "figure3b.json": {"caption": caption, "scenes": list(known.values())}}
+    return Report({**printed("figure3b", midpoints_figure(scenes)), **files}, [caption])
 
 
 BLACK_RATE = 4.4e-4
 """Plastic shear rate times L sqrt(rho/E) that the paper's scale shows as black; white is 0."""
 
 YIELDED = style.VERMILLION
+_MIRROR = (-1.0, 1.0)
+"""Factors that draw the half X >= 0 of the elements on the left."""
+
 _STRIPS_EDGE = 0.5
 
 
@@ -467,31 +441,6 @@ def _section_of(data: xr.Dataset, frame: int) -> Section:
     nodes, cells = data["X_node"].values, data["X_cell"].values
     angle = np.interp(nodes, [nodes[0], *cells, nodes[-1]], [0.0, *turned, 0.0])
     return replace(section, normal=np.column_stack([-np.sin(angle), np.cos(angle)]))
-
-
-def boundary(shot: Snapshot, through: int) -> Floats:
-    """Outline of the half strip of elements, along the bottom and back along the top; shape (points, 2)."""
-    columns = shot.outline.reshape(-1, through, 8, 2)
-    bottom, top = columns[:, 0, :3].reshape(-1, 2), columns[:, -1, 4:7][:, ::-1].reshape(-1, 2)
-    return np.concatenate([bottom, top[::-1], bottom[:1]])
-
-
-def draw_elements(axes: Axes, shot: Snapshot, through: int) -> PolyCollection:
-    """Draw the strip as the left half, in the grey of its plastic shear rate."""
-    mirror = np.array([-1.0, 1.0])
-    # Anti-aliasing would leave hairlines between neighbouring quarters.
-    field = PolyCollection(
-        list(mirror * shot.quarter),
-        array=shot.rate,
-        cmap="gray_r",
-        norm=Normalize(0.0, BLACK_RATE),
-        edgecolors="none",
-        antialiaseds=False,
-        rasterized=True,
-    )
-    axes.add_collection(field, autolim=False)
-    axes.plot(*(mirror * boundary(shot, through)).T, color=style.BLACK, linewidth=_STRIPS_EDGE)
-    return field
 
 
 def draw_filament(axes: Axes, strip: Strip) -> None:
@@ -573,7 +522,8 @@ def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
         panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
         for (row, column), axes in np.ndenumerate(panels):
             scene, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
-            bar = draw_elements(axes, scene.film.at(INSTANTS[instant]), scene.film.run.mesh.through)
+            shot, through = scene.film.at(INSTANTS[instant]), scene.film.run.mesh.through
+            bar = draw_strip(axes, shot, through, _MIRROR, cmap="gray_r", norm=Normalize(0.0, BLACK_RATE))
             draw_filament(axes, strip_at(scene, INSTANTS[instant]))
             axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
             _frame(axes, depths[row])
@@ -602,7 +552,6 @@ def _frame(axes: Axes, depth: tuple[float, float]) -> None:
     axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15, 0.2, 0.25) if step < depth[1]])
     axes.set_xticks([-0.5, -0.25, 0.0, 0.25, 0.5])
     axes.tick_params(labelsize=7)
-    style.lighten(axes)
 
 
 def _draw_last(part: SubFigure, filmed: FilmedScene, depth: tuple[float, float]) -> None:
@@ -630,8 +579,8 @@ def _draw_last(part: SubFigure, filmed: FilmedScene, depth: tuple[float, float])
     legend(part, handles=handles, ncols=3)
 
 
-def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
-    """Picture, data and facts of figure 4, by file name."""
+def snapshot_report(filmed: Sequence[FilmedScene]) -> Report:
+    """Picture, data and facts of figure 4."""
     scenes = {each.of.name: each for each in filmed if each.of.name in SNAPSHOTS}
     last = scenes[SNAPSHOTS[-1]]
     points, cells, facts = [], [], []
@@ -657,10 +606,11 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
     element, corner = np.indices(outline.shape[:2]).reshape(2, -1)
     x, y = outline.reshape(-1, 2).T
     corners = [pd.DataFrame({"element": element, "corner": corner, "x_over_L": x, "y_over_L": y})]
-    return {
-        **printed("figure4", snapshots_figure(filmed)),
+    caption = snapshots_caption(scenes)
+    files = {
         "figure4-elements.csv": table(points),
         "figure4-filament.csv": table(cells),
         "figure4-mesh.csv": table(corners),
-        "figure4.json": json_bytes({"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": facts}),
+        "figure4.json": {"caption": caption, "alpha": ALPHA, "snapshots": facts},
     }
+    return Report({**printed("figure4", snapshots_figure(filmed)), **files}, [caption])

@@ -13,7 +13,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from softcat_sym import drawing
-from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.terminal import text_table
@@ -76,21 +75,14 @@ def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     return figure
 
 
-def edges_of(values: Floats) -> Floats:
-    """Edges of the pixels around lattice values in equal steps of the logarithm, cut at the ends."""
-    middles = np.sqrt(values[1:] * values[:-1])
-    return np.concatenate([values[:1], middles, values[-1:]])
-
-
 def draw_tints(axes: Axes, sheet: PhaseSheet) -> None:
     """Tint every node by its mark."""
     labels = sheet.labels
     tints = list(dict.fromkeys(look_of(str(mark)).tint for mark in np.unique(labels)))
     numbers = np.vectorize(lambda mark: tints.index(look_of(str(mark)).tint))(labels)
     colours = ListedColormap(tints)
-    axes.pcolormesh(
-        edges_of(sheet.x), edges_of(sheet.y), numbers.T, cmap=colours, vmin=-0.5, vmax=len(tints) - 0.5, zorder=0
-    )
+    edges = [style.pixel_edges(values, is_log=True) for values in (sheet.x, sheet.y)]
+    axes.pcolormesh(*edges, numbers.T, cmap=colours, vmin=-0.5, vmax=len(tints) - 0.5, zorder=0)
 
 
 def finish(axes: Axes, sheet: PhaseSheet) -> None:
@@ -100,8 +92,8 @@ def finish(axes: Axes, sheet: PhaseSheet) -> None:
     axes.set_xlim(sheet.plane.x.low, sheet.plane.x.high)
     axes.set_ylim(sheet.plane.y.low, sheet.plane.y.high)
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(lambda value, _: f"{value:g}")
-        axis.set_minor_formatter(lambda *_: "")
+        style.plain_log(axis)
+    axes.spines[:].set_visible(True)
     axes.set_xlabel(AXES["G"])
     axes.set_ylabel(AXES[sheet.plane.y.key])
 

@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 from scipy.stats import gaussian_kde
 
 from softcat_sym import drawing
@@ -18,8 +17,8 @@ from softcat_sym.fitting.posterior import Posterior
 from softcat_sym.fitting.priors import Prior
 from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_figures import headed, parameter_axis, plain
-from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.fit_figures import headed, parameter_axis
+from softcat_sym.plotting.style import legend, number_axis
 from softcat_sym.plotting.units import Unit
 
 _GRID = 200
@@ -52,7 +51,8 @@ def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
         units = [_draw_one(panels[k, k], fit, one, draws[k], scaled[k]) for k, one in enumerate(priors)]
         for (row, column), axes in np.ndenumerate(panels):
             if row > column:
-                _like(axes, panels[column, column], panels[row, row])
+                for which, one in (("x", panels[column, column]), ("y", panels[row, row])):
+                    number_axis(axes, which, *one.get_xlim(), is_log=one.get_xscale() == "log", room=0.0)
                 pair = (column, row)
                 _draw_pair(axes, fit, [priors[k] for k in pair], [scaled[k] for k in pair], [units[k] for k in pair])
             elif row < column:
@@ -105,7 +105,6 @@ def _draw_one(axes: Axes, fit: Fit, prior: Prior, values: Floats, scaled: Floats
             unit.of(ends), [0.02 * top] * 2, color=style.VERMILLION, linewidth=4, alpha=0.5, solid_capstyle="butt"
         )
     axes.set(ylim=(0.0, top), yticks=[])
-    style.lighten(axes)
     axes.spines["left"].set_visible(False)
     return unit
 
@@ -113,18 +112,6 @@ def _draw_one(axes: Axes, fit: Fit, prior: Prior, values: Floats, scaled: Floats
 def _is_near(end: float, values: Floats) -> bool:
     low, high = np.quantile(values, [0.001, 0.999])
     return bool(low - (high - low) < end < high + (high - low))
-
-
-def _like(axes: Axes, across: Axes, up: Axes) -> None:
-    """Take over the horizontal axes of two panels."""
-    for axis, other in ((axes.xaxis, across), (axes.yaxis, up)):
-        logarithmic = other.get_xscale() == "log"
-        name = axis.axis_name
-        axes.set(**{f"{name}scale": other.get_xscale(), f"{name}lim": other.get_xlim()})
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=5) if logarithmic else MaxNLocator(3))
-        axis.set_minor_locator(NullLocator())
-        axis.set_minor_formatter(NullFormatter())
-        axis.set_major_formatter(FuncFormatter(plain))
 
 
 def _draw_pair(axes: Axes, fit: Fit, pair: list[Prior], scaled: list[Floats], units: list[Unit]) -> None:
@@ -152,4 +139,3 @@ def _draw_pair(axes: Axes, fit: Fit, pair: list[Prior], scaled: list[Floats], un
         axes.contour(x, y, density, levels=levels, colors=style.BLUE, linewidths=(0.8, 1.2))
     best = [unit.of(fit.parameters[one.free.name].best) for one, unit in zip(pair, units, strict=True)]
     axes.plot(*best, "o", color=style.VERMILLION, markersize=4)
-    style.lighten(axes)

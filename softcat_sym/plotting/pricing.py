@@ -80,7 +80,6 @@ def pricing_figure(pricing: Pricing) -> Figure:
             axes.margins(x=0.12)
             axes.grid(True)
             axes.tick_params(axis="x", labelsize=7)
-            style.lighten(axes)
         for axes in panels[1:]:
             axes.axvline(1.0, color=style.GREY, linewidth=0.5, zorder=1)
             plain_log(axes.xaxis, "× {:g}".format)

@@ -15,7 +15,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normalize
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.image import PcolorImage
 from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
@@ -121,39 +121,23 @@ class Sheet:
         right: float = 0.2,
         above: float = 0.3,
         between: tuple[float, float] = (0.15, 0.25),
-    ) -> tuple[Figure, list[Axes]]:
+    ) -> tuple[Figure, SubFigure, list[Axes]]:
         """A figure with axes of the given heights below each other, or as many side by side; all in inches.
 
-        Their margins are fixed, and the places of labels in them: units are chosen so that numbers beside the axes are
-        short. `above` them a legend has its place.
+        Their margins are fixed, since units are chosen so that numbers beside the axes are short: constrained layout
+        would take half as long again as the drawing. `above` the axes a legend has its place.
         """
         left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
-        beside, beneath = (0.56, 0.25) if self.on_screen else (0.46, 0.22)
-        top = above + (style.HEADING if self.on_screen else 0.05)
         across, down = between
-        tall = below + sum(heights) + down * (len(heights) - 1) + top
-        figure = style.new_figure(WIDTHS[self.style], tall)
-        width = (WIDTHS[self.style] - left - right - across * (columns - 1)) / columns
-        axes, floor = [], tall - top
-        for height in heights:
-            floor -= height
-            places = [left + k * (width + across) for k in range(columns)]
-            axes += [style.axes_in_inches(figure, place, floor, width, height) for place in places]
-            for made in axes[-columns:]:
-                made.yaxis.set_label_coords(-beside / width, 0.5)
-                made.xaxis.set_label_coords(0.5, -beneath / height)
-            floor -= down
-        if self.on_screen:
-            style.head(figure, what, self.summary, self.scene, 0.2)
-        else:
-            style.stamp(figure, self.summary)
-        return figure, axes
-
-    def legend(self, figure: Figure, **settings: Any) -> None:
-        """A legend above the axes."""
-        tall = figure.get_size_inches()[1]
-        anchor = (0.5, 1 - (style.HEADING if self.on_screen else 0.03) / tall)
-        figure.legend(loc="upper center", bbox_to_anchor=anchor, borderaxespad=0.0, **settings)
+        width, tall = WIDTHS[self.style], below + sum(heights) + down * (len(heights) - 1) + above
+        what = what if self.on_screen else ""
+        figure, body = style.headed(self.scene, what, self.summary, height=tall, width=width, is_constrained=False)
+        gridspec = {"left": left / width, "right": 1 - right / width, "bottom": below / tall, "top": 1 - above / tall}
+        gridspec["hspace"] = down * len(heights) / sum(heights)
+        gridspec["wspace"] = across * columns / (width - left - right - across * (columns - 1))
+        panels = body.subplots(len(heights), columns, squeeze=False, height_ratios=heights, gridspec_kw=gridspec)
+        body.align_ylabels(panels[:, 0])
+        return figure, body, list(panels.flat)
 
     def time_axis(self, axes: Axes) -> None:
         """Limits that are never empty, few round numbers, and the label."""
@@ -162,7 +146,6 @@ class Sheet:
         axes.set_xlabel(f"time [{self.clock.symbol}]")
         axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 5, steps=_STEPS))
         axes.grid(self.on_screen)
-        style.lighten(axes)
 
 
 def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
@@ -174,7 +157,7 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
     time, shown = sheet.clock.of(sheet.time), ruler.of(height)
     with styled_for(name):
         tall, above = (3.0, 0.75) if sheet.on_screen else (1.6, 0.25)
-        figure, (axes,) = sheet.figure(
+        figure, body, (axes,) = sheet.figure(
             "midpoint against time", [tall], right=0.8 if sheet.on_screen else 0.2, above=above
         )
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
@@ -194,7 +177,7 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
             if not refused(sheet.summary):
                 text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
                 axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
-        sheet.legend(figure, ncols=2)
+        body.legend(loc="upper center", borderaxespad=0.0, ncols=2)
     return figure
 
 
@@ -204,8 +187,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     share = share_unit(largest / span)
     right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
-    box, inch = axes.get_window_extent(), axes.figure.dpi
-    right.yaxis.set_label_coords(1 + 0.63 * inch / box.width, 0.5, axes.transAxes)
+    right.spines["right"].set_visible(True)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
         unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
@@ -216,8 +198,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
     top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
+    top.spines["top"].set_visible(True)
     top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
-    top.xaxis.set_label_coords(0.5, 1 + 0.25 * inch / box.height, axes.transAxes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,9 +239,8 @@ def yielded_label(data: Fields, scene: Scene) -> str:
     return f"yielded: stress > {stress_unit(limit).text(limit)}{faster}"
 
 
-def largest_sag(shapes: Sequence[Shape]) -> float:
-    """Largest departure of a centreline from the straight line between its ends [m]."""
-    y = np.array([shape.section.y for shape in shapes])
+def largest_sag(y: Floats) -> float:
+    """Largest departure of centrelines (shape, node) from the straight lines between their ends [m]."""
     return float(np.abs(y - np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)).max())
 
 
@@ -284,11 +265,13 @@ def shapes_figure(
     if "quaternion" in names:
         with styled_for(name):
             whole = {str(one): data[one] for one in names}
-            return _spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
+            return _spatial_shapes(Sheet.of(whole, summary, scene, name), style.drawn_radius(radius))
     data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
-    stretch = vertical_stretch(largest_sag(shapes), thickness, scene.filament.span)
+    stretch = vertical_stretch(
+        largest_sag(np.array([shape.section.y for shape in shapes])), thickness, scene.filament.span
+    )
     corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
     low, high = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
     margin = 0.25 * thickness
@@ -309,7 +292,7 @@ def shapes_figure(
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
         drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
-        figure, panels = sheet.figure(
+        figure, body, panels = sheet.figure(
             f"shapes with their {drawn}", heights.tolist(), columns=columns, above=0.28 + 0.15 * lines,
             right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
         )  # fmt: skip
@@ -333,15 +316,14 @@ def shapes_figure(
                 axes.tick_params(labelleft=False)
         scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
         scaled += "" if radius == 1 or sheet.on_screen else f" ({drawn})"
-        figure.supxlabel(
-            f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.04 / figure.get_figheight(), va="bottom"
-        )
-        figure.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.04 / figure.get_figwidth(), ha="left")
+        body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.01, va="bottom")
+        body.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.01, ha="left")
         label, colour = f"law “{style.printable(str(scene.material.law))}”: no yield stress", "white"
         if scene.material.yield_stress is not None:
             label, colour = yielded_label(sheet.data, scene), style.VERMILLION
         if scene.material.yield_stress is not None or sheet.on_screen:
-            sheet.legend(figure, handles=[Patch(facecolor=colour, label=label)], fontsize=max(7.0, size - 0.5))
+            patches, small = [Patch(facecolor=colour, label=label)], max(7.0, size - 0.5)
+            body.legend(handles=patches, loc="upper center", borderaxespad=0.0, fontsize=small)
     return figure
 
 
@@ -349,7 +331,7 @@ _PANELS, _PANEL = 4, 2.9
 """Shapes at most, and the height of each [inch]."""
 
 
-def _spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
+def _spatial_shapes(sheet: Sheet, radius: float) -> Figure:
     """Draw the filament in space at a few telling times, lengths equal along all axes.
 
     The stripe marks one side of the section: where it winds round, the filament is twisted.
@@ -361,21 +343,17 @@ def _spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
     ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
     columns = min(len(frames), 2)
     rows = -(-len(frames) // columns)
-    tall = _PANEL * rows + (style.HEADING if sheet.on_screen else 0.1)
-    figure = style.new_figure(width, tall)
+    drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
+    what = f"shapes with their {drawn}; the stripe is one side" if sheet.on_screen else ""
+    width, tall = WIDTHS[sheet.style], _PANEL * rows
+    figure, body = style.headed(sheet.scene, what, sheet.summary, height=tall, width=width, is_constrained=False)
     for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
         row, column = divmod(number, columns)
-        height = _PANEL / tall
-        place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
-        axes: Axes3D = figure.add_axes(place, projection="3d")
+        place = (column / columns, (rows - 1 - row) / rows, 1 / columns, 0.93 / rows)
+        axes: Axes3D = body.add_axes(place, projection="3d")
         draw_tube(axes, ruler.of(shape))
         frame_tube(axes, ruler.of(low), ruler.of(high), ruler.symbol)
         axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
-    if sheet.on_screen:
-        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
-        style.head(figure, f"shapes with their {drawn}; the stripe is one side", sheet.summary, sheet.scene, 0.2)
-    else:
-        style.stamp(figure, sheet.summary)
     return figure
 
 
@@ -392,7 +370,6 @@ def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     axes.add_collection(quads, autolim=False)
     axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
-    style.lighten(axes)
 
 
 # Of the columns of the audit in their order. Line styles too: colour alone is not enough.
@@ -412,7 +389,7 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
     columns = [(term, look) for term, look in zip(audit_of(sheet.data), cycle(looks)) if np.any(sheet.data[term])]
     with styled_for(name):
         heights, above = ([2.4, 0.8], 0.15 * (1 + -(-len(columns) // across))) if sheet.on_screen else ([1.6], 0.55)
-        figure, panels = sheet.figure(
+        figure, body, panels = sheet.figure(
             "energy budget of the whole filament", heights, above=above, between=(0.15, 0.3), right=0.2
         )
         for term, (colour, line) in columns:
@@ -437,7 +414,7 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
         panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
         if columns:
-            sheet.legend(figure, ncols=across, handlelength=2.0, columnspacing=1.1)
+            body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
     return figure
 
 
@@ -503,7 +480,7 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
     with styled_for(name):
         heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
         columns, right = (2, 0.85) if name == "page" else (1, 0.95 if sheet.on_screen else 0.8)
-        figure, panels = sheet.figure(
+        figure, _, panels = sheet.figure(
             "along the filament against time", heights, columns=columns, right=right, above=0.22, between=(1.1, 0.3)
         )
         for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
@@ -527,6 +504,7 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
     # As an image, for which a colour is looked up once a pixel; a mesh of as many quads takes several times as long.
     image = PcolorImage(axes, edges, places, shown.values[::every].T, norm=shown.norm, cmap=shown.colours)
     axes.add_image(image)
+    axes.spines[:].set_visible(True)
     axes.set_xlim(float(times[0]), float(times[-1]) if times[-1] > times[0] else None)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100
@@ -537,8 +515,6 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
         axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
         axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
-    # Close, for there may be another map on the left.
-    axes.yaxis.set_label_coords(-0.38 * axes.figure.dpi / axes.get_window_extent().width, 0.5)
     axes.set_xlabel(f"time [{clock.symbol}]")
     axes.set_yticks((-0.5, 0.0, 0.5))
     beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))

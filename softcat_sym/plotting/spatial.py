@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Bbox
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym.plotting import style
-from softcat_sym.plotting.pictures import Pictures
 from softcat_sym.plotting.section import Floats, array
 from softcat_sym.plotting.style import Fields
-from softcat_sym.plotting.units import length_unit, time_unit
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from softcat_sym.plotting.units import Summary
     from softcat_sym.scene.scene import Scene
 
 _ROUND = 16
@@ -61,10 +55,6 @@ def tube(data: Fields, scene: Scene, frame: int, radius: float) -> Floats:
     return turned
 
 
-_WIDE, _TALL = 12.8, 8.0
-"""Of a film [inch]."""
-
-
 def frame_tube(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     """Room for all shapes, to one scale."""
     middle, half = (low + high) / 2, np.maximum((high - low) / 2, 0.12 * float((high - low).max()))
@@ -84,58 +74,6 @@ def frame_tube(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     centre, reach = (room.p0 + room.p1) / 2, (room.p1 - room.p0) / 2
     share = reach / np.maximum(np.abs(drawn.p0 - centre), np.abs(drawn.p1 - centre))
     axes.set_box_aspect(half, zoom=min(1.5, 0.98 * float(share.min())))
-
-
-class SpatialAnimation(Pictures):
-    """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
-
-    def __init__(
-        self, data: Fields, summary: Summary, scene: Scene, times: Floats, note: str, width: int = 1280
-    ) -> None:
-        time = array(data, "time")
-        self.times, self.note = times, note
-        nearest = np.abs(time[:, None] - times).argmin(axis=0)
-        tubes = {frame: tube(data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
-        corners = np.concatenate([one.reshape(-1, 3) for one in tubes.values()])
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
-        self._clock = time_unit(float(np.abs(times).max()))
-        self._shapes = [ruler.of(tubes[frame]) for frame in nearest.tolist()]
-        self._shown = [(float(time[frame]), float(array(data, "midpoint")[frame])) for frame in nearest.tolist()]
-        self._ruler = ruler
-        with style.styled():
-            self.figure: Figure = style.new_figure(_WIDE, _TALL)
-            self.figure.set_dpi(width / _WIDE)
-            self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
-            frame_tube(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
-            title = style.printable(scene.title, 70) or "Filament"
-            self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
-            self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
-            self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
-            below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
-            style.lighten(below)
-            below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
-            below.set_xlabel(f"time [{self._clock.symbol}]")
-            below.set_ylabel(f"midpoint [{ruler.symbol}]")
-            (self._dot,) = below.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
-            style.stamp(self.figure, summary)
-        self._body: Poly3DCollection | None = None
-
-    def __len__(self) -> int:
-        return len(self._shapes)
-
-    def picture(self, number: int) -> NDArray[np.uint8]:
-        """Draw one moment, shape (height, width, 3)."""
-        canvas: Any = self.figure.canvas
-        with style.styled():
-            if self._body is not None:
-                self._body.remove()
-            self._body = draw_tube(self.axes, self._shapes[number])
-            time, height = self._shown[number]
-            self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
-            self._now.set_text(f"t = {self._clock.text(time)}")
-            canvas.draw()
-        return self.pixels()
 
 
 def draw_tube(axes: Axes3D, rings: Floats) -> Poly3DCollection:

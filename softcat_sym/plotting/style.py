@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cache
@@ -17,7 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.font_manager import findfont, get_font
 from matplotlib.legend import Legend
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 from matplotlib.transforms import Bbox, ScaledTranslation
 from numpy.typing import ArrayLike, NDArray
 
@@ -91,6 +93,9 @@ RC: Final[dict[str, Any]] = {
     # Mathtext would load a parser, a sixth of a second, for the sake of one power of ten.
     "axes.formatter.use_mathtext": False,
     "axes.xmargin": 0.0,
+    # Only the spines that carry an axis; a picture that fills its axes is framed.
+    "axes.spines.top": False,
+    "axes.spines.right": False,
     "xtick.labelsize": 8.0,
     "ytick.labelsize": 8.0,
     "xtick.color": GREY,
@@ -123,12 +128,6 @@ def styled() -> AbstractContextManager[None]:
     # Matplotlib's versions disagree on the type of the keys, not on the keys.
     settings: Any = RC
     return rc_context(settings)
-
-
-def lighten(axes: Axes, twin: bool = False) -> None:
-    """Take away the spines that carry no axis."""
-    axes.spines["top"].set_visible(twin)
-    axes.spines["right"].set_visible(twin)
 
 
 def printable(text: str, longest: int = 78) -> str:
@@ -218,32 +217,27 @@ def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, hei
     return figure.add_axes((left / full_width, bottom / full_height, width / full_width, height / full_height))
 
 
-def head(figure: Figure, what: str, summary: Summary, scene: Scene, left: float) -> None:
-    """Write the scene's title, what is shown and how the run ended along the top; stamp what is refused."""
-    width, height = figure.get_size_inches()
-    ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
-    below = " · ".join([what, *ending])
-    title = printable(scene.title) or "Filament"
-    # parse_math off: a dollar sign in a user's title is a dollar sign.
-    place = left / width
-    figure.text(place, 1 - 0.12 / height, title, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-    figure.text(place, 1 - 0.33 / height, printable(below, 110), va="top", fontsize=8.5, color=GREY, parse_math=False)
-    stamp(figure, summary)
-
-
 def sheet(
-    title: str, below: str = "", *, height: float, notes: str = "", width: float = WIDTH, columns: int = 118
+    title: str,
+    below: str = "",
+    *,
+    height: float,
+    notes: str = "",
+    width: float = WIDTH,
+    columns: int = 118,
+    is_constrained: bool = True,
 ) -> tuple[Figure, SubFigure]:
     """A figure with a title and what is shown along its top and notes along its bottom, and the part in between.
 
     Matplotlib's constrained layout places axes and legends in that part, which is `height` [inch] high.
     """
     text = "\n".join(fill(line, columns) for line in notes.splitlines())
-    top = HEADING if below else _TITLE + 0.05
+    top = HEADING if below else _TITLE + 0.05 if title else 0.05
     foot = 0.2 + 0.145 * text.count("\n") if text else 0.0
     tall = top + height + foot
     figure = new_figure(width, tall)
-    figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
+    if is_constrained:
+        figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
     ratios = [top, height, *([foot] if foot else [])]
     parts: Any = figure.subfigures(len(ratios), 1, height_ratios=ratios)
     body: SubFigure = parts[1]
@@ -260,13 +254,14 @@ def sheet(
     return figure, body
 
 
-def headed(
-    scene: Scene, what: str, summary: Summary, *, height: float, notes: str = "", columns: int = 118
-) -> tuple[Figure, SubFigure]:
-    """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused."""
+def headed(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
+    """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused.
+
+    Without `what` there is no heading, as in print.
+    """
     ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
-    below = " · ".join([what, *ending])
-    figure, body = sheet(scene.title or "Filament", below, height=height, notes=notes, columns=columns)
+    title, below = (scene.title or "Filament", " · ".join([what, *ending])) if what else ("", "")
+    figure, body = sheet(title, below, **layout)
     stamp(figure, summary)
     return figure, body
 
@@ -284,12 +279,47 @@ def secondary_scale(factor: float) -> tuple[Callable[[ArrayLike], ArrayLike], Ca
     return lambda values: np.asarray(values) * factor, lambda values: np.asarray(values) / factor
 
 
-def plain_log(axis: Axis, text: Callable[[float], str] = "{:g}".format, subs: Sequence[float] | None = None) -> None:
+def plain(value: float, place: object = None) -> str:
+    """Write a tick's number with at most six digits, a true minus sign and a short exponent."""
+    del place
+    text = re.sub(r"e([+-])0*", lambda match: "e" + match[1].strip("+"), f"{value:.6g}")
+    return text.replace("-", "\N{MINUS SIGN}")
+
+
+def plain_log(axis: Axis, text: Callable[[float], str] = plain, subs: Sequence[float] | None = None) -> None:
     """Write the ticks of a logarithmic axis as plain numbers; Matplotlib's formulas need fonts that not all have."""
     if subs is not None:
         axis.set_major_locator(LogLocator(subs=subs, numticks=12))
     axis.set_major_formatter(FuncFormatter(lambda value, _: text(value)))
     axis.set_minor_formatter(NullFormatter())
+
+
+def number_axis(
+    axes: Axes, which: str, low: float, high: float, *, is_log: bool, ticks: int = 4, room: float = 0.05
+) -> None:
+    """Limits of the x or y axis with a little room, and a few ticks of plain numbers."""
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    decades = math.log10(high / low) if is_log else 0.0
+    if is_log:
+        factor = 10 ** max(room * decades, 0.4 * room)
+        limits = low / factor, high * factor
+    else:
+        margin = room * ((high - low) or abs(high) or 1 / room) if room else 0.0
+        limits = low - margin, high + margin
+    axes.set(**{f"{which}scale": "log" if is_log else "linear", f"{which}lim": limits})
+    # Of less than 0.7 decades powers of ten, or 1, 2 and 5 times them, would leave one tick or none.
+    subs = (1.0, 2.0, 5.0) if decades < 1.5 else (1.0, 3.0) if decades < 2.5 else (1.0,)
+    axis.set_major_locator(LogLocator(subs=subs, numticks=ticks + 1) if decades > 0.7 else MaxNLocator(ticks))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(FuncFormatter(plain))
+
+
+def pixel_edges(values: NDArray[np.float64], *, is_log: bool) -> NDArray[np.float64]:
+    """Edges of the pixels around values, half a step beyond the first and the last."""
+    at = np.log(values) if is_log else values
+    middles = (at[1:] + at[:-1]) / 2
+    edges = np.concatenate([[2 * at[0] - middles[0]], middles, [2 * at[-1] - middles[-1]]])
+    return np.asarray(np.exp(edges) if is_log else edges)
 
 
 _PACKING: Final = {"compress_level": 2}

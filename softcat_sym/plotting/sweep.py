@@ -170,7 +170,6 @@ class _Members:
             axes.scatter(x[there], y[there], s=size, marker=marker, c=colour, zorder=3, **edge)
         axes.margins(0.04)
         axes.grid(True)
-        style.lighten(axes)
 
     def legend(self, body: Any, *, hollow: bool = False) -> None:
         """Regimes with their members, in colour or hollow, then what is no answer."""
@@ -237,13 +236,14 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
     sag = np.full((len(y), len(x)), np.nan)
     marks = np.full(sag.shape, "", dtype="<U64")
     sag[places], marks[places] = data.sag_over_span.values, members.regimes
-    edges = (_edges(x, log=across.is_log), _edges(y, log=upwards.is_log))
+    edges = (style.pixel_edges(x, is_log=across.is_log), style.pixel_edges(y, is_log=upwards.is_log))
     known = sag[np.isfinite(sag)]
     spreads = len(known) and np.min(known) > 0 and np.max(known) > _LOG_SAG * np.min(known)
     with style.styled():
         figure, body = style.sheet(title, height=5.0)
         axes = body.subplots()
         axes.set_facecolor("#e6e6e6")
+        axes.spines[:].set_visible(True)
         norm = LogNorm() if spreads else Normalize()
         picture = axes.pcolormesh(
             *edges, np.ma.masked_invalid(sag), cmap="cividis", norm=norm, rasterized=True, zorder=1
@@ -258,14 +258,6 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
             _plain(scale.ax.yaxis, sag)
         members.legend(body, hollow=True)
     return figure
-
-
-def _edges(values: Floats, *, log: bool) -> Floats:
-    """Edges of the pixels around values, half a step beyond the first and the last."""
-    at = np.log(values) if log else values
-    middles = (at[1:] + at[:-1]) / 2
-    edges = np.concatenate([[2 * at[0] - middles[0]], middles, [2 * at[-1] - middles[-1]]])
-    return np.asarray(np.exp(edges) if log else edges)
 
 
 def _draw_boundaries(axes: Axes, edges: tuple[Floats, Floats], marks: npt.NDArray[np.str_]) -> None:

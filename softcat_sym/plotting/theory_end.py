@@ -61,7 +61,6 @@ def theory_end_figure(end: TheoryEnd) -> Figure:
             axes.grid(True)
             own = end.scene.run.effects == "auto" or name != "filament"
             axes.set_title(_TITLES[name] if own else "the scene's own effects", fontsize=9.0, loc="left")
-            style.lighten(axes)
         first, last = end.measured[0].value, end.measured[-1].value
         panels[0].set_ylim(-extent, extent)
         if not end.limits and first > 0 and last / first >= _LOGARITHMIC:

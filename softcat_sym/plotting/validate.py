@@ -142,7 +142,6 @@ def case_figure(result: Result) -> Figure:
         axes.margins(x=0.03, y=0.06)
         _scale(axes, is_log_x=picture.is_log_x, is_log_y=picture.is_log_y)
         axes.grid(True)
-        style.lighten(axes)
         if not many:
             legend(body, "lower center", ncols=2)
     return figure
@@ -188,7 +187,6 @@ def validation_figure(validation: Validation) -> Figure:
         axes.tick_params(axis="y", length=0)
         axes.set_xlabel("difference [%]")
         axes.grid(True, axis="x")
-        style.lighten(axes)
     return figure
 
 

@@ -31,6 +31,7 @@ from softcat_sym.reference.element_loop import (
     largest_frequency,
     problem_of,
     read_checkpoint,
+    shape_values,
     write_checkpoint,
 )
 from softcat_sym.reference.material_point import MaterialPoint, point_code
@@ -187,6 +188,42 @@ def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
             law.step(deformation[place], 0.0)
             stress[place] = modulus * law.cauchy
         yield ElementField(float(at), displacement, math.sqrt(3) * rate, stress)
+
+
+# Corners and middles of an element's sides in the order of its outline, in lattice coordinates of element.NODES.
+_OUTLINE = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The half strip X >= 0 at one instant; lengths over the span, times in units of the caller."""
+
+    time: float
+    outline: Floats  # shape (elements, 8, 2); Corners and middles of the sides of each element, in order around it
+    quarter: Floats  # shape (4 elements, 4, 2); Corners of the quarter of an element around each Gauss point
+    place: Floats  # shape (4 elements, 2); Positions of the Gauss points
+    rate: (
+        Floats  # shape (4 elements,); Plastic shear rate at the Gauss points, sqrt(3) times the equivalent tensile one
+    )
+
+
+def snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
+    """The strip with these displacements of its nodes and rates at its Gauss points."""
+    corners = (strip.position + displacement)[strip.corner]
+
+    def placed(local: Floats) -> Floats:
+        """Positions of points of the parent square, shape (elements, points, 2)."""
+        return np.asarray(np.einsum("pa,eai->epi", shape_values(local), corners))
+
+    # The quarter of the parent square in the direction of each point, around it.
+    quarters = np.array([[[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]] for x, y in np.sign(POINTS)])
+    return Snapshot(
+        time=instant,
+        outline=placed(np.array(_OUTLINE, dtype=np.float64)),
+        quarter=placed(quarters.reshape(-1, 2)).reshape(-1, 4, 2),
+        place=placed(POINTS).reshape(-1, 2),
+        rate=np.sqrt(3) * rate.ravel(),
+    )
 
 
 # Step over the largest stable one, 2/omega: the rest is for stiffening until the step is chosen anew.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -23,7 +23,7 @@ from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
-from softcat_sym.results.breaking import Break, break_frame
+from softcat_sym.results.breaking import break_frame
 from softcat_sym.results.fields import (
     COORDINATES,
     displacements,
@@ -53,7 +53,7 @@ from softcat_sym.results.motion import (
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
-from softcat_sym.results.sideways import Sideways, seeded, sideways
+from softcat_sym.results.sideways import seeded, sideways
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
@@ -183,73 +183,19 @@ class Run(drawing.Drawable):
         )
         return "\n  ".join(lines)
 
-    def repeated(self, repeats: list[str]) -> Run:
-        """The same run as the last of several: each text says what the run before had overlooked."""
-        warnings = [*self.summary["warnings"]]
-        if len(repeats) > 1:
-            warnings.append(f"repeated {len(repeats)} times: an estimate is wrong for this scene, please report it")
-        message = "; ".join(f"{name}: {how}" for name, how in self.missing_effect.items())
-        outcome = Outcome.missing_effect if message else None
-        return self._judged_anew({"repeats": repeats, "warnings": warnings}, outcome, message)
+    def revised(
+        self, changes: Mapping[str, Any], outcome: Outcome | None = None, message: str = "", scene: Scene | None = None
+    ) -> Run:
+        """The same run with other entries in its summary, as the answer to `scene`.
 
-    def estimated(self, errors: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Run:
-        """The same run with what its companions tell about its error.
-
-        Parameters
-        ----------
-        errors : mapping
-            ``error_estimate``, ``next_digit``, ``resolution``, ``refinements`` and ``wall_s`` of the summary.
-        warnings : sequence of str
-            What could not be estimated, and what the user fixed that misses the accuracy.
-        missed : str
-            By how much the accuracy was missed although everything was tried; empty if it was not.
+        With an outcome a sound run is refused, or qualified, for the reason in the message; it then has no regime.
         """
-        changed = {**errors, "warnings": [*self.summary["warnings"], *warnings]}
-        return self._judged_anew(changed, Outcome.inaccurate if missed else None, missed)
-
-    def _judged_anew(self, changed: dict[str, Any], outcome: Outcome | None, message: str) -> Run:
-        """The same run, which is refused for another reason if it was sound; what is refused has no regime."""
-        if outcome is None or not self.outcome.is_success:
-            return replace(self, summary=self.summary | changed)
-        changed |= {"outcome": outcome.name, "advice": outcome.value, "message": message, "regime": None}
-        return replace(self, summary=self.summary | changed, outcome=outcome)
-
-    def left_its_plane(self, planar: Sideways) -> Run:
-        """The same run as what took the place of a planar one that is unstable."""
-        changed = {"sideways": asdict(planar), "dimensions_reason": f"in its plane it is {planar.found}"}
-        return replace(
-            self, summary=self.summary | changed | {"warnings": [*self.summary["warnings"], planar.followed]}
-        )
-
-    def settled(self, scene: Scene, time: float | None) -> Run:
-        """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
-        return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
-
-    def broken(self, scene: Scene, end: Break, load: float) -> Run:
-        """The same run as the answer to a scene that says what its material bears: at the end that is its load."""
-        changed = {"broken": asdict(end), "midpoint_settled_m": None, "midpoint_settled_why": "it breaks"}
-        outcome, message = Outcome.broken, end.text
-        if abs(load - 1) > scene.run.accuracy:
-            outcome, message = Outcome.inaccurate, f"{end.text}, but bears {load:.3g} of its limit then"
-        return replace(self._judged_anew(changed, outcome, message), scene=scene)
-
-    def descended(self, scene: Scene) -> Run:
-        """The same run as the answer to a scene whose filament falls for ever: up to when, how far and how fast."""
-        time, midpoint = self.fields["time"], self.fields["midpoint"]
-        rate = float(np.gradient(midpoint, time, edge_order=2)[-1])
-        end = {"time_s": float(time[-1]), "midpoint_m": float(midpoint[-1]), "rate_m_per_s": rate}
-        message = (
-            f"it falls for ever: the run ends after {time[-1]:.4g} s, with the midpoint at {midpoint[-1]:.4g} m, "
-            f"moving at {rate:.4g} m/s"
-        )
-        changed = {"descends": end, "midpoint_settled_m": None, "midpoint_settled_why": "it falls for ever"}
-        sound = replace(self, scene=scene, outcome=Outcome.solved)
-        return sound._judged_anew(changed, Outcome.descends, message)
-
-    def interrupted(self, scene: Scene) -> Run:
-        """The same run as what there was of the answer to a scene when the user, or a limit, stopped it."""
-        message = "it was interrupted before its error was known"
-        return replace(self._judged_anew({}, Outcome.interrupted, message), scene=scene)
+        changed = dict(changes)
+        if outcome is not None and self.outcome.is_success:
+            changed |= {"outcome": outcome.name, "advice": outcome.value, "message": message, "regime": None}
+        else:
+            outcome = self.outcome
+        return replace(self, scene=scene or self.scene, summary=self.summary | changed, outcome=outcome)
 
     def plot(self, what: str = "midpoint", radius: float = 1.0) -> Figure:
         """Draw one picture of the run.

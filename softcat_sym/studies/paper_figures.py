@@ -20,7 +20,6 @@ from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
 from softcat_sym.reference.element_loop import (
-    POINTS,
     Clamp,
     ElementLoop,
     Mesh,
@@ -31,10 +30,9 @@ from softcat_sym.reference.element_loop import (
     half_span_supports,
     problem_of,
     read_checkpoint,
-    shape_values,
     write_checkpoint,
 )
-from softcat_sym.reference.elements import ElementRun, March, run_of
+from softcat_sym.reference.elements import ElementRun, March, Snapshot, run_of, snapshot
 from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
@@ -47,22 +45,6 @@ if TYPE_CHECKING:
 
 # Seconds between two checkpoints: the longest computation that a kill can lose.
 _EVERY = 30.0
-
-# Corners and middles of an element's sides in the order of its outline, in lattice coordinates of element.NODES.
-_OUTLINE = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
-
-
-@dataclass(frozen=True)
-class Snapshot:
-    """The half strip X >= 0 at one instant; lengths over the span."""
-
-    time: float  # t~ = (t/L) sqrt(E/rho)
-    outline: Floats  # shape (elements, 8, 2); Corners and middles of the sides of each element, in order around it
-    quarter: Floats  # shape (4 elements, 4, 2); Corners of the quarter of an element around each Gauss point
-    place: Floats  # shape (4 elements, 2); Positions of the Gauss points
-    # shape (4 elements,); Plastic shear rate at the Gauss points times L sqrt(rho/E): sqrt(3) times the equivalent
-    # tensile rate.
-    rate: Floats
 
 
 @dataclass(frozen=True)
@@ -96,7 +78,7 @@ def film_elements(
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
     run = run_of(scene, strip, Clamp.THINNING, camera.march.records, dofs=dofs, wall=wall)
     times = np.linspace(0.0, problem.duration, problem.frames)[frames]
-    shots = (_snapshot(strip, *shot) for shot in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
+    shots = (snapshot(strip, *shot) for shot in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
     return ElementFilm(run, strip.points.reshape(-1, 2), tuple(shots))
 
 
@@ -136,24 +118,6 @@ class _Camera:
         reached = np.isfinite(self.march.records.arrays["steps"][self._frames])
         for shot in np.flatnonzero(reached & np.isnan(self.rate[:, 0, 0])):
             self.displacement[shot], self.rate[shot] = self._loop.displacement, self._loop.rate
-
-
-def _snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
-    corners = (strip.position + displacement)[strip.corner]
-
-    def placed(local: Floats) -> Floats:
-        """Positions of points of the parent square, shape (elements, points, 2)."""
-        return np.asarray(np.einsum("pa,eai->epi", shape_values(local), corners))
-
-    # The quarter of the parent square in the direction of each point, around it.
-    quarters = np.array([[[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]] for x, y in np.sign(POINTS)])
-    return Snapshot(
-        time=instant,
-        outline=placed(np.array(_OUTLINE, dtype=np.float64)),
-        quarter=placed(quarters.reshape(-1, 2)).reshape(-1, 4, 2),
-        place=placed(POINTS).reshape(-1, 2),
-        rate=np.sqrt(3) * rate.ravel(),
-    )
 
 
 ALPHA = 46.0

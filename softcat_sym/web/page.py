@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.files import write_all
+from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.web.description import describe_page
 from softcat_sym.web.module import wasm_compiler, wasm_module
@@ -75,7 +75,7 @@ def live_page(
         raise SoftcatError(f"name {name!r}: take that of a file, without folders and without .html")
     text = page_text(scene, sliders, name, on_progress)
     on_progress("writing")
-    return write_all(directory, {f"{name}.html": text.encode()})[0]
+    return write_results(directory, {f"{name}.html": text})[0]
 
 
 def page_text(

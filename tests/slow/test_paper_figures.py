@@ -23,7 +23,7 @@ from softcat_sym.plotting.paper_figures import (
     midpoints_figure,
     phase_caption,
     phase_figure,
-    phase_files,
+    phase_report,
     snapshots_figure,
     strip_at,
 )
@@ -220,7 +220,7 @@ def test_phase_diagram_and_its_tables(diagram: PhaseDiagram) -> None:
     assert "nan" not in phase_caption(diagram)
     figure = phase_figure(diagram)
     assert within_page(figure)
-    files = phase_files(diagram)
+    files = phase_report(diagram).files
     runs = list(csv.DictReader(io.StringIO(files["figure3a-runs.csv"].decode())))
     assert len(runs) == sum(len(sheet.points) for sheet in diagram.sheets)
     lightest = [row for row in runs if row["plane"] == "G-V" and float(row["G"]) == pytest.approx(0.01)]
@@ -228,7 +228,7 @@ def test_phase_diagram_and_its_tables(diagram: PhaseDiagram) -> None:
     lines = list(csv.DictReader(io.StringIO(files["figure3a-lines.csv"].decode())))
     first = [row for row in lines if row["plane"] == "G-delta" and row["equation"] == "(3.11)"]
     assert [float(row["G"]) for row in first] == pytest.approx([2 * float(row["other"]) for row in first])
-    facts = json.loads(files["figure3a.json"])
+    facts = files["figure3a.json"]
     for plane, sheet in zip(facts["planes"], diagram.sheets, strict=True):
         assert plane["nodes_never_run"] + len(sheet.points) == plane["lattice_nodes"] == 81
         assert {each["source"] for each in plane["boundary_over_formula"]} >= {"paper", "exact"}

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 
@@ -50,13 +48,8 @@ def test_it_is_the_native_run(name: str) -> None:
         described, relative=TIGHTER * usual.relative, absolute=[TIGHTER * one for one in usual.absolute]
     )
 
-    def compared(number: int, how: How) -> tuple[float, float, list[float], list[int]]:
-        seconds, found = [], []
-        for page in (wasm, native):
-            begin = time.perf_counter()
-            found.append(page.solve(varied(wasm, number), how))
-            seconds.append(time.perf_counter() - begin)
-        one, other = found
+    def compared(number: int, how: How) -> tuple[float, float, list[int]]:
+        one, other = (page.solve(varied(wasm, number), how) for page in (wasm, native))
         assert one.code == other.code == 0, (one.words, other.words)
         far = float(np.abs(other.midpoint).max())
         midpoint = float(np.abs(one.midpoint - other.midpoint).max()) / far
@@ -64,27 +57,16 @@ def test_it_is_the_native_run(name: str) -> None:
             float(np.abs(one.fields[key] - other.fields[key]).max() / np.abs(other.fields[key]).max())
             for key in ("x", "y", "stretch")
         )
-        return midpoint, rest, seconds, [one.steps, other.steps]
+        return midpoint, rest, [one.steps, other.steps]
 
     for number in range(SETS):
-        midpoint, rest, _, steps = compared(number, equal)
+        midpoint, rest, steps = compared(number, equal)
         assert count <= steps[0] == steps[1] <= count + 1, "steps that are not equal, but for a last one by rounding"
-        free, _, seconds, steps = compared(number, usual)
+        free, _, steps = compared(number, usual)
         held = compared(number, tight)[0]
         shares = [one / described.scene.run.accuracy for one in (free, held)]
-        rows.append([number, f"{midpoint:.1e}", f"{rest:.1e}", *(f"{one:.1e}" for one in shares)])
-        rows[-1] += [*steps, *(f"{second:.2f}" for second in seconds)]
+        rows.append([number, f"{midpoint:.1e}", f"{rest:.1e}", *(f"{one:.1e}" for one in shares), *steps])
         assert midpoint < NEAR and rest < NEAR
         assert shares[0] < FREE and shares[1] < TIGHT
-    header = (
-        "set",
-        "equal steps",
-        "its fields",
-        "free, over accuracy",
-        "tightly",
-        "steps",
-        "native",
-        "[s]",
-        "native [s]",
-    )
+    header = ("set", "equal steps", "its fields", "free, over accuracy", "tightly", "steps", "native")
     show(f"{name}: WebAssembly and native", header, rows)
