@@ -19,6 +19,7 @@ from rich import box
 from rich.console import Console
 
 from softcat_sym import drawing
+from softcat_sym.batch.sweep import Sweep
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.files import write_results
 from softcat_sym.plotting import style
@@ -26,7 +27,6 @@ from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
-from softcat_sym.studies.sweep import Sweep
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,7 +121,7 @@ def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
     rows = [("members", f"{len(sweep)} ({how}){before}")]
     shares = [(name, f"{count} ({count / len(sweep):.0%})") for name, count in counts.outcomes.most_common()]
     rows += [(f"  {name}", share) for name, share in shares]
-    rows.append(("grid", sweep.centre.words))
+    rows.append(("grid", str(sweep.centre)))
     if counts.regimes:
         rows.append(("regimes", ""))
     rows += [
