@@ -117,7 +117,7 @@ class Case:
         Possible explanation of a difference.
     run : callable or None
         Function that runs the package and returns the results; None if the case cannot be run yet.
-    scenes : tuple of str
+    scenes : sequence of str
         Names of its scenes.
     needs : str
         A package of the extra ``peers`` that the case needs; empty if none.
@@ -133,7 +133,7 @@ class Case:
     independent: str = ""
     explains: str = ""
     run: Callable[[], Finding] | None = None
-    scenes: tuple[str, ...] = ()
+    scenes: Sequence[str] = ()
     needs: str = ""
     reason: str = ""
 
