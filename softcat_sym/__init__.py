@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
     from softcat_sym.studies.card import Card, card
+    from softcat_sym.studies.effect_importance import Pricing, price_effects
     from softcat_sym.studies.explanation import Explanation, explain
-    from softcat_sym.studies.pricing import Pricing, price_effects
     from softcat_sym.web.page import live_page
 
     __version__: str
@@ -55,7 +55,7 @@ _HOMES = {
     "solvers.outcome": ("Outcome",),
     "studies.card": ("Card", "card"),
     "studies.explanation": ("Explanation", "explain"),
-    "studies.pricing": ("Pricing", "price_effects"),
+    "studies.effect_importance": ("Pricing", "price_effects"),
     "batch.sweep": ("Sweep", "sweep"),
     "web.page": ("live_page",),
 }

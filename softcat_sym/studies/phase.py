@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
+import pandas as pd
 
 from softcat_sym import drawing
 from softcat_sym.batch.executor import MembersProgress, RunPool, Where
@@ -48,7 +49,6 @@ from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
 from softcat_sym.solvers.solution import watched
 
 if TYPE_CHECKING:
-    import pandas as pd
     from matplotlib.figure import Figure
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
@@ -377,8 +377,6 @@ class PhaseDiagram:
 
         Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre.
         """
-        import pandas as pd
-
         rows = [
             {"plane": sheet.plane.name, **point.run.to_dict()}
             for sheet in self.sheets
@@ -388,8 +386,6 @@ class PhaseDiagram:
 
     def boundaries(self) -> pd.DataFrame:
         """Boundaries between regimes of runs, a row for each crossing of a lattice row."""
-        import pandas as pd
-
         columns = ("plane", "boundary", "other", "other_value", "G_low", "G_high")
         rows = [
             (sheet.plane.name, found.kind, sheet.plane.y.key, found.other, found.G_low, found.G_high)
@@ -400,8 +396,6 @@ class PhaseDiagram:
 
     def lines(self) -> pd.DataFrame:
         """The lines of the formulas, a row for each of their points."""
-        import pandas as pd
-
         tables = []
         for sheet in self.sheets:
             for line in sheet.lines:
