@@ -16,10 +16,12 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import progress
+from softcat_sym.batch.ensemble import Ensemble
+from softcat_sym.batch.members import Choosing, Row, constants_of, members_of, rows_of, written
+from softcat_sym.batch.worker import StructureCache, tolerances
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.ensemble.ensemble import Ensemble, MembersBar, Workshop, tolerances
-from softcat_sym.ensemble.members import Choosing, Row, constants_of, members_of, rows_of, written
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.progress import MembersBar
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CModel
@@ -230,15 +232,15 @@ def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: p
         made.append((found := assembled(scene, effects)).graph.grid.cells)
         return found
 
-    monkeypatch.setattr("softcat_sym.ensemble.ensemble.assembled", counting)
+    monkeypatch.setattr("softcat_sym.batch.worker.assembled", counting)
     scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
-    workshop = Workshop()
+    structures = StructureCache()
     for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):
-        workshop.prepare(member)
+        structures.prepare(member)
     assert made == [6]
     rows: list[Row] = [{"ends.right": end, "numerics.cells": n} for end in ("clamped", "pinned") for n in (6, 8)]
     for member in members_of(scene, rows, "once"):
-        workshop.prepare(member)
+        structures.prepare(member)
     # Clamped at both ends, half a span is enough.
     assert made == [6, 6, 8, 12, 16]
 

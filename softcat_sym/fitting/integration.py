@@ -15,12 +15,12 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
+from softcat_sym.batch.executor import worker_count
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.interrupts import check_time

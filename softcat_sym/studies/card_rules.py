@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.batch.sweep import time_to_share
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
@@ -102,18 +103,11 @@ def descent_of(run: Run) -> Descent | None:
     moving = np.flatnonzero(np.abs(sag - final) > _STILL * abs(final))
     first = int(moving[-1]) + 1 if moving.size else 0
     rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
-    to_90 = None
-    if final > 0:
-        reached = int(np.argmax(sag >= 0.9 * final))
-        before, to_90 = max(reached - 1, 0), float(time[0])
-        if reached:
-            share = (0.9 * final - sag[before]) / (sag[reached] - sag[before])
-            to_90 = float(time[before] + share * (time[reached] - time[before]))
     return Descent(
         final=final,
         largest=-float(run.summary["midpoint_lowest_m"]),
         settled=float(time[first]) if rests else None,
-        to_90=to_90,
+        to_90=time_to_share(time, sag) if final > 0 else None,
         rise=rise,
         damping="underdamped" if rise > TURNS_BACK else "overdamped",
         stretch=float(stretch[at]),

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from softcat_sym.batch.members import Row, written
 from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.section_rule import POINT, SectionRule
@@ -17,7 +18,6 @@ from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.law import is_solid
-from softcat_sym.ensemble.members import Row, written
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.generation import ended_at

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.ensemble import Ensemble
+from softcat_sym.batch.ensemble import Ensemble
 from softcat_sym.solvers.compiled import Answer, CModel, RunInput, Status
 from softcat_sym.solvers.lanes import LanesModel
 from tests.common.table import show
@@ -123,7 +123,7 @@ def test_what_lanes_gain_and_what_python_costs_beside(monkeypatch: pytest.Monkey
     for seed in range(3):
         for lanes in (False, True):
             for workers in (1, 2):
-                monkeypatch.setattr("softcat_sym.ensemble.executor.WORTHWHILE", 1 if lanes else 10 * members)
+                monkeypatch.setattr("softcat_sym.batch.executor.WORTHWHILE", 1 if lanes else 10 * members)
                 spent.clear()
                 begun = time.process_time()
                 seconds(QUICK, members, workers, seed)

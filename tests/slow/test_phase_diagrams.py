@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.executor import executor
+from softcat_sym.batch.executor import Where
+from softcat_sym.batch.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, run_places
 from softcat_sym.scene.scene import elastic_time
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram, phase_lines
-from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, run_places
 from tests.common.table import show
 
 SPAN, DENSITY, GRAVITY = 0.2, 1900.0, 9.81
@@ -147,7 +147,7 @@ def test_first_yield_goes_from_the_sudden_to_the_slow_line() -> None:
         asked = scene(f"load.ramp={ramp * elastic_time(scene())} s")
 
         def sound(gravity_number: float, asked: sc.Scene = asked) -> bool:
-            with executor(1) as pool:
+            with Where(1).pool() as pool:
                 return run_places(asked, [Place(gravity_number, 26.0, 0.03)], pool)[0].regime == "no-yield"
 
         found[ramp] = bisected(sound, 0.02, 0.12)

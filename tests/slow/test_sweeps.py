@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.ensemble.executor import Lost, executor
+from softcat_sym.batch.executor import Lost, Where
 from softcat_sym.studies.phase import SETTINGS, phase_diagram
 from tests.common.commands import ended, softcat, until
 from tests.common.in_process import sets
@@ -50,11 +51,12 @@ class Killer:
 
 
 def test_a_killed_worker_loses_nothing(tmp_path: Path) -> None:
-    """Two workers, one killed: the same numbers as without a cluster, every member there."""
+    """Two workers, one killed: the same numbers to the last bit as of threads without lanes, every member there."""
     import distributed
 
     scene = sc.load_scene("continual-descent", QUICK)
-    alone = sc.sweep(scene, VARY, tmp_path / "embedded", workers=2)
+    with ThreadPoolExecutor(2) as threads:
+        alone = sc.sweep(scene, VARY, tmp_path / "embedded", executor=threads)
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1", silence_logs=50
     ) as cluster:
@@ -85,7 +87,7 @@ def deadly(number: int) -> int:
 
 
 def test_a_member_that_kills_every_worker_loses_its_chunk_alone() -> None:
-    with executor(local_cluster=2) as pool:
+    with Where(local_cluster=2).pool() as pool:
         found = dict(pool.map_members(deadly, range(40), 8))
     lost = {number for number, result in found.items() if isinstance(result, Lost)}
     # Chunks of eight; one that was beside it in a worker that died may be blamed, too.
@@ -94,7 +96,7 @@ def test_a_member_that_kills_every_worker_loses_its_chunk_alone() -> None:
 
 
 STREAMING = """
-from softcat_sym.studies.sweep import peak_memory
+from softcat_sym.batch.sweep import peak_memory
 import json, sys, time
 import softcat_sym as sc
 class Memory:

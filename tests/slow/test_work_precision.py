@@ -26,7 +26,7 @@ from tests.common.table import show
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]
 
 NAME, ERROR = "continual-descent", 1e-4
-SAME_RUNTIME = {THIS_PROGRAM, "compiled-rodas5p", "compiled-rodas4"}
+SAME_RUNTIME = {THIS_PROGRAM, "compiled-rodas5p"}
 LIMIT = 400.0
 
 

@@ -1,4 +1,7 @@
-"""The plan of a sweep: varied keys, as axes or as the rows of a CSV file, and the members in order."""
+"""The plan of a sweep: varied keys, as axes or as the rows of a CSV file, and the members in order.
+
+A range of a key is a text, ``filament.span=5:50 mm:10:log``: what a sweep varies, and between what a slider goes.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,8 @@ from typing import Any, Final, Literal, cast
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.ensemble.centre import Centre
-from softcat_sym.ensemble.members import Row, is_group, is_number, kind_of
-from softcat_sym.ensemble.ranges import MAX_MEMBERS, SOURCE, SPACED, SweepAxis, Value, read_range, unit_of
-from softcat_sym.ensemble.ranges import refusal as refusal_of
+from softcat_sym.batch.members import Row, is_group, is_number, kind_of
+from softcat_sym.batch.reference_member import ReferenceMember
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
 from softcat_sym.scene.keys import scene_keys
@@ -30,8 +31,10 @@ from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Wh
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
+Value = object
 Mode = Literal["grid", "zip", "lhs", "table"]
 MODES: Final = ("grid", "zip", "lhs")
+MAX_MEMBERS: Final = 10_000_000
 
 _FORM = (
     "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
@@ -40,6 +43,82 @@ _FAULTS_LISTED, _VALUES_LISTED = 10, 200
 _BLOCK, _BLOCKS, _SLOW_BLOCK = (10, 500), 200, 4
 """Range of the members of a block, target number of blocks, and members of a block where each takes seconds: small
 blocks lose less in an interruption, large ones need fewer files."""
+
+SOURCE = "of a sweep"
+SPACED = "two ends and at least 2 values, a:b:n or a:b:n:log; positive ends for log"
+_UNIT = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$")
+
+
+@dataclass(frozen=True)
+class SweepAxis:
+    """One key and its values."""
+
+    key: str  # Dotted path in the scene
+    values: tuple[Value, ...]  # In the order given; plain numbers are in SI
+    scale: str = "lin"  # ``"log"`` where values are spaced evenly in their logarithm, otherwise ``"lin"``
+    ends: tuple[float, float] | None = None  # Of a range, in SI: what a Latin hypercube draws between. None for a list
+
+    def at(self, share: float) -> Value:
+        """The value at a share of the way, 0 to 1: between the ends of a range, or one of a list."""
+        if self.ends is None:
+            return self.values[min(int(share * len(self.values)), len(self.values) - 1)]
+        low, high = self.ends
+        value = low * (high / low) ** share if self.scale == "log" else low + share * (high - low)
+        return round(value) if isinstance(self.values[0], int) else value
+
+
+def read_range(scene: Scene, key: str, text: str, *, drawn: bool, accepted: str = SPACED) -> SweepAxis:
+    """Read a range; one that is drawn from need not say how many values it has."""
+    parts = [part.strip().strip("\"'").strip() for part in text.split(":")]
+    scale = parts.pop() if parts[-1] == "log" else "lin"
+    if drawn and len(parts) == 2:
+        parts.append("2")  # how many does not matter
+    if len(parts) != 3 or not re.fullmatch(r"\d{1,8}", parts[2]) or not 2 <= int(parts[2]) <= MAX_MEMBERS:
+        raise _refusal(key, f"{shown(text)} is no range", accepted)
+    count = int(parts[2])
+    low, high = _ends(scene, key, parts[:2], accepted)
+    if scale == "log" and not (low > 0 and high > 0):
+        raise _refusal(key, f"{shown(text)} is logarithmic, and not positive", accepted)
+    if low == high:
+        raise _refusal(key, f"both ends of {shown(text)} are the same", accepted)
+    spaced = np.geomspace(low, high, count) if scale == "log" else np.linspace(low, high, count)
+    # Twelve digits: what rounding adds would end up in tables.
+    values: list[Value] = [float(f"{value:.12g}") for value in spaced]
+    if isinstance(kind_of(scene, {}, key), Whole):
+        values = [round(float(value)) for value in spaced]
+        if low != round(low) or high != round(high) or (len(set(values)) < count and not drawn):
+            raise _refusal(key, f"{shown(text)} does not give {count} whole numbers", "whole ends, and fewer values")
+    return SweepAxis(key, tuple(values), scale, (low, high))
+
+
+def _ends(scene: Scene, key: str, ends: Sequence[str], accepted: str) -> list[float]:
+    """The two ends of a range as numbers, quantities in SI; the first may have the unit of the second."""
+    kind = kind_of(scene, {}, key)
+    if not isinstance(kind, Quantity):
+        try:
+            numbers = [float(end) for end in ends]
+        except ValueError:
+            name = key if is_group(key) or kind is None else f"{key}, which is {kind.accepted}"
+            raise _refusal(key, f"{shown(':'.join(ends))} are no plain numbers", f"plain numbers for {name}") from None
+        if not all(map(math.isfinite, numbers)):
+            raise _refusal(key, f"{shown(':'.join(ends))} is not finite", accepted)
+        return numbers
+    texts = [end if unit_of(end) else f"{end} {unit_of(ends[1])}".strip() for end in ends]
+    try:
+        return [kind.measured(text) for text in texts]
+    except NotAQuantity as error:
+        raise _refusal(key, str(error), kind.accepted) from None
+
+
+def unit_of(text: str) -> str:
+    """The unit at the end of a quantity as text; empty without one."""
+    match = _UNIT.match(text)
+    return match[2] if match else ""
+
+
+def _refusal(key: str, found: str, accepted: str) -> SceneError:
+    """The error of one key that cannot be varied so."""
+    return SceneError([Fault(key, found, accepted)], SOURCE)
 
 
 @dataclass(frozen=True)
@@ -51,6 +130,11 @@ class VariedColumn:
     scale: str  # ``"lin"`` or ``"log"``
     kind: Quantity | None  # Quantity as which text with a unit is read; None if any unit is accepted
     is_text: bool  # Whether values are not numbers
+
+    @property
+    def attrs(self) -> dict[str, Any]:
+        """Attributes of the variable in the file."""
+        return {"varied": 1, "scale": self.scale} | ({"units": self.units} if self.units else {})
 
     def array(self, values: Sequence[Value]) -> npt.NDArray[Any]:
         """Values as text, or as numbers in SI; NaN for a value that cannot be read."""
@@ -82,11 +166,6 @@ class SweepPlan:
     # Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
     estimate: bool = False
 
-    @property
-    def keys(self) -> tuple[str, ...]:
-        """The varied keys."""
-        return tuple(axis.key for axis in self.axes)
-
     @cached_property
     def members(self) -> int:
         """Number of members."""
@@ -99,15 +178,9 @@ class SweepPlan:
         """Number of members that are stored together."""
         return _SLOW_BLOCK if self.estimate else int(np.clip(math.ceil(self.members / _BLOCKS), *_BLOCK))
 
-    @property
-    def blocks(self) -> int:
-        """Number of blocks."""
-        return math.ceil(self.members / self.block_size)
-
-    def block(self, number: int) -> list[Row]:
-        """The rows of a block: raw values by key."""
-        start = number * self.block_size
-        return [self.row(member) for member in range(start, min(start + self.block_size, self.members))]
+    def rows(self, start: int, count: int) -> list[Row]:
+        """The rows of some members: raw values by key."""
+        return [self.row(member) for member in range(start, min(start + count, self.members))]
 
     def row(self, member: int) -> Row:
         """Values of the varied keys for a member."""
@@ -157,19 +230,23 @@ class SweepPlan:
     def digest(self) -> str:
         """Hash of everything on which the results depend."""
         how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
-        return key_of("plan of a sweep", identity_of(self.scene), self.axes, how)
+        return key_of("plan of a sweep", self._identity, self.axes, how)
+
+    @cached_property
+    def _identity(self) -> tuple[str, list[str], list[str]]:
+        return identity_of(self.scene)
 
     @property
-    def centre(self) -> Row:
+    def middle(self) -> Row:
         """Values of the varied keys for the member in the middle of the ranges."""
         if self.mode == "grid":
             return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
         return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.row(self.members // 2)
 
-    def key(self, block: int, centre: Centre) -> str:
-        """Key of the results of a block whose members share the resolution of the centre."""
-        how = [self.shapes, self.estimate, centre.cells, centre.fibres, centre.tighter]
-        return key_of("sweep", identity_of(self.scene), self.block(block), how)
+    def key(self, rows: Sequence[Row], reference: ReferenceMember) -> str:
+        """Key of the results of some rows whose members share the resolution of the reference."""
+        how = [self.shapes, self.estimate, reference.cells, reference.fibres, reference.tighter]
+        return key_of("sweep", self._identity, rows, how)
 
 
 def plan_sweep(
@@ -204,11 +281,11 @@ def plan_sweep(
 
 def _check_samples(mode: str, samples: int | None, seed: int) -> None:
     if mode == "lhs":
-        if isinstance(samples, bool) or not isinstance(samples, int) or not 2 <= samples <= MAX_MEMBERS:
+        if type(samples) is not int or not 2 <= samples <= MAX_MEMBERS:
             raise SoftcatError(
                 f"samples = {samples!r}: a Latin hypercube needs a number of samples, 2 to {MAX_MEMBERS}"
             )
-        if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        if type(seed) is not int or seed < 0:
             raise SoftcatError(f"seed = {seed!r}: accepted: a whole number, 0 or more")
     elif samples is not None:
         raise SoftcatError(f"samples are for a Latin hypercube (mode lhs), not for mode {mode}")
@@ -223,7 +300,7 @@ def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
     for axis in axes if mode == "grid" else ():
         text, times = Counter(json.dumps(value, default=str) for value in axis.values).most_common(1)[0]
         if times > 1:
-            raise refusal_of(axis.key, f"{text} is named twice", "different values")
+            raise _refusal(axis.key, f"{text} is named twice", "different values")
 
 
 def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
@@ -255,7 +332,7 @@ def read_axes(
         try:
             key, values = (str(key), values) if values is not None else _split(key)
             if key in axes:
-                raise refusal_of(key, "varied twice", "each key once")
+                raise _refusal(key, "varied twice", "each key once")
             axes[key] = _axis(scene, key, values, drawn)
         except SceneError as error:
             faults += error.faults
@@ -269,7 +346,7 @@ def read_axes(
 def _split(text: object) -> tuple[str, str]:
     key, equals, values = (part.strip() for part in str(text).partition("="))
     if not isinstance(text, str) or not key or not equals or not values:
-        raise refusal_of("--vary", f"{shown(text)} varies nothing", _FORM)
+        raise _refusal("--vary", f"{shown(text)} varies nothing", _FORM)
     return key, values
 
 
@@ -278,17 +355,17 @@ def _axis(scene: Scene, key: str, values: Sequence[Value] | str, drawn: bool) ->
         if values.count(":") >= (1 if drawn else 2):
             return read_range(scene, key, values, drawn=drawn)
         if ":" in values and not values.lstrip().startswith(("[", "{", '"')):
-            raise refusal_of(key, f"{shown(values)} is no range", SPACED)
+            raise _refusal(key, f"{shown(values)} is no range", SPACED)
         listed = _list(scene, key, values)
     elif not hasattr(values, "__len__"):
-        raise refusal_of(key, f"{shown(values)} is no sequence of values", _FORM)
+        raise _refusal(key, f"{shown(values)} is no sequence of values", _FORM)
     else:
         listed = [value.item() if isinstance(value, np.generic) else value for value in values]
     if not listed:
-        raise refusal_of(key, "no value", _FORM)
+        raise _refusal(key, "no value", _FORM)
     for value in listed:
         if is_number(value) and not math.isfinite(float(value)):
-            raise refusal_of(key, f"{value} is not finite", "finite numbers")
+            raise _refusal(key, f"{value} is not finite", "finite numbers")
     return SweepAxis(key, tuple(listed))
 
 
@@ -299,7 +376,7 @@ def _list(scene: Scene, key: str, text: str) -> list[Value]:
     except (ValueError, RecursionError):
         parts = [part.strip() for part in text.split(",")]
         if not all(parts):
-            raise refusal_of(key, f"{shown(text)} has an empty value", _FORM) from None
+            raise _refusal(key, f"{shown(text)} has an empty value", _FORM) from None
         overrides, faults = read_overrides([f"{key}={part}" for part in parts])
         if faults:
             raise SceneError(faults) from None
@@ -309,7 +386,7 @@ def _list(scene: Scene, key: str, text: str) -> list[Value]:
         return values
     unit = unit_of(str(values[-1])) if values else ""
     if not unit and any(is_number(value) for value in values):
-        raise refusal_of(key, f"{shown(text)} has no unit", kind.accepted)
+        raise _refusal(key, f"{shown(text)} has no unit", kind.accepted)
     return [f"{value!r} {unit}" if is_number(value) else value for value in values]
 
 

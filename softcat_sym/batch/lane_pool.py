@@ -6,13 +6,18 @@ import ctypes
 import threading
 import warnings
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from concurrent import futures
 from dataclasses import dataclass, field
+from typing import ParamSpec, TypeVar
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import Answer, CModel, RunInput
 from softcat_sym.solvers.lanes import LanesModel, lanes_of
+from softcat_sym.solvers.solution import Silence
+
+Arguments = ParamSpec("Arguments")
+Result = TypeVar("Result")
 
 WORTHWHILE = 64
 """Members from which on lanes are compiled: a second or two of the processor, for some milliseconds of each member."""
@@ -37,7 +42,31 @@ class _Waiting:
         return id(self.model), len(self.run.state), self.run.method
 
 
-class LanePool:
+class Stop(Silence):
+    """Ends integrations from outside: as their listener, it raises once it is set. In a pool they share lanes."""
+
+    def __init__(self, pool: LanePool | None = None) -> None:
+        self.flag = ctypes.c_int(0)
+        self._pool = pool
+
+    def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
+        """Integrate a run, by itself or beside others; the compiled solver looks at the flag."""
+        if self._pool is not None:
+            self._pool.integrate(model, run, room)
+        else:
+            model.integrate(run, room.status, self.flag, room)
+
+    def set(self) -> None:
+        """Let no integration continue."""
+        self.flag.value = 1
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Look whether to stop."""
+        if self.flag.value:
+            raise KeyboardInterrupt
+
+
+class LanePool(futures.Executor):
     """Lets so many threads work at a time, and integrates together the runs for which the others wait.
 
     A thread that asks for an integration waits for it. Once enough wait, or none is left that could still ask, one of
@@ -45,14 +74,15 @@ class LanePool:
     it, but for its last digits if so few runs have its structure that they are integrated one by one.
     """
 
-    def __init__(self, workers: int, flag: ctypes.c_int) -> None:
+    def __init__(self, workers: int) -> None:
         # A batch for each worker, one that gathers, and one that is being prepared.
         self.threads = (workers + 2) * AT_ONCE
-        self._flag = flag
+        self._pool = futures.ThreadPoolExecutor(self.threads, thread_name_prefix="softcat-member")
+        self.stop = Stop(self)
         self._turns = threading.Semaphore(workers)
         self._lock, self._compiling = threading.Lock(), threading.Lock()
         self._busy = 0  # Members that may still ask
-        self._waiting: list[_Waiting] = []
+        self._queue: list[_Waiting] = []
         self._lanes: dict[int, LanesModel | None] = {}
 
     def expect(self, members: int) -> None:
@@ -60,23 +90,38 @@ class LanePool:
         with self._lock:
             self._busy += members
 
-    @contextmanager
-    def member(self) -> Iterator[None]:
-        """What a thread does for one of them, when it is its turn."""
+    def submit(
+        self, function: Callable[Arguments, Result], /, *given: Arguments.args, **named: Arguments.kwargs
+    ) -> futures.Future[Result]:
+        """Run a member that was expected; no more than `threads` at a time."""
+        future = self._pool.submit(self._in_turn, function, *given, **named)
+        future.add_done_callback(lambda done: self._ended() if done.cancelled() else None)
+        return future
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End all threads."""
+        self._pool.shutdown(wait, cancel_futures=cancel_futures)
+
+    def _in_turn(
+        self, function: Callable[Arguments, Result], /, *given: Arguments.args, **named: Arguments.kwargs
+    ) -> Result:
         with self._turns:
             try:
-                yield
+                return function(*given, **named)
             finally:
-                with self._lock:
-                    self._busy -= 1
-                while self._serve():
-                    pass
+                self._ended()
+
+    def _ended(self) -> None:
+        with self._lock:
+            self._busy -= 1
+        while self._serve():
+            pass
 
     def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
         """Integrate a run into its room, together with others."""
         asked = _Waiting(model, run, room)
         with self._lock:
-            self._waiting.append(asked)
+            self._queue.append(asked)
             self._busy -= 1
         while not asked.done.is_set() and self._serve():
             pass
@@ -89,12 +134,12 @@ class LanePool:
     def _serve(self) -> bool:
         """Integrate a batch, if there is one that need not wait for more."""
         with self._lock:
-            counts = Counter(asked.kind for asked in self._waiting)
+            counts = Counter(asked.kind for asked in self._queue)
             kind, count = counts.most_common(1)[0] if counts else (None, 0)
             if not count or (count < AT_ONCE and self._busy):
                 return False
-            batch = [asked for asked in self._waiting if asked.kind == kind][:AT_ONCE]
-            self._waiting = [asked for asked in self._waiting if asked not in batch]
+            batch = [asked for asked in self._queue if asked.kind == kind][:AT_ONCE]
+            self._queue = [asked for asked in self._queue if asked not in batch]
         try:
             self._integrate(batch)
         except Exception as error:  # noqa: BLE001 - it is raised in every thread that waits for it
@@ -109,10 +154,10 @@ class LanePool:
     def _integrate(self, batch: Sequence[_Waiting]) -> None:
         lanes = self._lanes_for(batch[0].model, len(batch))
         if lanes is not None:
-            lanes.integrate([asked.run for asked in batch], [asked.room for asked in batch], self._flag)
+            lanes.integrate([asked.run for asked in batch], [asked.room for asked in batch], self.stop.flag)
             return
         for asked in batch:
-            asked.model.integrate(asked.run, asked.room.status, self._flag, asked.room)
+            asked.model.integrate(asked.run, asked.room.status, self.stop.flag, asked.room)
 
     def _lanes_for(self, model: CModel, count: int) -> LanesModel | None:
         """The lanes of a structure, once so many of it wait that they are worth compiling."""

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym import store
+from softcat_sym.batch.executor import MembersProgress, RunPool
+from softcat_sym.batch.members import Member, Row
+from softcat_sym.batch.records import Batch, Column, Record, unpacked
+from softcat_sym.batch.worker import MemberRun, RowWork, shared_by
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.scaling_estimates import buoyant_share, pull_of_surface
-from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
-from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, counted
-from softcat_sym.ensemble.members import Member
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.simulate import identity_of
+from softcat_sym.store import key_of
 
 MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
@@ -138,9 +140,9 @@ def duration_at(scene: Scene, place: Place) -> float:
     return scene.load.ramp + (ELASTIC_TIME + flow) * gravity_time(scene)
 
 
-def row_of(scene: Scene, place: Place, duration: float) -> dict[str, object]:
+def row_of(scene: Scene, place: Place, duration: float) -> Row:
     """Changes of the scene for the filament at a point, as a row of :func:`softcat_sym.simulate_many`."""
-    delta: dict[str, object] = {} if place.delta == groups_of(scene).delta else {"groups.delta": place.delta}
+    delta: Row = {} if place.delta == groups_of(scene).delta else {"groups.delta": place.delta}
     return delta | {"groups.G": place.G, "groups.V": place.V, "run.duration": duration}
 
 
@@ -252,32 +254,29 @@ _CHUNK = 16
 
 
 @dataclass(frozen=True)
-class LocalStrains:
-    """True axial strain at one section: of the centreline, and of its most stretched fibre (2.6, objective form)."""
-
-    centreline: float = 0.0
-    largest: float = 0.0
-
-
-@dataclass(frozen=True)
 class PhaseRun:
     """One filament."""
 
     place: Place  # Its groups
-    regime: str | None  # Regime of the run; None if the run is no answer
-    outcome: str  # Name of the outcome: of the run that gave the regime, or of the one that failed
-    message: str  # Why a run is no answer
-    duration: float  # Of the run that gave the regime [s]
-    # Duration [s] of a longer run that was no answer, if the run that gave the regime ends as its sag passes `PASSED`.
-    drawn_out: float | None = None
+    regime: str = ""  # Regime of the run; empty if the run is no answer
+    outcome: str = ""  # Name of the outcome: of the run that gave the regime, or of the one that failed
+    message: str = ""  # Why a run is no answer
+    duration: float = math.nan  # Of the run that gave the regime [s]
+    # Duration [s] of a longer run that was no answer, if the run that gave the regime ends as its sag passes `PASSED`;
+    # else zero.
+    drawn_out: float = 0.0
     runs: int = 1  # Number of runs, 1 or 2
-    sag: float = 0.0  # Of the midpoint at the end, over the span
+    sag: float = math.nan  # Of the midpoint at the end, over the span
     # Largest plastic rate in the last tenth of the run over sigma_Y/eta: of all fibres, and of those further than
     # `CLAMP_REGION` from the ends.
-    rate: float = 0.0
-    span_rate: float = 0.0
-    clamp: LocalStrains = LocalStrains()  # At the end of the run, in the cell at a clamp and in the one at midspan
-    midspan: LocalStrains = LocalStrains()
+    rate: float = math.nan
+    span_rate: float = math.nan
+    # True axial strain at the end of the run in the cells at a clamp and at midspan: of the most stretched fibre (2.6,
+    # objective form), and of the centreline.
+    clamp_strain: float = math.nan
+    clamp_strain_centreline: float = math.nan
+    midspan_strain: float = math.nan
+    midspan_strain_centreline: float = math.nan
     steps: int = 0  # Time steps of all runs
 
     @property
@@ -285,96 +284,91 @@ class PhaseRun:
         """The regime, or the name of the outcome without one; `CLAMPS_ONLY` is a part of the descending regime."""
         if self.regime == DESCENDING and self.span_rate < ARREST_RATE:
             return CLAMPS_ONLY
-        return self.regime if self.regime is not None else self.outcome
+        return self.regime or self.outcome
 
     def to_dict(self) -> dict[str, Any]:
         """A row of the table of runs."""
-        row = asdict(self.place) | {"regime": self.regime, "outcome": self.outcome, "mark": self.mark}
-        row |= {"duration_s": self.duration, "drawn_out_within_s": self.drawn_out, "sag_over_span": self.sag}
-        row |= {"rate": self.rate, "span_rate": self.span_rate}
-        for name, strains in (("clamp", self.clamp), ("midspan", self.midspan)):
-            row |= {f"{name}_strain": strains.largest, f"{name}_strain_centreline": strains.centreline}
-        return row | {"steps": self.steps, "runs": self.runs, "message": self.message or None}
+        row = {**asdict(self.place), "regime": self.regime, "outcome": self.outcome, "mark": self.mark}
+        row |= {"duration_s": self.duration, "drawn_out_within_s": self.drawn_out or None, "sag_over_span": self.sag}
+        others = "rate span_rate clamp_strain clamp_strain_centreline midspan_strain midspan_strain_centreline"
+        return row | {name: getattr(self, name) for name in (*others.split(), "steps", "runs", "message")}
+
+
+_TYPES = {"str": str, "int": int, "float": float}
+_COLUMNS = {field.name: Column("", "", dtype=_TYPES[str(field.type)]) for field in fields(PhaseRun)[1:]}
 
 
 def run_places(
     scene: Scene,
     places: Sequence[Place],
-    pool: Executor,
+    pool: RunPool,
     progress: MembersProgress | None = None,
     durations: Sequence[float] | None = None,
 ) -> list[PhaseRun]:
     """Run one filament for each place, finished ones from the store."""
-    members = list(zip(places, durations or [duration_at(scene, place) for place in places], strict=True))
-    identity, work = identity_of(scene), PlaceWork(scene, pool.stop)
-    keys = {member: store.key_of("phase", identity, member) for member in members}
-    contents = {member: store.recall(key) for member, key in keys.items()}
-    runs = {member: _FORM.read(content) for member, content in contents.items() if content is not None}
-    missing = [member for member in members if member not in runs]
-    study_of(scene)  # Made once, before threads use it
-    results = pool.map_members(work, missing, _CHUNK)
-    for number, result in counted(results, len(members), len(runs), progress):
-        member = missing[number]
-        if isinstance(result, Lost):
-            runs[member] = PhaseRun(member[0], None, "lost", result.message, member[1])
-        else:
-            runs[member] = result
-            store.keep(keys[member], _FORM.write(result))
-    return [runs[member] for member in members]
+    lasting = durations or [duration_at(scene, place) for place in places]
+    rows = [row_of(scene, place, duration) for place, duration in zip(places, lasting, strict=True)]
+    identity = identity_of(scene)
+    batch = Batch(
+        len(rows), 1, lambda number: rows[number : number + 1], lambda row: key_of("phase", identity, row), _COLUMNS, {}
+    )
+    found = dict(batch.recalled())
+    missing = [number for number in range(len(rows)) if number not in found]
+    shared_by(scene)  # Made once, before threads use it
+    found.update(batch.run(missing, PhaseWork(scene, pool.stop), pool, _CHUNK, progress))
+    runs = []
+    for number, place in enumerate(places):
+        record = unpacked(found[number])[0]
+        runs.append(PhaseRun(place, **{name: record[name].item() for name in _COLUMNS}))
+    return runs
 
 
 @dataclass(frozen=True)
-class PlaceWork:
-    """Runs the filament at a point for a time [s]; it can be sent to another process."""
+class PhaseWork(RowWork):
+    """Runs the filament at a point for a time."""
 
-    scene: Scene  # The common part of the filaments
-    stop: Stop
-
-    def __call__(self, item: tuple[Place, float]) -> PhaseRun:
+    def observe(self, member: Member) -> Record:
         """Run the filament; if the run is no answer, repeat it up to the time at which the sag passes `PASSED`.
 
         A filament that descends without arrest is drawn out in the end, so that its run is no answer; the shorter run
         is one.
         """
-        place, duration = item
-        study = study_of(self.scene)
-        with study.workshop.alone():
-            member = study.maker.member(row_of(self.scene, place, duration))
-        first, sag = self._run(place, member)
-        if first.regime is not None or not np.any(sag > PASSED):
+        first, sag = self._observed(member)
+        passed = np.flatnonzero(sag > PASSED)
+        if first["regime"] or not len(passed):
             return first
-        short = first.duration * float(np.argmax(sag > PASSED)) / (member.scene.run.frames - 1)
-        second, _ = self._run(place, _lasting(member, short))
-        steps = first.steps + second.steps
-        if second.regime != DESCENDING:
-            return replace(first, runs=2, steps=steps)
-        return replace(second, runs=2, steps=steps, drawn_out=duration)
+        scene = member.scene
+        short = first["duration"] * float(passed[0]) / (scene.run.frames - 1)
+        second, _ = self._observed(_lasting(member, short))
+        both = {"runs": 2, "steps": first["steps"] + second["steps"]}
+        if second["regime"] != DESCENDING:
+            return first | both
+        return second | both | {"drawn_out": scene.run.duration}
 
-    def _run(self, place: Place, member: Member) -> tuple[PhaseRun, Floats]:
+    def _observed(self, member: Member) -> tuple[dict[str, Any], Floats]:
         """A run, and its sag over the span, shape (frames,)."""
-        workshop = study_of(self.scene).workshop
-        run = judged(member, *workshop.run(member, self.stop))
+        run = self.run(member)
         if run.solution.ended is not None:
             # It falls for ever, perhaps before its second frame: again, with its frames up to then.
-            outcome, message = run.outcome, run.message
             member = _lasting(member, run.solution.ended * run.prepared.scale)
-            run = replace(judged(member, *workshop.run(member, self.stop)), outcome=outcome, message=message)
+            run = replace(self.run(member), outcome=run.outcome, message=run.message)
         sag = -run.midpoint / rest_length(member.scene)
         rate, span_rate = _rates(run)
-        result = PhaseRun(
-            place,
-            run.regime,
-            run.outcome.name,
-            run.message,
-            member.scene.run.duration,
-            sag=float(sag[-1]),
-            rate=rate,
-            span_rate=span_rate,
-            clamp=_strains(run.fields, 0),
-            midspan=_strains(run.fields, run.fields["stretch"].shape[1] // 2),
-            steps=run.solution.steps,
-        )
-        return result, sag
+        record = {
+            "regime": run.regime,
+            "outcome": run.outcome.name,
+            "message": run.message,
+            "duration": member.scene.run.duration,
+            "drawn_out": 0.0,
+            "runs": 1,
+            "sag": float(sag[-1]),
+            "rate": rate,
+            "span_rate": span_rate,
+            **_strains("clamp", run.fields, 0),
+            **_strains("midspan", run.fields, run.fields["stretch"].shape[1] // 2),
+            "steps": run.solution.steps,
+        }
+        return record, sag
 
 
 def _lasting(member: Member, duration: float) -> Member:
@@ -394,16 +388,9 @@ def _rates(run: MemberRun) -> tuple[float, float]:
     return float(np.max(last)) / pace, float(np.max(last[:, away])) / pace
 
 
-def _strains(fields: dict[str, Floats], cell: int) -> LocalStrains:
+def _strains(place: str, fields: dict[str, Floats], cell: int) -> dict[str, float]:
     """Strain in the last frame, eps = log s - theta_s z, in the outer fibres of the present thickness."""
     stretch, curvature, thickness = (float(fields[name][-1, cell]) for name in ("stretch", "curvature", "thickness"))
     centreline = float(np.log(stretch))
-    return LocalStrains(centreline, centreline + abs(curvature) * thickness / 2)
-
-
-def _read_run(record: dict[str, Any]) -> PhaseRun:
-    parts = {"place": Place(**record["place"])} | {name: LocalStrains(**record[name]) for name in ("clamp", "midspan")}
-    return PhaseRun(**{**record, **parts})
-
-
-_FORM = store.json_form(asdict, _read_run)
+    largest = centreline + abs(curvature) * thickness / 2
+    return {f"{place}_strain": largest, f"{place}_strain_centreline": centreline}

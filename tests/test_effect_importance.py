@@ -19,7 +19,8 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.plotting.pricing import pricing_figure, pricing_table
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies.pricing import (
+from softcat_sym.studies import effect_importance
+from softcat_sym.studies.effect_importance import (
     EVERYTHING,
     Pricing,
     PricingRow,
@@ -286,7 +287,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path:
 def test_interrupted_before_anything_is_finished_nothing_is_written(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("softcat_sym.studies.pricing.simulated", lambda *_: signal.raise_signal(signal.SIGINT))
+    monkeypatch.setattr(effect_importance, "simulated", lambda *_: signal.raise_signal(signal.SIGINT))
     done = softcat("effects", "cold-honey", "--fresh", "-o", str(tmp_path / "out"), *sets(*BARE))
     assert (done.status, done.out) == (130, "")
     assert "interrupted; the same command resumes" in done.err

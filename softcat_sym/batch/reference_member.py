@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from softcat_sym.batch.members import Member, Row
+from softcat_sym.batch.records import Column
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
-from softcat_sym.ensemble.members import Member, Row
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import recalled
@@ -17,18 +18,18 @@ from softcat_sym.solvers.run import Prepared, structure_for
 from softcat_sym.solvers.settings import settings_for
 
 RESOLUTION = {
-    "cells": "cells per half span",
-    "fibres": "fibres of the section; NaN where it is not resolved by them",
-    "rtol": "relative tolerance of the integrator",
-    "error_estimate": "estimated error of the midpoint over its largest; NaN where it was not estimated",
+    "cells": Column("1", "cells per half span"),
+    "fibres": Column("1", "fibres of the section; NaN where it is not resolved by them"),
+    "rtol": Column("1", "relative tolerance of the integrator"),
+    "error_estimate": Column("1", "estimated error of the midpoint over its largest; NaN where it was not estimated"),
 }
-"""What is stored of a member's resolution, and in words."""
+"""What is stored of a member's resolution."""
 
 _GIVEN = ("cells", "rtol", "fibres", "order")
 
 
 @dataclass(frozen=True)
-class Centre:
+class ReferenceMember:
     """The middle member of a study, run as :func:`softcat_sym.simulate` runs it."""
 
     row: Row  # What it changes in the scene
@@ -40,7 +41,7 @@ class Centre:
     accuracy: float | None = None  # That was asked
     why_not: str = ""  # Why nothing was found
 
-    def of(self, member: Member) -> Member:
+    def refine(self, member: Member) -> Member:
         """A member at this resolution, or at its own first guess where that is finer; what its scene says stays."""
         scene, numerics = member.scene, member.scene.numerics
         if self.cells is None:
@@ -57,8 +58,7 @@ class Centre:
             return member
         return replace(member, scene=scene.model_copy(update={"numerics": numerics.model_copy(update=changes)}))
 
-    @property
-    def words(self) -> str:
+    def __str__(self) -> str:
         """What was found, for a line of a table."""
         if self.cells is None:
             return f"each member's first guess: {self.why_not}"
@@ -78,29 +78,29 @@ def first_guess(member: Member) -> float:
     return settings_for(member.scene, member.effects, compiled=member.backend.compiled).rtol
 
 
-def centre_of(member: Member, row: Row) -> Centre:
+def reference_member(member: Member, row: Row) -> ReferenceMember:
     """Run the middle member and estimate its error, unless that is in the store."""
     scene = member.scene
     given = [getattr(scene.numerics, name) is not None for name in _GIVEN]
     if not scene.numerics.estimate:
-        return Centre(row, why_not="numerics.estimate is false")
+        return ReferenceMember(row, why_not="numerics.estimate is false")
     if given[0] and given[1] and (given[2] or given[3] or not member.effects.terms().resolved):
-        return Centre(row, why_not="numerics says all of it")
+        return ReferenceMember(row, why_not="numerics says all of it")
     try:
         run = recalled(scene)
     except (SoftcatError, ArithmeticError, RuntimeError, ValueError) as error:
-        return Centre(row, why_not=f"the middle one fails, {' '.join(str(error).split())}")
+        return ReferenceMember(row, why_not=f"the middle one fails, {' '.join(str(error).split())}")
     if run.scene.run.dimensions != scene.run.dimensions:
-        return Centre(row, why_not="the middle one leaves its plane")
+        return ReferenceMember(row, why_not="the middle one leaves its plane")
     at, errors = run.summary["resolution"], run.summary["error_estimate"] or {}
     if not run.outcome.is_success or not at:
-        return Centre(row, why_not=f"the middle one has no answer, {run.outcome.value}")
+        return ReferenceMember(row, why_not=f"the middle one has no answer, {run.outcome.value}")
     tighter = min(1.0, at["rtol"] / first_guess(member))
     found = {name: at[name] for name in ("cells", "fibres", "rtol")}
-    return Centre(row, **found, tighter=tighter, error=errors.get("total"), accuracy=scene.run.accuracy)
+    return ReferenceMember(row, **found, tighter=tighter, error=errors.get("total"), accuracy=scene.run.accuracy)
 
 
-def centred(members: Sequence[Member], rows: Sequence[Row]) -> tuple[list[Member], list[Centre]]:
+def refined_by_references(members: Sequence[Member], rows: Sequence[Row]) -> tuple[list[Member], list[ReferenceMember]]:
     """Members at the resolution of the middle one of their structure, and these."""
     alike = defaultdict[tuple[object, ...], list[int]](list)
     for number, member in enumerate(members):
@@ -109,16 +109,16 @@ def centred(members: Sequence[Member], rows: Sequence[Row]) -> tuple[list[Member
     for numbers in alike.values():
         first = members[numbers[0]]
         groups["" if len(alike) == 1 else structure_for(first.scene, first.effects).key] += numbers
-    found, centres = list(members), list[Centre]()
+    found, references = list(members), list[ReferenceMember]()
     for numbers in map(sorted, groups.values()):
         middle = numbers[len(numbers) // 2]
-        centres.append(centre_of(members[middle], rows[middle]))
+        references.append(reference_member(members[middle], rows[middle]))
         for number in numbers:
-            found[number] = centres[-1].of(members[number])
-    return found, centres
+            found[number] = references[-1].refine(members[number])
+    return found, references
 
 
-def used(member: Member, prepared: Prepared) -> dict[str, float]:
+def resolution_of(member: Member, prepared: Prepared) -> dict[str, float]:
     """Cells, fibres and tolerance of a run; NaN where no fibres resolve the section."""
     grid, by_fibres = prepared.graph.grid, member.effects.terms().resolved and member.scene.numerics.order is None
     return {
@@ -128,7 +128,7 @@ def used(member: Member, prepared: Prepared) -> dict[str, float]:
     }
 
 
-def used_by(run: Run) -> dict[str, float]:
+def resolution_of_run(run: Run) -> dict[str, float]:
     """The same of a run by :func:`softcat_sym.simulate`, and the error that was estimated."""
     summary, at, errors = run.summary, run.summary["resolution"] or {}, run.summary["error_estimate"] or {}
     found = {"cells": summary["cells"], "fibres": at.get("fibres"), "rtol": summary["rtol"]}
