@@ -23,7 +23,7 @@ from softcat_sym.fitting.identifiability import (
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judged
 from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import FilamentProblem
+from softcat_sym.fitting.problem import FilamentProblem, Filmed
 from softcat_sym.fitting.resolution import Moved
 from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.scene import Scene
@@ -144,6 +144,12 @@ class FittedFilm:
     # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
     name: str  # File or number
+
+    @classmethod
+    def of(cls, film: Filmed, model: Floats, unit: float, features: Features | None, name: str) -> FittedFilm:
+        """Compare a film with the heights of its model; `unit` is the noise over the film's standard errors."""
+        residuals = (model - film.data) / (unit * film.std)
+        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, name)
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """The film with some of its readings."""
