@@ -15,7 +15,7 @@ from scipy import stats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.lists import everything, named
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.closed_form import closed_form
+from softcat_sym.fitting.closed_form import first_guess
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import FEWEST, Features, read_features
 from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
@@ -523,8 +523,10 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, features: Sequence[
     for one in features:
         if one is None or scene.material.law not in ("maxwell", "newtonian"):
             continue
-        guess = closed_form(one, scene.filament.density).first_guess
-        if guess is None:
+        try:
+            guess = first_guess(one, scene.filament.density)
+        except SoftcatError:
+            # The film does not show what the closed form needs.
             continue
         q = own.copy()
         for k, free in enumerate(problem.free):
