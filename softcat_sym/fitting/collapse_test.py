@@ -140,36 +140,21 @@ class Gap:
 
 @dataclass(frozen=True)
 class GapResult:
-    """What one gap shows beside the fit.
+    """What one gap shows beside the fit."""
 
-    Attributes
-    ----------
-    number : int
-        Of the gap, from the left.
-    span, drop, sag : float
-        Distance of the edges, height of the left above the right one, largest depth below their chord [m].
-    collapsed, remaining : float or None
-        Collapse factor in both published senses: the share of the open area below a straight strand that the sagging
-        one takes (0 for a straight strand), and the share that it leaves (1 for a straight strand); None without
-        ``pillars.height``.
-    angle : float
-        Steepest inclination of the strand [rad].
-    closed_form : float or None
-        Tensile yield stress by the closed formula rho g span/(2 sin(angle)) [Pa]: half of the weight is carried by the
-        yield stress along the strand where it is steepest. None where the sag is not significant.
-    ratio : float or None
-        That over the fitted yield stress.
-    """
-
-    number: int
-    span: float
-    drop: float
-    sag: float
+    number: int  # Of the gap, from the left
+    span: float  # Distance of the edges [m]
+    drop: float  # Height of the left above the right one [m]
+    sag: float  # Largest depth below their chord [m]
+    # Share of the open area below a straight strand that the sagging one takes: 0 for a straight strand; None without
+    # ``pillars.height``
     collapsed: float | None
-    remaining: float | None
-    angle: float
+    remaining: float | None  # The share that it leaves, the other published collapse factor: 1 for a straight strand
+    angle: float  # Steepest inclination of the strand [rad]
+    # Tensile yield stress rho g span/(2 sin(angle)) [Pa], as :func:`closed_form` has it; None where the sag is not
+    # significant
     closed_form: float | None
-    ratio: float | None
+    ratio: float | None  # That over the fitted yield stress
 
 
 @dataclass(frozen=True, eq=False)
@@ -298,20 +283,10 @@ def _edge(text: str, unit: float) -> float:
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
-    """Turn the photograph level and cut the centre line into its gaps.
+    """Turn the photograph level by the line through all edges, and cut the centre line into its gaps.
 
-    Parameters
-    ----------
-    contour : Contour
-        In the frame of the photograph.
-
-    Returns
-    -------
-    gaps : tuple of Gap
-        From left to right.
-    tilt : float
-        Angle of the line through all edges, by which the photograph is turned back [rad]; of what the edges are then
-        off by, only what is significant is a drop of a support.
+    Returned are the gaps from left to right, and the angle by which the photograph is turned back [rad]. Of what the
+    edges are then off by, only what is significant is a drop of a support.
     """
     lines = [_centre_line(contour, *edges) for edges in contour.gaps]
     noise = float(np.median([_noise(*line) for line in lines]))
@@ -409,13 +384,7 @@ def _running_lines(x: Floats, y: Floats) -> tuple[Floats, Floats]:
 
 
 def yield_stress_name(scene: Scene) -> str:
-    """Name of the yield stress by which the scene states it.
-
-    Raises
-    ------
-    SceneError
-        If the law has none: nothing then holds a strand but its modulus.
-    """
+    """Name of the yield stress by which the scene states it; a law without one is refused."""
     names = {one.path.rpartition(".")[2] for one in candidates(scene)}
     found = next((name for name in ("yield_stress", "shear_yield_stress") if name in names), None)
     if found is None:

@@ -74,23 +74,11 @@ class ModelChoice:
 def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, independent: float = 1.0) -> ModelChoice:
     """Rank laws that were fitted to the same data.
 
-    Parameters
-    ----------
-    laws : sequence of FittedLaw
-        The fits.
-    points : int
-        Number m of data.
-    noise_known : bool
-        Whether the squares are chi^2: then the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
-        :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
-    independent : float
-        Share of the data that are independent of each other; differences count by this share.
-
-    Returns
-    -------
-    ModelChoice
-        The best law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the
-        best and gains less by its further constants than half their penalty.
+    If the noise is known, the squares are chi^2 and the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
+    :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
+    `independent` is the share of the data that are independent of each other; differences count by this share. The best
+    law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the best and
+    gains less by its further constants than half their penalty.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")

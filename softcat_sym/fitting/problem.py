@@ -216,23 +216,10 @@ class FilamentProblem(Unknowns):
     covariance (:mod:`softcat_sym.fitting.discrepancy`). Every unknown with a prior adds a row to the residuals, after
     those of the data.
 
-    Parameters
-    ----------
-    scene, measurements, names, bounds
-        As :func:`softcat_sym.fitting.fit` has them.
-    backend, rtol : str, float, optional
-        Of the models.
-    camera, theory : bool
-        Whether the camera's parameters and the theory's error are unknowns.
-    noise : Noise, optional
-        Of readings without a stated error; by default an initial guess by second differences.
-    near : sequence of (Scene, ndarray), optional
-        For each film, a scene near the best fit and its heights [m], which scale the theory's error; by default the
-        given scene and the measured heights, smoothed.
-    flow_curve : FlowCurve, optional
-        Flow curve of the same material.
-    deadline : float
-        Time of the monotonic clock after which an evaluation ends with TimeLimitError.
+    `camera` and `theory` say whether the camera's parameters and the theory's error are unknowns; `noise` is that of
+    readings without a stated error, by default a guess by second differences; `near` has for each film a scene near the
+    best fit and its heights [m], which scale the theory's error, by default the given scene and the measured heights,
+    smoothed. An evaluation beyond the `deadline` of the monotonic clock ends with TimeLimitError.
     """
 
     def __init__(
