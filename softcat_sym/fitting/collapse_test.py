@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -24,7 +23,7 @@ from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
 from softcat_sym.fitting.result import Fit
-from softcat_sym.fitting.trackers import camera_in
+from softcat_sym.fitting.trackers import camera_in, comments_in
 from softcat_sym.scene.csv_reader import (
     Wanted,
     columns_in,
@@ -57,7 +56,6 @@ _AXES = {
     )
     for one in "xy"
 }
-_LINE = re.compile(r"#\s*pillars\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
 _FORMS = {
     "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
     "height": "pillars.height = 6 mm",
@@ -246,12 +244,7 @@ def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]
     """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
     found: dict[str, list[Any]] = {key: [] for key in _FORMS}
     faults = list[Fault]()
-    for number, line in enumerate(text.splitlines(), start=1):
-        match = _LINE.match(line.strip())
-        if match is None:
-            continue
-        key, value = match["key"], match["value"].strip().rstrip(",;\t ")
-        where = f"line {number}, pillars.{key}"
+    for where, key, value in comments_in(text, "pillars"):
         if key not in _FORMS:
             faults.append(Fault(where, "unknown key", "; ".join(_FORMS.values())))
             continue
