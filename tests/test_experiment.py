@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym import drawing
 from softcat_sym.design.critical_span import Limit, critical_span, crossings, polished
 from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
-from softcat_sym.design.information import Noise, Unknowns, exact_film, film_times, films_of, relative_errors
+from softcat_sym.design.information import Noise, exact_film, film_times, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from tests.common.in_process import Softcat, sets
 
@@ -175,8 +175,7 @@ def _maxwell(name: str = "maxwell-fast", duration: float = 6) -> sc.Scene:
 
 def _errors(scene: sc.Scene, names: list[str], frames: int, noise: float = _NOISE) -> np.ndarray:
     free = free_parameters(scene, names)
-    unknowns = Unknowns(free, np.ones(len(free), dtype=bool))
-    return relative_errors(exact_film(scene, free, frames, Noise(noise)).information, unknowns)
+    return relative_errors(exact_film(scene, free, frames, Noise(noise)).information, free)
 
 
 def test_errors_go_as_noise_and_as_the_root_of_frames() -> None:
@@ -191,13 +190,12 @@ def test_one_run_serves_all_its_films() -> None:
     """The integral over time agrees with the frames themselves, at every duration."""
     scene = _maxwell()
     free = free_parameters(scene, ["youngs_modulus", "viscosity"])
-    unknowns = Unknowns(free, np.ones(2, dtype=bool))
     films = films_of(scene, free, 0.1, scene.run.duration)
     for number in (0, 150, 400, -1):
         short = scene.replace({"run.duration": f"{float(films.durations[number])!r} s"})
         by_frames = _errors(short, ["youngs_modulus", "viscosity"], 501)
         information = films.information(np.full(len(films.durations), 501.0), _NOISE)[number]
-        assert relative_errors(information, unknowns) == pytest.approx(by_frames, rel=0.03)
+        assert relative_errors(information, free) == pytest.approx(by_frames, rel=0.03)
 
 
 @pytest.mark.slow
@@ -335,13 +333,11 @@ def test_every_duration_is_resolved() -> None:
 def test_errors_of_a_known_information() -> None:
     """The inverse where there is one; infinite for what takes part in a direction that is not seen."""
     free = free_parameters(_maxwell(), ["youngs_modulus", "viscosity"])
-    unknowns = Unknowns(free, np.array([True, False]))
     matrix = np.array([[4.0, 1.0], [1.0, 9.0]])
-    assert relative_errors(matrix, unknowns) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(matrix))))
-    assert relative_errors(np.diag([4.0, 0.0]), unknowns).tolist() == [0.5, math.inf]
-    assert relative_errors(np.ones((2, 2)), unknowns).tolist() == [math.inf, math.inf]
-    assert relative_errors(np.full((2, 2), np.nan), unknowns).tolist() == [math.inf, math.inf]
-    assert unknowns.worst(np.array([0.5, math.inf])) == 0.5
+    assert relative_errors(matrix, free) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(matrix))))
+    assert relative_errors(np.diag([4.0, 0.0]), free).tolist() == [0.5, math.inf]
+    assert relative_errors(np.ones((2, 2)), free).tolist() == [math.inf, math.inf]
+    assert relative_errors(np.full((2, 2), np.nan), free).tolist() == [math.inf, math.inf]
 
 
 SCENE = ("maxwell-fast", *sets("run.effects=paper", "groups.duration=6", "numerics.cells=10"))

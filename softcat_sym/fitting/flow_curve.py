@@ -127,27 +127,13 @@ class FlowCurve:
 
 
 def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> FlowCurve:
-    """Read a flow curve from a CSV file.
+    """Read a flow curve from a CSV file in UTF-8.
 
-    Parameters
-    ----------
-    path : str or path
-        UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
-        (``shear_stress_kPa``, ``Shear rate [1/s]``, ``Stress / Pa``); other columns are not read, nor are empty lines
-        and lines that start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal
-        points or commas; rows without a number are left out, up to a third of them.
-    sample : str, optional
-        The rows to take, where a column ``sample`` (or ``sample_id``) names several samples.
-
-    Returns
-    -------
-    FlowCurve
-        The points, in the order of the file.
-
-    Raises
-    ------
-    SoftcatError
-        With every fault and its line.
+    Its header names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit (``shear_stress_kPa``, ``Shear rate
+    [1/s]``, ``Stress / Pa``); other columns, empty lines and lines that start with ``#`` are not read. Cells are
+    separated by commas, or by semicolons or tabs, then with decimal points or commas; rows without a number are left
+    out, up to a third of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names
+    several.
     """
     file = Path(path)
     cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
@@ -495,13 +481,7 @@ class FlowCurveFit:
         return self.candidates[0]
 
     def candidate(self, law: str | None = None) -> Candidate:
-        """Return the fit of a law, of the best one if none is named.
-
-        Raises
-        ------
-        SoftcatError
-            If no such law was fitted.
-        """
+        """Return the fit of a law, of the best one if none is named."""
         found = [one for one in self.candidates if law in (None, one.law)]
         if not found:
             names = [one.name for one in FITTED]

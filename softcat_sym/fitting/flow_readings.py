@@ -23,24 +23,10 @@ _MAX_SCATTER = 0.1  # Relative scatter about the best fit above which a warning 
 
 
 def steady_shear_stress(material: Material, shear_rate: Floats) -> Floats:
-    """Shear stress of steady flow, from the constants in tension.
+    """Shear stress of steady flow [Pa] at shear rates [1/s], from the constants in tension, by von Mises' equivalence.
 
-    Parameters
-    ----------
-    material : Material
-        Of a law that has a flow curve.
-    shear_rate : ndarray
-        [1/s].
-
-    Returns
-    -------
-    ndarray
-        ((sigma_Y/sqrt(3))^p + (K/3^((n+1)/2) g^n)^p)^(1/p) [Pa], by von Mises' equivalence; with n = 1 Trouton's K/3.
-
-    Raises
-    ------
-    SceneError
-        If the law has no flow curve, or one that changes during the flow.
+    ((sigma_Y/sqrt(3))^p + (K/3^((n+1)/2) g^n)^p)^(1/p); with p = n = 1 Trouton's K/3. Laws without a flow curve, and
+    those whose stress changes during the flow, are refused.
     """
     spec = material.spec
     if not spec.flow_curve:

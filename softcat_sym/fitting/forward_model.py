@@ -199,6 +199,10 @@ class ForwardModel(Unknowns):
         """The scene with the values of these unknowns."""
         return self._filament.scene_of(self._of_scene(q))
 
+    def release(self, q: Floats) -> float:
+        """Time of the release on the camera's clock [s]."""
+        return self._value(q, TIME_OFFSET)
+
     def midpoints(self, q: Floats) -> Floats:
         """Heights of the midpoint at the times of the data."""
         return self._midpoints(q, slopes=False)["values"].copy()
@@ -248,7 +252,7 @@ class ForwardModel(Unknowns):
         if point is None:
             none = {"values": np.full(rows, np.nan), "derivatives": np.full((rows, len(self.free)), np.nan)}
             return {**none, "message": np.array(_NO_START)}
-        since, shifts = times - self._value(q, TIME_OFFSET), TIME_OFFSET in self._paths
+        since, shifts = times - self.release(q), TIME_OFFSET in self._paths
         timing = timing_of(since / filament.scale, beside=shifts and not what.has_rate)
         seen, message = list(what.seen), ""
         values = np.tile(np.concatenate([point.start.x, point.start.z])[seen], (rows, 1))
@@ -285,7 +289,7 @@ class ForwardModel(Unknowns):
         near, self._filament.near = self._filament.near, self._first
         try:
             point = self._filament.point(self._of_scene(self.typical), slopes=False)
-            since = (self.times - self._value(self.typical, TIME_OFFSET)) / self._filament.scale
+            since = (self.times - self.release(self.typical)) / self._filament.scale
             timing = timing_of(since, beside=TIME_OFFSET in self._paths and not self._midpoint.has_rate)
             if point is None or not len(timing.model):
                 return _MAX_STEPS

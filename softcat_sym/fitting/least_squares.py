@@ -86,28 +86,13 @@ class Loss:
 LINEAR = Loss()
 
 
-@dataclass(frozen=True, eq=False)
 class Fixed:
-    """A problem with one unknown held at a value."""
+    """A problem with one unknown held at a value of q."""
 
-    whole: LeastSquares
-    index: int  # Number of the unknown that is held
-    at: float  # Value of q at which it is held
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Names of the other unknowns."""
-        return self.whole.names[: self.index] + self.whole.names[self.index + 1 :]
-
-    @property
-    def lower(self) -> Floats:
-        """Lower bounds of the others."""
-        return np.delete(self.whole.lower, self.index)
-
-    @property
-    def upper(self) -> Floats:
-        """Upper bounds of the others."""
-        return np.delete(self.whole.upper, self.index)
+    def __init__(self, whole: LeastSquares, index: int, at: float) -> None:
+        self.whole, self.index, self.at = whole, index, at
+        self.names = whole.names[:index] + whole.names[index + 1 :]
+        self.lower, self.upper = np.delete(whole.lower, index), np.delete(whole.upper, index)
 
     def residuals(self, q: Floats) -> Floats:
         """Residuals of the whole problem."""

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import pandas as pd
@@ -15,9 +14,8 @@ from scipy.optimize import minimize_scalar
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
-from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import fit
-from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
+from softcat_sym.fitting.fit import FitOptions, fit
+from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
@@ -27,7 +25,6 @@ from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
-from softcat_sym.solvers.solution import Progress
 
 CLOSE = 10.0
 """Difference of the criterion above which a law is ruled out (Burnham and Anderson 2002, section 2.6) if the penalty of
@@ -77,23 +74,11 @@ class ModelChoice:
 def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, independent: float = 1.0) -> ModelChoice:
     """Rank laws that were fitted to the same data.
 
-    Parameters
-    ----------
-    laws : sequence of FittedLaw
-        The fits.
-    points : int
-        Number m of data.
-    noise_known : bool
-        Whether the squares are chi^2: then the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
-        :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
-    independent : float
-        Share of the data that are independent of each other; differences count by this share.
-
-    Returns
-    -------
-    ModelChoice
-        The best law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the
-        best and gains less by its further constants than half their penalty.
+    If the noise is known, the squares are chi^2 and the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
+    :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
+    `independent` is the share of the data that are independent of each other; differences count by this share. The best
+    law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the best and
+    gains less by its further constants than half their penalty.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
@@ -427,49 +412,24 @@ _NO_WORSE = 1e-6
 Bounds = Mapping[str, tuple[object, object]]
 
 
-@dataclass(frozen=True)
-class _Request:
-    """Options with which every law is fitted."""
-
-    films: Measurements
-    also_free: tuple[str, ...]
-    bounds: Bounds
-    how: Mapping[str, Any]  # Further arguments of a fit
-
-    def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: Progress | None = None) -> Fit:
-        """Fit all constants of the scene's own law."""
-        names = [*constants_of(scene.material.law), *self.also_free]
-        leaves = {name.rpartition(".")[2] for name in names}
-        bounds = {name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves}
-        # Films without corrections: a fit makes and notes its own.
-        how: dict[str, Any] = {"starts": starts, "profiles": profiles, "progress": progress, **self.how}
-        return fit(self.films, scene, names, bounds=bounds, **how)
+def _fitted(films: Measurements, scene: Scene, also_free: Sequence[str], options: FitOptions) -> Fit:
+    """Fit all constants of the scene's own law, within their bounds among those of all laws."""
+    names = [*constants_of(scene.material.law), *also_free]
+    leaves = {name.rpartition(".")[2] for name in names}
+    bounds = options.get("bounds") or {}
+    own = {name: pair for name, pair in bounds.items() if name.rpartition(".")[2] in leaves}
+    bounded: FitOptions = {**options, "bounds": own}
+    # Films without corrections: a fit makes and notes its own.
+    return fit(films, scene, names, **bounded)
 
 
 def fit_law(
-    measurements: Films,
-    scene: Scene,
-    law: str,
-    *,
-    also_free: Sequence[str] = (),
-    bounds: Bounds | None = None,
-    loss: Loss = LINEAR,
-    starts: int = STARTS,
-    profiles: bool = True,
-    seed: int = 0,
-    calibrated: bool = False,
-    discrepancy: bool = True,
-    time_limit: float | None = None,
-    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
-    progress: Progress | None = None,
+    measurements: Films, scene: Scene, law: str, *, also_free: Sequence[str] = (), **options: Unpack[FitOptions]
 ) -> Fit:
     """Fit every constant of one law, which may differ from the scene's; the arguments are those of :func:`fit_laws`."""
-    _refuse([law], also_free, bounds or {}, fewest=1)
+    _refuse([law], also_free, options.get("bounds") or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    how = {"loss": loss, "seed": seed, "calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
-    how |= {"flow_curve": flow_curve}
-    request = _Request(read, tuple(also_free), bounds or {}, how)
-    return request.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
+    return _fitted(read, scene_of_law(scene, law, checked(read, scene)), also_free, options)
 
 
 def fit_laws(
@@ -478,18 +438,7 @@ def fit_laws(
     laws: Sequence[str],
     *,
     also_free: Sequence[str] = (),
-    bounds: Bounds | None = None,
-    loss: Loss = LINEAR,
-    starts: int = STARTS,
-    profiles: bool = False,
-    backend: str = "auto",
-    rtol: float | None = None,
-    seed: int = 0,
-    calibrated: bool = False,
-    discrepancy: bool = True,
-    time_limit: float | None = None,
-    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[FitOptions],
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
 
@@ -498,33 +447,28 @@ def fit_laws(
 
     Parameters
     ----------
+    measurements : Measurements, path or sequence of paths
+        As for :func:`softcat_sym.fitting.fit`.
     scene : Scene
         The filament; the constants of its material are starting values of every law that has them.
     laws : sequence of str
         Two or more of :data:`FITTED`.
     also_free : sequence of str
         Further free parameters, such as ``["time_offset"]``.
-    bounds : mapping, optional
-        As for :func:`softcat_sym.fitting.fit`; each law takes those of its own constants.
-    profiles : bool
-        Whether the law that ranks first is fitted again, with intervals from profile likelihoods.
-    time_limit : float, optional
-        Seconds for each law.
-    measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, flow_curve, progress
-        As for :func:`softcat_sym.fitting.fit`.
+    **options
+        As for :func:`softcat_sym.fitting.fit`; each law takes the bounds of its own constants, and the time limit.
+        With ``profiles``, by default not, the law that ranks first is fitted again, with profile likelihoods.
 
     Raises
     ------
     SoftcatError
         If a law is unknown or named twice, or none can be fitted.
     """
-    _refuse(laws, also_free, bounds or {})
+    _refuse(laws, also_free, options.get("bounds") or {})
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    seen = checked(read, scene)
-    how = {"loss": loss, "backend": backend, "rtol": rtol, "seed": seed}
-    how |= {"calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
-    how |= {"flow_curve": flow_curve}
-    request = _Request(read, tuple(also_free), bounds or {}, how)
+    seen, loss, progress = checked(read, scene), options.get("loss", LINEAR), options.get("progress")
+    quick: FitOptions = {**options, "profiles": False}
+    again: FitOptions = {**quick, "starts": 0, "progress": None}
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}
     restarted: dict[str, str] = {}
@@ -534,21 +478,27 @@ def fit_laws(
             progress.stage(law)
             progress.reach(number / len(laws), f"{number + 1} of {len(laws)}")
         try:
-            fits[law] = request.fitted(scene_of_law(scene, law, seen), starts)
+            fits[law] = _fitted(read, scene_of_law(scene, law, seen), also_free, {**quick, "progress": None})
         except SoftcatError as error:
             failures[law] = str(error)
         narrower = _better_contained(law, fits, loss)
-        if narrower and _restarted(law, narrower, request, seen, fits):
+        if not narrower:
+            continue
+        try:
+            wider = _fitted(read, widened(fits[narrower].fitted_scene, law, seen), also_free, again)
+        except SoftcatError:
+            continue
+        if _is_better(wider, fits.get(law), loss):
+            fits[law], restarted[law] = wider, narrower
             failures.pop(law, None)
-            restarted[law] = narrower
     found = compared(laws, fits, failures, loss, len(also_free))
     found = replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
-    if not profiles:
+    if not options.get("profiles"):
         return found
     # The best law is fitted again with profiles, from the scene of its best fit.
     name = found.choice.table[0].law.name
-    again = request.fitted(found.best.scene, starts, profiles=True, progress=progress)
-    return replace(found, fits={**found.fits, name: again})
+    best = _fitted(read, found.best.scene, also_free, {**options, "profiles": True})
+    return replace(found, fits={**found.fits, name: best})
 
 
 def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
@@ -562,19 +512,12 @@ def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     return best if own > values[best] * (1 + _NO_WORSE) else ""
 
 
-def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, fits: dict[str, Fit]) -> bool:
-    """Fit a law from the optimum of a narrower one; keep that fit if it is better, and return whether it is."""
-    try:
-        again = request.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
-    except SoftcatError:
-        return False
-    former = fits.get(law)
-    if former is not None and former.outcome.converged:
-        values = loss_values(request.how["loss"], {"former": former, "again": again}, known=former.noise_known)
-        if not (again.outcome.converged and values["again"] < values["former"]):
-            return False
-    fits[law] = again
-    return True
+def _is_better(one: Fit, former: Fit | None, loss: Loss) -> bool:
+    """Whether a fit has converged to a lower loss than a former one, or that has not converged."""
+    if former is None or not former.outcome.converged:
+        return True
+    values = loss_values(loss, {"former": former, "again": one}, known=former.noise_known)
+    return one.outcome.converged and values["again"] < values["former"]
 
 
 def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:

@@ -88,34 +88,20 @@ class PosteriorOutcome(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
-    """Draws of the parameters, given the data.
+    """Draws of the parameters, given the data."""
 
-    Attributes
-    ----------
-    data : arviz.InferenceData
-        Groups `posterior` (SI, by the names of the parameters), `sample_stats`, `prior` and `observed_data`.
-    parameters : dict of str to dict
-        For each: mean, sd, median, hdi95 and eti95 (interval of highest density, and between quantiles), ess_bulk,
-        ess_tail, r_hat.
-    priors : tuple of Prior
-        In the order of the parameters.
-    outcome : PosteriorOutcome
-        Whether the posterior can be used.
-    divergences, draws, asked : int
-        Steps that failed after tuning; draws of each chain, and the requested number of draws.
-    evaluations, seconds : int, float
-        Evaluations of the model with its derivatives, and their duration.
-    """
-
+    # arviz.InferenceData with the groups `posterior` (SI, by names), `sample_stats`, `prior` and `observed_data`
     data: Any
+    # For each: mean, sd, median, hdi95 and eti95 (interval of highest density, and between quantiles), ess_bulk,
+    # ess_tail, r_hat
     parameters: dict[str, dict[str, Any]]
-    priors: tuple[Prior, ...]
-    outcome: PosteriorOutcome
-    divergences: int
-    draws: int
-    asked: int
-    evaluations: int
-    seconds: float
+    priors: tuple[Prior, ...]  # In the order of the parameters
+    outcome: PosteriorOutcome  # Whether the posterior can be used
+    divergences: int  # Steps that failed after tuning
+    draws: int  # Of each chain
+    asked: int  # Requested number of draws
+    evaluations: int  # Of the model with its derivatives
+    seconds: float  # Their duration
 
     @property
     def message(self) -> str:
@@ -176,19 +162,8 @@ def posterior_of(
 ) -> Posterior:
     """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
-    Parameters
-    ----------
-    fit : Fit
-        With an optimum.
-    priors : mapping of str to str, optional
-        Prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them.
-    draws, seed, time_limit, progress
-        As for :func:`sample`.
-
-    Raises
-    ------
-    SoftcatError
-        As for :func:`sample`; or if no optimum was found, or with a robust loss.
+    `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them; the other
+    arguments are those of :func:`sample`. A fit without an optimum, or with a robust loss, is refused.
     """
     if fit.loss.kind != "linear":
         raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
@@ -217,45 +192,18 @@ def sample(
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
-    """Draw from the posterior of a problem of least squares.
+    """Draw from the posterior of a problem of least squares, around its best fit.
 
     The likelihood is Gaussian. Where the noise is not known, its deviation has Jeffreys' prior 1/s and is integrated
     out: the logarithm is then -m/2 log(r.r) of m residuals r. If r has rows of priors, which do not tell the noise, it
     is -(f + k)/2 log(f s^2 + r.r - r0.r0), where s and f are the deviation and degrees of freedom of the readings at
-    the best fit, and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+    the best fit (`noise`), and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+    Where residuals are NaN the model has no answer, and there is no density.
 
     Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the mode, so that a short
     tuning suffices. Chains run one after another: a model with a memory of its last evaluation gives the same draws
-    again.
-
-    Parameters
-    ----------
-    problem : Sampled
-        Residuals with derivatives; where they are NaN the model has no answer, and there is no density.
-    best : ndarray, shape (k,)
-        The unknowns at the best fit.
-    priors : sequence of Prior
-        Of the k unknowns: :func:`softcat_sym.fitting.priors.read_priors`.
-    draws, tune, chains, seed : int
-        Draws of each chain after `tune` tuning steps; convergence cannot be assessed with a single chain.
-    time_limit : float
-        Seconds. A longer estimate is refused beforehand; chains that reach the limit end with the draws so far.
-    noise : Noise, optional
-        Of the readings at the best fit; without it all residuals are readings.
-    observed : mapping of str to ndarray, optional
-        Measurements, stored with the draws.
-    progress : Progress, optional
-        Receiver of progress reports.
-
-    Returns
-    -------
-    Posterior
-        Draws and an outcome, which tells whether they can be used.
-
-    Raises
-    ------
-    SoftcatError
-        If nutpie is missing, the time does not suffice, or the model has no answer near the best fit.
+    again. Convergence cannot be assessed with a single chain. If the estimated duration exceeds `time_limit` [s] the
+    posterior is refused beforehand; chains that reach the limit end with the draws so far.
     """
     nutpie, arviz = packages()
     if min(draws, tune, chains) < 1:
