@@ -29,7 +29,7 @@ def flow_curve(
         typer.Option(
             "--law",
             metavar="LAW",
-            help="Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley.",
+            help="Take this law instead of the best, such as herschel-bulkley.",
         ),
     ] = None,
     sample: Annotated[
