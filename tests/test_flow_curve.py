@@ -21,6 +21,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
+    FITTED,
     INDEX_BOUNDS,
     Candidate,
     FlowCurve,
@@ -31,11 +32,12 @@ from softcat_sym.fitting.flow_curve import (
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
 from softcat_sym.plotting.flow_curve import flow_curve_figure
+from softcat_sym.scene.laws import LAWS as SPECS
 from tests.common.draws import draws, shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
 from tests.common.in_process import Softcat, sets
 
-LAWS = ("newtonian", "bingham", "power-law", "herschel-bulkley")
+LAWS = [law.name for law in FITTED]
 ROWS = "1,14\n10,20\n100,40\n1000,90\n"
 HEADER = "shear_rate_1_s,shear_stress_Pa\n"
 
@@ -143,7 +145,7 @@ def constants(one: Candidate) -> list[float]:
 def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
     """Constants and sum of squares from SciPy's trust region, the best of many starts; k is fitted by its logarithm."""
     rate, stress = curve.shear_rate, curve.shear_stress
-    has_yield, has_index = law in ("bingham", "herschel-bulkley"), law in ("power-law", "herschel-bulkley")
+    has_yield, has_index, p = SPECS[law].yields, SPECS[law].has_index, SPECS[law].shear_exponent
 
     def unpack(x: np.ndarray) -> tuple[float, float, float]:
         rest = list(x)
@@ -152,7 +154,7 @@ def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
 
     def residual(x: np.ndarray) -> np.ndarray:
         tau_Y, k, n = unpack(x)
-        return (tau_Y + k * rate**n) / stress - 1
+        return (tau_Y**p + (k * rate**n) ** p) ** (1 / p) / stress - 1
 
     low = [0.0] * has_yield + [-60.0] + [INDEX_BOUNDS[0]] * has_index
     high = [np.inf] * has_yield + [60.0] + [INDEX_BOUNDS[1]] * has_index

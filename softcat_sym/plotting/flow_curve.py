@@ -75,19 +75,19 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
-    """Lay the candidates out side by side, the best first."""
-    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
-    rows = zip(names, *(_column(one, fit) for one in fit.candidates), strict=True)
+    """A row for each candidate, the best first."""
+    header = ("law", "τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
+    rows = [_row(one, fit) for one in fit.candidates]
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"
-    header, right = ["", *(one.law for one in fit.candidates)], range(1, 5)
-    looks: dict[str, Any] = {"right": right, "whole": [0], "padding": (0, 1, 0, 0)}
-    return text_table(header, list(rows), title=title, caption=caption, **looks)
+    looks: dict[str, Any] = {"right": range(1, len(header)), "whole": [0], "padding": (0, 1, 0, 0)}
+    return text_table(header, rows, title=title, caption=caption, **looks)
 
 
-def _column(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
+def _row(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
     tensile = one.tensile
     return (
+        one.law,
         _with_interval(one.tau_Y),
         _with_interval(one.k),
         _with_interval(one.n) if one.n else "1",

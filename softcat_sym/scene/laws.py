@@ -158,6 +158,7 @@ _BELOW_YIELD = {
     "newtonian": Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
     "maxwell": Limit({"yield_stress": _WEAK}),
 }
+_OVER = "max(abs(sigma) - yield_stress, 0)"
 
 _SPECS = (
     LawSpec("elastic", "Hooke 1678", _E, springs=_E),
@@ -204,6 +205,18 @@ _SPECS = (
         has_index=True,
         flow_curve="herschel-bulkley",
         limits={**_BELOW_YIELD, "bingham": Limit(), "power-law": Limit({"yield_stress": _WEAK})},
+    ),
+    # tau^1/2 = tau_Y^1/2 + (mu rate)^1/2 in shear. The difference of the roots is a quotient, whose slope is finite.
+    LawSpec(
+        "casson",
+        "Casson 1959",
+        _E_ETA_Y,
+        flowing=_E,
+        flow=f"sign(sigma)*({_OVER}/(sqrt({_OVER} + yield_stress) + sqrt(yield_stress)))**2/viscosity",
+        flow_without_yield="sigma/viscosity",
+        flow_curve="casson",
+        shear_exponent=0.5,
+        limits=_BELOW_YIELD,
     ),
     LawSpec("custom", "material.flow", _E, flowing=_E, lists=("flow", "parameters")),
     _chains("oldroyd-b", "Oldroyd 1950"),
