@@ -159,7 +159,7 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
 
 def _newton(filament: Assembled) -> Newton | None:
     """Newton's method in C for a start in three dimensions, where there is a compiler: it is ten times as fast."""
-    if not filament.theory.is_spatial or find_compiler() is None:
+    if not filament.structure.recorded.theory.is_spatial or find_compiler() is None:
         return None
     code, settings = (
         compile_filament(filament.graph, filament.structure),
@@ -171,7 +171,7 @@ def _newton(filament: Assembled) -> Newton | None:
 def start_of(described: Description, filament: Assembled) -> Floats | None:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in; None of a filament that begins straight."""
     graph, scene = filament.graph, filament.scene
-    if is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic):
+    if is_straight(scene) and not (filament.structure.recorded.theory.is_spatial and graph.positions_are_algebraic):
         return None
     p = graph.vector(parameter_values(scene))
     start = starting_state(scene, graph, p, filament.at_rest, _newton(filament))
@@ -184,7 +184,7 @@ def start_of(described: Description, filament: Assembled) -> Floats | None:
         held, unit = observed[kind], length if kind in PLACES else 1.0
         state[[0, -1], names.index(kind)] = float(held[0]) / unit, float(held[-1]) / unit
     if "psi" in names:
-        slot, (first, last) = names.index("psi"), described.structure.ends
+        slot, first, last = names.index("psi"), graph.grid.first, graph.grid.last
         if first.holds_angle:
             state[0, slot] = 0.0 if graph.grid.is_half else ends.left_angle
         if last.holds_angle:

@@ -174,12 +174,12 @@ def describe(
         grading=float(grading),
         steps=steps,
         towards_middle=towards_middle(scene, effects),
-        natural=_natural(graph, structure.body),
+        natural=_natural(graph, structure.recorded.body),
     )
 
 
 def _fibres(scene: Scene, effects: Effects, structure: Structure) -> int:
-    theory = structure.theory
+    theory = structure.recorded.theory
     if theory.fibres is None:
         return 0
     return asked_points(scene, effects.terms()) if theory.is_spatial else theory.fibres.points
@@ -187,7 +187,7 @@ def _fibres(scene: Scene, effects: Effects, structure: Structure) -> int:
 
 def _section(scene: Scene, effects: Effects, structure: Structure) -> str:
     circle = scene.filament.section == "circle"
-    if structure.theory.is_spatial:
+    if structure.recorded.theory.is_spatial:
         return "RINGS" if circle else "WARPING"
     return ("CIRCLE" if circle else "RECTANGLE") + "_IN_HALVES" * in_halves(scene, effects.terms())
 
@@ -393,8 +393,8 @@ def source_text(described: Description, name: str, command: str) -> str:
 
 def _fields(described: Description, name: str) -> dict[str, str]:
     """Of the structure."""
-    scene, structure = described.scene, described.structure
-    supports = structure.body.supports
+    scene, recorded = described.scene, described.structure.recorded
+    supports = recorded.body.supports
     parameters = [one.name for one in described.parameters]
     slots = [slot.name for slot in described.model.slots]
 
@@ -412,11 +412,11 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "on_cells": "described_on_cells",
         "mean": "described_mean",
         "bending": "described_bending",
-        "first": f"SOFTCAT_{structure.ends[0].name}",
-        "last": f"SOFTCAT_{structure.ends[1].name}",
+        "first": f"SOFTCAT_{recorded.grid.first.name}",
+        "last": f"SOFTCAT_{recorded.grid.last.name}",
         "least_cells": str(MIN_CELLS),
-        "area_power": str(structure.formulation.area_power),
-        "profiled": str(int(structure.body.profile.nodes is not None)),
+        "area_power": str(recorded.formulation.area_power),
+        "profiled": str(int(recorded.body.profile.nodes is not None)),
         "places": "described_places",
         **{slot: place(slots, slot) for slot in ("x", "y", "z", "psi")},
         "q": place(slots, TURN[0]),
@@ -472,7 +472,7 @@ def header_text(described: Description, name: str, command: str) -> str:
         big=big,
         prefix=prefix_of(name),
         structure=symbol_of(name, "structure"),
-        half=described.structure.ends[0] is End.SYMMETRY,
+        half=described.structure.recorded.grid.first is End.SYMMETRY,
         min_cells=MIN_CELLS,
         axes=3 if "z" in [slot.name for slot in slots] else 2,
         parameters=list(zip(parameters, words, strict=True)),

@@ -33,6 +33,7 @@ from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
+    from softcat_sym.discretization.sampling import Sampling, SpatialSampling
     from softcat_sym.physics.filament import FilamentEquations
 
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
@@ -250,17 +251,16 @@ class Recorded:
     @cached_property
     def program(self) -> Program:
         """What its sites compute."""
+        return self.sampled_by(self.theory.rule)
+
+    def sampled_by(self, rule: Sampling | SpatialSampling | None) -> Program:
+        """What its sites compute with other points of the section, or one that stands for all."""
         # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
         from softcat_sym.physics.filament import equations_of
 
-        return build(
-            equations_of(self.formulation),
-            self.theory.model,
-            (self.grid.first, self.grid.last),
-            self.body,
-            self.theory.rule,
-        )
+        ends = self.grid.first, self.grid.last
+        return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
 
 
 def assemble(
