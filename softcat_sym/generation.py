@@ -17,7 +17,7 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
-from softcat_sym.codegen.interface import Description, Steps, describe, rendered
+from softcat_sym.codegen.interface import Description, Steps, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
 from softcat_sym.codegen.structure import model_for
@@ -154,7 +154,7 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())
     steps = Steps(float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0)
-    return describe(scene, effects, filament.graph, filament.structure, model, steps), filament
+    return Description(scene, effects, filament.graph, filament.structure, model, steps), filament
 
 
 def _newton(filament: Assembled) -> Newton | None:

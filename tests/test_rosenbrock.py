@@ -214,17 +214,6 @@ def test_runs_of_filaments_are_their_normal_modes() -> None:
             np.testing.assert_allclose(run.work[2], powers @ weights / 2.0, atol=1e-7)
 
 
-def test_held_values_act_on_their_neighbours() -> None:
-    """Heat conduction between held ends 1 and 0 ends in a straight line, exactly; the ends never change."""
-    pattern, values = [(0, -1, 0), (0, 0, 0), (0, 1, 0)], [1.0, -2.0, 1.0]
-    chain = Chain(11, 0, [-1], [1], [1], [1], pattern, np.tile(values, (11, 1)))
-    start = np.zeros(11)
-    start[0] = 1.0
-    run = integrate(chain.problem(), start, [0.0, 1e6], Settings(relative=1e-8, absolute=1e-12))
-    np.testing.assert_allclose(run.state, np.linspace(1.0, 0.0, 11), atol=1e-10)
-    assert (run.state[0], run.state[-1]) == (1.0, 0.0)
-
-
 def test_derivatives_of_a_linear_decay() -> None:
     """z' = (a + ib) z: dz/da = t z, dz/db = i t z, and dz/dz(0) = exp((a + ib) t)."""
     what, times = problem("dahlquist", -0.3, 2.0), np.array([0.0, 0.7, 2.0])

@@ -298,42 +298,6 @@ def test_compiled_failures_keep_the_sound_part(monkeypatch: pytest.MonkeyPatch) 
         integration(run).run(run.start, run.p, -1.0, run.scale, Silence())
 
 
-def test_one_library_serves_every_grid_every_number_and_every_thread() -> None:
-    runs = [twin(short_scene(cells=cells)) for cells in (4, 5, 6, 7, 8, 9)]
-    runs.append(twin(short_scene(cells=5, ramp="0.02 s")))
-    assert len({id(integration(run).filament.model) for run in runs}) == 1
-    start = runs[0].start
-    assert start is not None
-    held = (runs[0].p, start.x, start.z, integration(runs[0]).filament.places)
-    before = [array.copy() for array in held]
-    wanted = [run.solve(Silence()) for run in runs]
-    found: dict[int, Floats] = {}
-
-    def solve(k: int) -> None:
-        for _ in range(5):
-            found[k] = runs[k].solve(Silence()).x
-
-    threads = [threading.Thread(target=solve, args=(k,)) for k in range(len(runs))]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    for k, one in enumerate(wanted):
-        np.testing.assert_array_equal(found[k], one.x)
-    for one, other in zip(before, held, strict=True):
-        np.testing.assert_array_equal(one, other)
-
-
-def test_progress_is_reported_while_it_works() -> None:
-    run, listener = twin(sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})), Listener()
-    solution = run.solve(listener)
-    assert solution.outcome is Outcome.solved and len(listener.times) > 2
-    assert listener.times == sorted(listener.times)
-    assert 0 < listener.times[len(listener.times) // 2] < listener.times[-1]
-    assert listener.times[-1] == pytest.approx(run.times[-1] * run.scale)
-    assert listener.steps[-1] == pytest.approx(listener.times[-1] / solution.steps)
-
-
 def test_ctrl_c_stops_a_long_run_within_a_second() -> None:
     interpreted_one = sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})
     for scene in (LONG, asking(interpreted_one, backend="interpreted")):
@@ -594,17 +558,6 @@ def test_a_thick_slack_sheet_hangs_as_a_catenary_of_its_length() -> None:
             assert np.max(found.observed["stretch"]) < 1 and np.min(found.heights) > 0
             assert begun.energy < found.energy - 90
     assert depths[1] == pytest.approx(depths[0], rel=1e-3), "a section that shears hangs where one that does not hangs"
-
-
-def test_an_arch_that_stands_is_turned_over() -> None:
-    """A stiff arch rests both ways; hanging is lower by the work of its weight."""
-    _, hanging = started(column(0.02, gravity=0.01))
-    across = np.isin(hanging.graph.z_kinds, ("y", "psi"))
-    arch = hanging.searched(np.where(across, 2 * hanging.straight - hanging.z, hanging.z))
-    assert np.all(arch.heights > 0) and arch.stiffness > 0
-    low = arch.settled()
-    assert low.z == pytest.approx(hanging.z, abs=1e-9)
-    assert low.energy < arch.energy
 
 
 def test_a_stiff_bar_hangs_rather_than_stands() -> None:

@@ -157,7 +157,7 @@ def _natural(scene: Scene, grid: Grid) -> Floats | None:
 def choose_theory(scene: Scene, terms: Terms) -> Theory:
     """The theory of the scene's model and effects."""
     if is_spatial(scene):
-        return Theory(scene.model, choose_points(scene, terms))
+        return Theory(scene.model, _points(scene, asked_points(scene, terms)))
     return Theory(scene.model, choose_rule(scene, terms) if terms.turns else None)
 
 
@@ -166,20 +166,16 @@ def elastic_theory(scene: Scene) -> Theory:
     return Theory(scene.model, _points(scene, 0))
 
 
-def choose_points(scene: Scene, terms: Terms) -> PointRule:
-    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
-
-    What counts is how many different heights the angles of a circle give (THEORY3D 6).
-    """
-    return _points(scene, asked_points(scene, terms))
-
-
 def asked_points(scene: Scene, terms: Terms) -> int:
     """Number of points from which those of a section in three dimensions are chosen."""
     return choose_fibres(scene) if terms.flows else 0
 
 
 def _points(scene: Scene, points: int) -> PointRule:
+    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
+
+    What counts is how many different heights the angles of a circle give (THEORY3D 6).
+    """
     if scene.filament.section == "circle":
         rings = max(1, round(math.sqrt(_RINGS * points)))
         return ring_rule(rings, max(3, math.ceil(points / rings)))
