@@ -17,7 +17,7 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
-from softcat_sym.codegen.interface import Description, Steps, describe, rendered
+from softcat_sym.codegen.interface import Description, Steps, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
 from softcat_sym.codegen.structure import model_for
@@ -155,12 +155,12 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())
     steps = Steps(float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0)
-    return describe(scene, effects, filament.graph, filament.structure, model, steps), filament
+    return Description(scene, effects, filament.graph, filament.structure, model, steps), filament
 
 
 def _newton(filament: Assembled) -> Newton | None:
     """Newton's method in C for a start in three dimensions, where there is a compiler: it is ten times as fast."""
-    if not filament.theory.is_spatial or find_compiler() is None:
+    if not filament.structure.recorded.theory.is_spatial or find_compiler() is None:
         return None
     code, settings = (
         compile_filament(filament.graph, filament.structure),
@@ -172,7 +172,7 @@ def _newton(filament: Assembled) -> Newton | None:
 def start_of(described: Description, filament: Assembled) -> Floats | None:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in; None of a filament that begins straight."""
     graph, scene = filament.graph, filament.scene
-    if is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic):
+    if is_straight(scene) and not (filament.structure.recorded.theory.is_spatial and graph.positions_are_algebraic):
         return None
     p = graph.vector(parameter_values(scene))
     start = starting_state(scene, graph, p, filament.at_rest, _newton(filament))
@@ -185,7 +185,8 @@ def start_of(described: Description, filament: Assembled) -> Floats | None:
         held, unit = observed[kind], length if kind in PLACES else 1.0
         state[[0, -1], names.index(kind)] = float(held[0]) / unit, float(held[-1]) / unit
     if "psi" in names:
-        for place, support, (_, _, angle) in zip((0, -1), described.structure.ends, scene.ends.sides, strict=True):
+        holding = (graph.grid.first, graph.grid.last)
+        for place, support, (_, _, angle) in zip((0, -1), holding, scene.ends.sides, strict=True):
             if support.holds_angle:
                 state[place, names.index("psi")] = 0.0 if support is SYMMETRY else angle
     return state

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import ctypes as c
 import math
-import os
-import subprocess
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +13,6 @@ import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
-from hypothesis import strategies as st
 
 import softcat_sym as sc
 from softcat_sym import cache
@@ -74,22 +68,6 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     ),
 }
 QUICK = ("paper", "fibres, necking", "viscous stress, moving support")
-TEXTS = """
-import hashlib, sys
-from softcat_sym.codegen.right_hand_side import rhs_source
-from tests.common.assembled import graph_of, short_scene
-from tests.test_codegen import pair_of, scene_of
-print(rhs_source(graph_of(short_scene("elastic"))).digest)
-for kind in ("paper", "fibres, necking", "viscous stress, moving support"):
-    print(kind, hashlib.sha256(pair_of(scene_of(kind)).model.text.encode()).hexdigest())
-"""
-
-
-def printed(code: str, seed: str) -> str:
-    """What a new process prints."""
-    environment = {**os.environ, "PYTHONHASHSEED": seed}
-    command = [sys.executable, "-c", code]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
 
 
 def scene_of(kind: str, **changes: Any) -> sc.Scene:
@@ -139,12 +117,6 @@ def test_one_text_for_every_grid_and_every_number() -> None:
             {"run__duration": "3 s", "run__frames": 7, "run__accuracy": 0.01},
         ):
             assert pair_of(scene_of(kind, **changes)).model is base, changes
-
-
-@pytest.mark.slow
-def test_texts_are_the_same_whatever_the_hash_seed() -> None:
-    texts = {printed(TEXTS, seed) for seed in ("1", "2")}
-    assert len(texts) == 1 and texts.pop().count("\n") == 4
 
 
 def structure_in(name: str, **changes: Any) -> Structure:
@@ -335,12 +307,6 @@ def test_constants_are_the_nearest_double() -> None:
         assert number_sympy(expr) == wanted
 
 
-@given(st.integers(-(10**40), 10**40), st.integers(1, 10**40))
-def test_every_rational_is_rounded_once(above: int, below: int) -> None:
-    expr = sp.Rational(above, below)
-    assert number_sympy(expr) == float(Fraction(above, below))
-
-
 # The printer against twenty-digit SymPy, over a table of expressions at random admissible points.
 x, y, z = sp.symbols("x y z", real=True)
 Q = sp.Rational
@@ -355,31 +321,17 @@ SMALL = (1e-6, 1e-3)
 SMOOTH: dict[str, tuple[sp.Expr, tuple[float, float]]] = {
     "square": (x**2, ANY),
     "cube": (x**3, ANY),
-    "fifth": (x**5, ANY),
-    "seventh": (x**7, ANY),
-    "eighth": (x**8, ANY),
-    "ninth": (x**9, ANY),
     "large power": (x**31, ANY),
     "reciprocal": (1 / x, POSITIVE),
     "negative power": (x**-4, ANY),
-    "large negative power": (x**-17, POSITIVE),
     "root": (sp.sqrt(x), POSITIVE),
-    "root of a small number": (sp.sqrt(x), SMALL),
     "three halves": (x ** Q(3, 2), POSITIVE),
-    "seven halves": (x ** Q(7, 2), LARGE),
     "minus a half": (x ** Q(-1, 2), POSITIVE),
-    "minus five halves": (x ** Q(-5, 2), POSITIVE),
     "cube root": (x ** Q(1, 3), POSITIVE),
-    "two thirds of a large number": (x ** Q(2, 3), LARGE),
-    "minus two fifths": (x ** Q(-2, 5), POSITIVE),
     "float power": (x**1.25, POSITIVE),
     "symbolic power": (x**y, POSITIVE),
-    "negative symbolic power": (x ** (-y), POSITIVE),
-    "power of a number": (2**x, ANY),
     "exp": (sp.exp(x), ANY),
-    "exp of a negative": (sp.exp(-(x**2)), ANY),
     "log": (sp.log(x), (1.5, 20.0)),
-    "log of a large number": (sp.log(x), LARGE),
     "sin": (sp.sin(x), UNIT),
     "cos": (sp.cos(x), UNIT),
     "tan": (sp.tan(x), UNIT),
@@ -391,25 +343,16 @@ SMOOTH: dict[str, tuple[sp.Expr, tuple[float, float]]] = {
     "cosh": (sp.cosh(x), ANY),
     "tanh": (sp.tanh(x), ANY),
     "quotient": (x / y, POSITIVE),
-    "quotient of products": (2 * x**2 * y / (3 * z), POSITIVE),
     "several below": (x / (y * z**2 * sp.sqrt(x)), POSITIVE),
-    "sum": (x + 2 * y + 3 * z, POSITIVE),
-    "rational coefficients": (Q(1, 3) * x + Q(2, 7) * y, POSITIVE),
-    "minus": (-x / 3, ANY),
     "pi": (sp.pi * x / 4, ANY),
-    "e": (sp.E * x, ANY),
-    "golden": (sp.GoldenRatio * x, ANY),
     "nested": (sp.exp(sp.sin(x) / (1 + y**2)) * sp.sqrt(1 + z**2), ANY),
-    "horner": (x**3 * (10 + x * (6 * x - 15)), POSITIVE),
     "abs": (sp.Abs(x - 1), ANY),
     "sign": (sp.sign(x) * y, ANY),
     "max": (sp.Max(x, y), ANY),
     "max of three": (sp.Max(x, y, z), ANY),
-    "max with a number": (sp.Max(x, 0), ANY),
     "min": (sp.Min(x, y, Q(1, 2)), ANY),
     "clamp": (sp.Min(sp.Max(x, -1), 1) * y, ANY),
     "piecewise": (sp.Piecewise((x**2, x > 1), (y, x < -1), (z, True)), ANY),
-    "piecewise in a product": (2 * z * sp.Piecewise((1, x >= y), (-1, True)), ANY),
     "nested piecewise": (sp.Piecewise((sp.Piecewise((x, y > 0), (y, True)), z > 0), (z, True)), ANY),
     "piecewise of roots outside their domain": (sp.Piecewise((sp.sqrt(x), x > 0), (sp.sqrt(-x), True)), ANY),
     "piecewise of a quotient by zero": (sp.Piecewise((1 / sp.Max(x, 0), x > 0), (y, True)), ANY),
@@ -458,21 +401,13 @@ unknown = sp.Function("unknown")
 REFUSED = {
     "gamma": (sp.gamma(x), "gamma"),
     "erf": (sp.erf(x), "erf"),
-    "Heaviside": (sp.Heaviside(x), "Heaviside"),
-    "DiracDelta": (sp.DiracDelta(x), "DiracDelta"),
-    "floor": (sp.floor(x), "floor"),
     "user function": (unknown(x), "unknown"),
     "derivative": (sp.Derivative(unknown(x), x), "Derivative"),
     "integral": (sp.Integral(sp.exp(-(x**2)), (x, 0, y)), "Integral"),
-    "sum": (sp.Sum(x**y, (y, 1, 3)), "Sum"),
-    "limit": (sp.Limit(sp.sin(x) / x, x, 0), "Limit"),
     "imaginary unit": (sp.I * x, "ImaginaryUnit"),
     "infinity": (sp.oo, "Infinity"),
-    "minus infinity": (-sp.oo, "NegativeInfinity"),
     "nan": (sp.nan, "NaN"),
-    "zoo": (sp.zoo, "ComplexInfinity"),
     "piecewise without default": (sp.Piecewise((x, x > 0)), "says nothing about what remains"),
-    "piecewise with a last condition": (sp.Piecewise((x, x > 0), (y, x < -1)), "says nothing about what remains"),
     "matrix": (sp.Matrix([x, y]), "Matrix"),
     "hidden deep down": (sp.exp(1 + sp.sqrt(sp.gamma(x) + 2)), "gamma"),
 }
@@ -489,31 +424,6 @@ def test_refused_by_name() -> None:
 x, y = sp.symbols("x y", real=True)
 AT_X = np.array([-1.5, -0.3, 0.0, 0.4, 2.0])
 AT_Y = np.array([0.7, -0.3, 1.0, 0.2, -1.0])
-
-EXPRESSIONS = {
-    "smooth": sp.exp(x) * sp.sqrt(1 + y**2) / (2 + sp.cos(x)),
-    "piecewise": sp.Piecewise((x, x > y), (y**2, x < 0), (sp.Integer(3), True)),
-    "piecewise of numbers": sp.Piecewise((1, x >= 0), (-1, True)),
-    "max": sp.Max(x, y, sp.Rational(1, 4)),
-    "min": sp.Min(sp.Max(x, -1), 1),
-    "sign": sp.sign(x) + sp.Abs(y),
-    "atan2": sp.atan2(y, x),
-}
-
-
-def one_by_one(expr: sp.Expr) -> np.ndarray[Any, Any]:
-    function = CellFunction({"out": expr}, (x, y))
-    return np.array([float(function({x: float(a), y: float(b)})["out"]) for a, b in zip(AT_X, AT_Y, strict=True)])
-
-
-def test_symbolic_vectors_are_elementwise() -> None:
-    for name in EXPRESSIONS:
-        for kind in [ca.SX, ca.MX]:
-            expr = EXPRESSIONS[name]
-            a, b = kind.sym("a", 5), kind.sym("b", 5)
-            value = CellFunction({"out": expr}, (x, y))({x: a, y: b})["out"]
-            found = np.asarray(ca.Function("f", [a, b], [value])(AT_X, AT_Y)).ravel()
-            np.testing.assert_allclose(found, one_by_one(expr), rtol=1e-14)
 
 
 def test_sharing_changes_no_value() -> None:

@@ -104,14 +104,6 @@ def test_the_error_of_the_steps_is_found_where_larger_ones_have_no_answer() -> N
     assert found.time == pytest.approx(3.0 * FIRST.rtol, rel=1e-2) and found.failed == ()
 
 
-def test_another_order_is_missed_by_a_known_factor() -> None:
-    """True error over estimate, from 3/(2^p - 1): an estimate that supposes second order."""
-    for order, low, high in ((1.0, 2.5, 3.5), (1.5, 1.4, 1.9), (3.0, 0.35, 0.5)):
-        known = Known(space=2.0, order=order)
-        space = known.judged(FIRST).space
-        assert space is not None and low < known.parts(FIRST)[0] / space < high
-
-
 def test_what_steps_take_from_a_ringing_is_found_though_looser_ones_can_take_little_more() -> None:
     """Of a higher mode nearly all is lost in the end at this tolerance, and all of it at once at a looser one."""
     time, asked = np.linspace(0.0, 1.0, 2001), []

@@ -153,14 +153,6 @@ def test_unknowns_are_sorted_along_the_filament_and_gathering_undoes_laying_out(
     assert (empty.names, len(empty), gathered(empty, {}).numel()) == ((), 0, 0)
 
 
-def test_a_graph_starts_straight_and_at_rest() -> None:
-    for grid in (half_span(5, CLAMPED), whole_span(3, CLAMPED, PINNED)):
-        graph = build(scene_of(), grid)
-        for name, start in zip(graph.state_names, graph.start, strict=True):
-            kind, number = place(name)
-            assert start == (graph.grid.nodes[number] if kind == "x" else 0.0), name
-
-
 def moments(section: str, degree: int) -> list[float]:
     """<zeta^n>: 1/(n + 1) for even n; of the semicircle Catalan's numbers over 4^(n/2)."""
     even = {"rectangle": lambda m: 1 / (2 * m + 1), "circle": lambda m: math.comb(2 * m, m) / (m + 1) / 4**m}[section]

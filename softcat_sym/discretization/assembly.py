@@ -32,6 +32,7 @@ from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_le
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
+    from softcat_sym.discretization.sampling import Sampling, SpatialSampling
     from softcat_sym.physics.filament import FilamentEquations
 
 DEFAULT_CELLS = 40
@@ -154,7 +155,7 @@ def _natural(scene: Scene, grid: Grid) -> Floats | None:
 def choose_theory(scene: Scene, terms: Terms) -> Theory:
     """The theory of the scene's model and effects."""
     if is_spatial(scene):
-        return Theory(scene.model, choose_points(scene, terms))
+        return Theory(scene.model, _points(scene, asked_points(scene, terms)))
     return Theory(scene.model, choose_rule(scene, terms) if terms.turns else None)
 
 
@@ -163,20 +164,16 @@ def elastic_theory(scene: Scene) -> Theory:
     return Theory(scene.model, _points(scene, 0))
 
 
-def choose_points(scene: Scene, terms: Terms) -> PointRule:
-    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
-
-    What counts is how many different heights the angles of a circle give (THEORY3D 6).
-    """
-    return _points(scene, asked_points(scene, terms))
-
-
 def asked_points(scene: Scene, terms: Terms) -> int:
     """Number of points from which those of a section in three dimensions are chosen."""
     return choose_fibres(scene) if terms.flows else 0
 
 
 def _points(scene: Scene, points: int) -> PointRule:
+    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
+
+    What counts is how many different heights the angles of a circle give (THEORY3D 6).
+    """
     if scene.filament.section == "circle":
         rings = max(1, round(math.sqrt(_RINGS * points)))
         return ring_rule(rings, max(3, math.ceil(points / rings)))
@@ -248,17 +245,16 @@ class Recorded:
     @cached_property
     def program(self) -> Program:
         """What its sites compute."""
+        return self.sampled_by(self.theory.rule)
+
+    def sampled_by(self, rule: Sampling | SpatialSampling | None) -> Program:
+        """What its sites compute with other points of the section, or one that stands for all."""
         # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
         from softcat_sym.physics.filament import equations_of
 
-        return build(
-            equations_of(self.formulation),
-            self.theory.model,
-            (self.grid.first, self.grid.last),
-            self.body,
-            self.theory.rule,
-        )
+        ends = self.grid.first, self.grid.last
+        return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
 
 
 def assemble(

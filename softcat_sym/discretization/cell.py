@@ -30,7 +30,7 @@ from softcat_sym.discretization.stencil import (
     Neighbours,
     Same,
 )
-from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.supports import NATURAL_PLACES, Body
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
@@ -233,13 +233,11 @@ class Builder:
 
     def aged(self, one: Field) -> Field:
         """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
-        ends = {at: self.rate(value) for at, value in one.ends.items()}
-        return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+        return one.mapped(f"{one.name}_aged", self.rate)
 
     def softened(self, one: Field) -> Field:
         """What an energy gains by a kelvin at strains and plastic states that are held [1/K]."""
-        ends = {at: self.by_temperature(value) for at, value in one.ends.items()}
-        return Field(f"{one.name}_softened", one.where, self.by_temperature(one.value), ends)
+        return one.mapped(f"{one.name}_softened", self.by_temperature)
 
     def by_temperature(self, value: ca.SX) -> ca.SX:
         """Derivative of an expression by the temperature of its cell or node [1/K]."""
@@ -454,21 +452,53 @@ def ordered(slots: Mapping[str, Slot]) -> tuple[Slot, ...]:
     return (*(s for s in plain if s.differential), *(s for s in plain if not s.differential), *plastic)
 
 
-def place_names(body: Body) -> tuple[str, ...]:
-    """The geometry of a site that a body needs."""
-    profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
-    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
+def necking_power(
+    b: Builder,
+    double_force: Neighbours,
+    places: Sequence[Neighbours],
+    speeds: Sequence[Neighbours],
+    stretch: Neighbours,
+) -> ca.SX:
+    """Double force times the rate at which the stretch changes from one cell beside a node to the next."""
+    rates = []
+    for i in (-1, 0):
+        slopes, moving = ([(r[i + 1] - r[i]) / b.length[i] for r in part] for part in (places, speeds))
+        rates.append(sum((a * c for a, c in zip(slopes, moving, strict=True)), ca.SX(0)) / stretch[i])
+    return ca.SX(double_force[0] * (rates[1] - rates[0]))
 
 
-def parameters_of(b: Builder, everything: Sequence[Field]) -> tuple[str, ...]:
-    """Names of the numbers that fields need, in the order of the catalogue."""
-    used = {
-        leaf.name
-        for one in everything
-        for value in one.values
-        for leaf in b.leaves.within(value)
-        if leaf.kind == PARAMETER
+def program_of(
+    b: Builder,
+    rates: tuple[Field, ...],
+    powers: Mapping[str, Sequence[Field]],
+    shown: Mapping[str, Field | tuple[Field, ...]],
+    profiles: Mapping[str, tuple[float, float]],
+    support: tuple[Field, ...] = (),
+) -> Program:
+    """All that was collected; what is zero everywhere has no power."""
+    powers = {
+        name: tuple(one for one in fields if not all(value.is_zero() for value in one.values))
+        for name, fields in powers.items()
     }
-    used |= {"density", "rest_length"}
+    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
+    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
+    leaves = {leaf for one in everything for value in one.values for leaf in b.leaves.within(value)}
+    used = {"density", "rest_length", *(leaf.name for leaf in leaves if leaf.kind == PARAMETER)}
     rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
-    return (*dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters]), TIME_SCALE)
+    parameters = dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters])
+    places = ["X", *INVERTED, *(PER + name for name in INVERTED)]
+    places += ["h_node", "h_cell"] if b.body.profile.nodes is not None else []
+    places += ["hung"] if b.body.weighted else []
+    places += NATURAL_PLACES if b.body.natural is not None else []
+    return Program(
+        leaves=b.leaves,
+        slots=ordered(b.slots),
+        fields=tuple(b.fields),
+        rates=rates,
+        powers=powers,
+        shown=shown,
+        parameters=(*parameters, TIME_SCALE),
+        places=tuple(places),
+        profiles=profiles,
+        support=support,
+    )

@@ -21,10 +21,10 @@ from softcat_sym.discretization.cell import (
     branch_name,
     derivatives,
     neck_force,
+    necking_power,
     ordered,
-    parameters_of,
-    place_names,
     printed,
+    program_of,
     surface_force,
 )
 from softcat_sym.discretization.held_ends import Held
@@ -103,25 +103,12 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         for side, parts in zip(("first", "last"), cell.torques, strict=True)
     ]
     of = _Body(b, places, speeds, moved, turn, spin, force, torque, stretch, double_force)
-    slots = ordered(b.slots)
-    rates = tuple(of.rate(slot, points.rates) for slot in slots)
+    rates = tuple(of.rate(slot, points.rates) for slot in ordered(b.slots))
     volume = b.length[0] * b.area_cell
     stored = {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface}
     powers = of.powers(Field("power_plastic_0", CELLS, volume * points.dissipation * of.work))
     shown = {**of.shown(stored), **_shown(b, cell, conjugate, tension_now, points)}
-    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
-    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
-    return Program(
-        leaves=b.leaves,
-        slots=slots,
-        fields=tuple(b.fields),
-        rates=rates,
-        powers=powers,
-        shown=shown,
-        parameters=parameters_of(b, everything),
-        places=(*place_names(b.body), *(NATURAL_PLACES if b.body.natural is not None else ())),
-        profiles={name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")},
-    )
+    return program_of(b, rates, powers, shown, {name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")})
 
 
 def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
@@ -481,7 +468,7 @@ class _Body:
         rate = _turning(q, [one[0] for one in self.spin])[number] - excess * q[number]
         return lambda _before, _behind: ca.SX(rate)
 
-    def powers(self, plastic: Field) -> dict[str, tuple[Field, ...]]:
+    def powers(self, plastic: Field) -> dict[str, list[Field]]:
         """Plastic power, power of the changing load and of supports that move, and of the necking gradient."""
         b, at = self.b, self.b.supports
         down = sum((d * r[0] for d, r in zip(self.direction, self.places, strict=True)), ca.SX(0))
@@ -507,17 +494,9 @@ class _Body:
             load.append(Field("power_load_2", Where(-1, 0, alone=True), turned * self.work / b.scale / b.span))
         gradient: list[Field] = []
         if self.double_force is not None:
-            stretching = []
-            for i in (-1, 0):
-                pairs = [[(r[i + 1] - r[i]) / b.length[i] for r in part] for part in (self.places, self.moved)]
-                stretching.append(sum((a * c for a, c in zip(*pairs, strict=True)), ca.SX(0)) / self.stretch[i])
-            power = self.double_force[0] * (stretching[1] - stretching[0]) * self.work / b.scale
+            power = necking_power(b, self.double_force, self.places, self.moved, self.stretch) * self.work / b.scale
             gradient = [Field("power_gradient_0", INNER, power)]
-        groups = {"plastic": [plastic], "load": load, "gradient": gradient}
-        return {
-            name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
-            for name, fields in groups.items()
-        }
+        return {"plastic": [plastic], "load": load, "gradient": gradient}
 
     def shown(self, stored: Mapping[str, list[Field]]) -> dict[str, Field | tuple[Field, ...]]:
         """Places, turns and energies, in SI and per unit undeformed area."""
@@ -537,10 +516,7 @@ class _Body:
             ends = {-1: ca.SX(hanging)}
         weight = Field("weight", Where(0, int(bool(ends))), self.mass * falling, ends)
         kept = {
-            f"energy_{name}": tuple(
-                Field(one.name, one.where, one.value * b.span, {at: v * b.span for at, v in one.ends.items()})
-                for one in fields
-            )
+            f"energy_{name}": tuple(one.mapped(one.name, lambda v: v * b.span) for one in fields)
             for name, fields in stored.items()
         }
         double = ca.SX(0) if self.double_force is None else self.double_force[0]

@@ -6,7 +6,7 @@ distances; the interpreter evaluates it at every site of a grid, and C loops ove
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -92,6 +92,10 @@ class Field:
     def values(self) -> tuple[ca.SX, ...]:
         """All of its expressions."""
         return (self.value, *self.ends.values())
+
+    def mapped(self, name: str, change: Callable[[ca.SX], ca.SX]) -> Field:
+        """What becomes of it at every site, under another name."""
+        return Field(name, self.where, change(self.value), {at: change(value) for at, value in self.ends.items()})
 
     def sites(self, count: int) -> list[int]:
         """Its sites where there are so many."""

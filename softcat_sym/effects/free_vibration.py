@@ -21,7 +21,7 @@ from softcat_sym.effects.discrete_filament import (
     unstrained,
 )
 from softcat_sym.effects.first_stress import initial_strain
-from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.law import is_solid, may_have
 from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
@@ -209,7 +209,7 @@ def _half_catenary(ratio: float) -> float:
 
 
 def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Elements:
-    filament, load, section, asked = scene.filament, scene.load, scales.section_of(scene), scene.run.effects
+    filament, load, section = scene.filament, scene.load, scales.section_of(scene)
     chords, angles = angles_in(natural)
     length = unstrained(chords, angles) / force_free_stretch(scene)
     n, poisson = len(length), scene.material.poisson
@@ -222,9 +222,9 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     drawn = (angles_in(begin)[0] / chords * force_free_stretch(scene)) ** (-4 if section.plane_strain else -3)
     square, across = (relative * filament.thickness) ** 2, filament.width**2
     axial = section.stiffness(modulus, poisson) * areas
-    bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
+    bent = axial * drawn * section.gyration * (isinstance(scene.run.effects, str) or may_have(scene, "bending"))
     sheared = axial * drawn / (2 * (1 + poisson))
-    stiff = float(section.shear_correction) if asked == "auto" or "shear" in asked else math.inf
+    stiff = float(section.shear_correction) if may_have(scene, "shear") else math.inf
     bending = stiffness_of_angles(
         length,
         bent * square,
@@ -234,7 +234,6 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     )
     mass = filament.density * areas * length
     surface = np.array([scales.surface_stress(scene, one) for one in relative])
-    in_bath = asked == "auto" or "added-mass" in asked
     attached, force = np.zeros(n + 1), np.zeros((n + 1, 6))
     attached[n // 2], attached[-1] = load.point_mass, load.tip_mass
     weight = (np.append(mass, 0.0) + np.append(0.0, mass)) / 2 * (1 - scales.buoyant_share(scene)) + attached
@@ -255,7 +254,7 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         bending=bending,
         natural=angles,
         mass=mass,
-        mass_across=mass * (1 + in_bath * mass_ratio(scene)),
+        mass_across=mass * (1 + may_have(scene, "added-mass") * mass_ratio(scene)),
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,

@@ -28,6 +28,12 @@ def is_solid(scene: Scene) -> bool:
     return scene.material.spec.is_solid
 
 
+def may_have(scene: Scene, effect: str) -> bool:
+    """Whether `auto` may choose an effect, or a list names it; those of the published theory are not asked for here."""
+    asked = scene.run.effects
+    return asked == "auto" if isinstance(asked, str) else effect in asked
+
+
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:
     """Nonlinearity of the flow rule, 0 to 1: with a linear one the plastic strain stays linear in z."""
     material = scene.material

@@ -45,13 +45,8 @@ def slackness(scene: Scene) -> float:
     """Stress-free length over the distance of the ends, minus one: negative if the filament starts stretched."""
     if not is_held(scene):
         return 0.0
-    free = stress_free_length(scene) * math.exp(mean_of(scene.initial.P))
-    return free / distance(scene) - 1
-
-
-def mean_of(values: tuple[float, ...]) -> float:
-    """Mean of values along the filament; zero without values."""
-    return sum(values) / len(values) if values else 0.0
+    strains = scene.initial.P or (0.0,)
+    return stress_free_length(scene) * math.exp(sum(strains) / len(strains)) / distance(scene) - 1
 
 
 def quasi_static_history(scene: Scene) -> History:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from softcat_sym.effects.law import has_chains, is_solid
+from softcat_sym.effects.law import has_chains, is_solid, may_have
 from softcat_sym.physics.beams import Beam, beam_between, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held
@@ -45,9 +45,8 @@ def surface_stress(scene: Scene, relative: float = 1.0) -> float:
 
 def pull_of_surface(scene: Scene) -> float:
     """Gam [Pa]; 0 if a list of effects, the paper's list or the printed closure leaves surface tension out."""
-    asked, run = scene.run.effects, scene.run
-    listed = asked == "auto" if isinstance(asked, str) else "surface-tension" in asked
-    return surface_stress(scene) if listed and run.closure != "printed" else 0.0
+    listed = may_have(scene, "surface-tension") and scene.run.closure != "printed"
+    return surface_stress(scene) if listed else 0.0
 
 
 def holding_stress_of(scene: Scene) -> float | None:
@@ -95,9 +94,7 @@ def weight_stress(scene: Scene) -> float:
 
 def buoyant_share(scene: Scene) -> float:
     """rho_b/rho; 0 if a list of effects, the paper's list or the printed closure leaves buoyancy out."""
-    asked = scene.run.effects
-    listed = asked == "auto" if isinstance(asked, str) else "buoyancy" in asked
-    in_bath = listed and scene.run.closure != "printed"
+    in_bath = may_have(scene, "buoyancy") and scene.run.closure != "printed"
     return scene.surroundings.density / scene.filament.density if in_bath else 0.0
 
 
@@ -132,9 +129,10 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
 
 def hot_viscosity_factor(scene: Scene) -> float:
     """Viscosity at the highest temperature of the scene over the stated one."""
-    heat, asked = scene.temperature, scene.run.effects
-    listed = asked == "auto" if isinstance(asked, str) else "temperature" in asked
-    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1]) if heat.present and listed else 1.0
+    heat = scene.temperature
+    if not (heat.present and may_have(scene, "temperature")):
+        return 1.0
+    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1])
 
 
 def viscosity_of_chains(scene: Scene) -> float:

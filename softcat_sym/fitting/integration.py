@@ -50,7 +50,7 @@ class Starts:
     def __init__(self, assembled: Assembled, newton: Newton | None = None, *, follow: bool = True) -> None:
         self._graph, self._newton = assembled.graph, newton
         # In three dimensions the continuation from the natural shape takes only milliseconds in C.
-        spatial = assembled.theory.is_spatial
+        spatial = assembled.structure.recorded.theory.is_spatial
         self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns no balance is solved: the straight filament is the starting state.
@@ -579,6 +579,6 @@ def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) ->
     """The assembled filament; every support that a free parameter can move is an input of its graph."""
     typical = assembled(scene, effects)
     moved = with_values(scene, free, [one.value(one.scaled(one.typical) - _FURTHER) for one in free])
-    if choose_body(moved, choose_grid(scene, effects)).supports == typical.body.supports:
+    if choose_body(moved, choose_grid(scene, effects)).supports == typical.structure.recorded.body.supports:
         return typical
     return assembled(moved, effects)

@@ -112,7 +112,7 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "left_out": {key: f"{value:.2g} of the sag" for key, value in run.summary["left_out"].items()},
         "ends": [support.kind for support in given.ends.supports],
         "half": filament.graph.grid.is_half,
-        "axes": 3 if filament.theory.is_spatial else 2,
+        "axes": 3 if filament.structure.recorded.theory.is_spatial else 2,
         "parameters": list(model.parameters),
         "powers": list(model.powers),
         "settings": _settings(base, at, chosen),

@@ -62,7 +62,7 @@ HEIGHTS, RINGS = 4, 15
 
 def heights_of_points(scene: sc.Scene, terms: Terms) -> SectionRule:
     """Fibres of a planar section where the points in three dimensions are, some of them beside each other."""
-    points = assembly.choose_points(scene, terms)
+    points = assembly.choose_theory(scene, terms).rule
     each = np.eye(points.points)
     return SectionRule(points.Y, points.weight, each, each)
 
