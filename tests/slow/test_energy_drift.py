@@ -1,4 +1,4 @@
-"""Elastic filaments over many periods: nothing damps them, so that all the energy they lose is the integrator's doing."""
+"""Elastic filaments over many periods: nothing damps them, so that what energy they lose is the integrator's doing."""
 
 from __future__ import annotations
 
