@@ -1,4 +1,4 @@
-"""Phase diagrams: time and saving, a sample of nodes against single runs, boundaries against the formulas."""
+"""Phase diagrams: a sample of nodes against single runs, boundaries against the formulas."""
 
 from __future__ import annotations
 
