@@ -39,7 +39,7 @@ RODAS5P, RODAS4 = 1, 2
 _BDF_ORDER = 2
 _STEPS_PER_FRAME = 100_000
 
-# Measured on the bundled scenes (tests/slow/test_time_error.py): with these the time error of the midpoint is
+# Measured on the bundled scenes (tests/slow/test_bundled_scenes.py): with these the time error of the midpoint is
 # a tenth of the accuracy requested or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # BDF without a yield stress: the whole filament flows at once, and further

@@ -43,10 +43,8 @@ FILMS = (
     # Maxwell with a stiff spring and Bingham with a low yield stress are Newtonian too.
     Film("newtonian", 0.01, 100),
     Film("newtonian", 0.2, 60),
-    Film("maxwell", 0.2, 20),
     Film("bingham", 0.2, 20),
     Film("maxwell", 0.01, 8),
-    Film("bingham", 0.01, 8),
 )
 
 

@@ -1,5 +1,8 @@
 """Films of known materials with drawn noise, fitted again and again: how often intervals contain the truth.
 
+``python -m tests.studies.fit_coverage`` prints the table of ``measured.md``, 1800 fits, some hours of the processor;
+``tests/slow/test_fit_coverage.py`` looks at some of the same films.
+
 Published theory on a few cells, and data by the same model on the same grid and tolerance, both given to `fit`: what is
 tested are the statistics, not the grid. Where the theory's error is drawn, the arrested filament has default physics:
 published theory errs by 5 % there, as much as the filament rings, so that several optima fit, and intervals miss those
@@ -11,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from multiprocessing import get_context
 from typing import Any
 
@@ -24,7 +27,7 @@ from softcat_sym.fitting.free_parameters import free_parameters, with_values
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.problem import FilamentProblem
 from tests.common.draws import draws
-from tests.common.kept_answers import fingerprint, kept
+from tests.common.table import show
 
 CELLS = 10
 """Per half span."""
@@ -37,8 +40,6 @@ FRAMES = (60, 200)
 
 ASTRAY = 0.1
 """Largest logarithm of a rough value, from which the fit starts, over the true one."""
-
-_TOGETHER = 10  # films in one job
 
 
 @dataclass(frozen=True)
@@ -91,39 +92,14 @@ STUDIES = {
 
 @dataclass(frozen=True)
 class Fitted:
-    """One film."""
+    """One film: logarithms of estimates and of their intervals over the truth, and what is said of the residuals."""
 
     frames: int
     error: list[float]
     interval: list[tuple[float, float]]
-    words: list[str]
-    outcome: str
     white: str
-    noise: float
-    correlation: float
+    noise: float  # Over the true one
     seconds: float
-
-
-def study(name: str, workers: int = 2) -> dict[str, list[Fitted]]:
-    """All films of all cases."""
-    films, cases = STUDIES[name].films, STUDIES[name].cases
-    jobs = [
-        (name, number, list(range(begin, min(begin + _TOGETHER, films))))
-        for begin in range(0, films, _TOGETHER)
-        for number in cases
-    ]
-    found: dict[str, list[Fitted]] = {CASES[number].scene: [] for number in cases}
-    with ProcessPoolExecutor(max_workers=workers, mp_context=get_context("spawn")) as pool:
-        for job, rows in zip(jobs, pool.map(_several, jobs), strict=True):
-            found[CASES[job[1]].scene] += rows
-    return found
-
-
-def _several(job: tuple[str, int, Sequence[int]]) -> list[Fitted]:
-    name, number, films = job
-    question = [f"{STUDIES[name]} {number} {one}" for one in films]
-    rows = kept(question, fingerprint(__file__), lambda: [asdict(fitted(name, number, one)) for one in films])
-    return [Fitted(**row) for row in rows]
 
 
 def fitted(name: str, number: int, film: int) -> Fitted:
@@ -152,11 +128,8 @@ def fitted(name: str, number: int, film: int) -> Fitted:
         frames=frames,
         error=[math.log(one.best / value) for one, value in estimates],
         interval=[(_logarithm(one.ci95[0], value), _logarithm(one.ci95[1], value)) for one, value in estimates],
-        words=[one.verdict for one, _ in estimates],
-        outcome=found.outcome.word,
         white=found.checks.verdict,
         noise=found.noise / noise,
-        correlation=found.problem.noise.correlation,
         seconds=found.seconds,
     )
 
@@ -202,3 +175,24 @@ def covered(intervals: Sequence[tuple[float, float]]) -> float:
     """Share of the intervals that contain the truth."""
     ends = np.array(intervals)
     return float(np.mean(~(ends[:, 0] > 0) & ~(ends[:, 1] < 0)))
+
+
+def print_study(name: str) -> None:
+    """All films of a study, and how many of their intervals hold the truth."""
+    asked, rows = STUDIES[name], list[list[object]]()
+    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+        for number in asked.cases:
+            case, films = CASES[number], asked.films
+            found = list(pool.map(fitted, [name] * films, [number] * films, range(films)))
+            for k, free in enumerate(case.free):
+                errors, share = np.array([one.error[k] for one in found]), covered([one.interval[k] for one in found])
+                bias = errors.mean() / errors.std(ddof=1)
+                rows.append([case.scene, free, f"{share:.1%}", f"{bias:+.2f}", f"{errors.std(ddof=1):.2%}"])
+                rows[-1] += [f"{np.mean([one.noise for one in found]):.3f}", sum(o.white == "not white" for o in found)]
+    header = ["scene", "parameter", "holds the truth", "bias/std", "std", "noise", "not white"]
+    show(f"{name}; {asked.films} films a scene, 1 % noise, {CELLS} cells", header, rows)
+
+
+if __name__ == "__main__":
+    for study_name in STUDIES:
+        print_study(study_name)

@@ -1,17 +1,21 @@
 """What ``auto`` answers beside the run with everything switched on, and what each chosen effect is worth.
 
-All cores work; each answer is kept in the user's cache under the fingerprint of the scene and of the package's sources,
-so that an interrupted check goes on where it was.
+``python -m tests.studies.auto_and_everything`` prints the table of ``measured.md`` over the bundled scenes, two hundred
+random ones, and these in random surroundings: an hour or two of all cores. Answers are kept in the user's cache under
+the fingerprint of the scene and of the package's sources, so that an interrupted study goes on.
+``tests/slow/test_random_scenes.py`` looks at some of them.
 """
 
 from __future__ import annotations
 
 import os
 import tomllib
+from collections import Counter
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
 from multiprocessing import get_context
+from statistics import median
 
 import numpy as np
 
@@ -22,6 +26,8 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.simulate import without_estimate
 from tests.common.kept_answers import fingerprint, kept
+from tests.common.random_scenes import in_surroundings, random_scenes
+from tests.common.table import show
 
 ASIDE = "rotary-inertia"
 """In everything only where it is in ``auto``."""
@@ -165,3 +171,35 @@ def _run(scene: sc.Scene) -> Run | str:
         return sc.simulate(without_estimate(scene))
     except SoftcatError as error:
         return str(error)
+
+
+LEAST = 1 / 100
+"""Of the accuracy: an effect that changes less is not worth having been chosen."""
+
+
+def print_answers(title: str, studied: Sequence[Answer]) -> None:
+    """Who misses, who is repeated, what it saves, and which effects are worth nothing."""
+    answered = [answer for answer in studied if not answer.messages]
+    show(
+        f"{title}: without an answer", ("scene", "why"), [(a.name, a.messages[0][:100]) for a in studied if a.messages]
+    )
+    beyond = [answer for answer in answered if answer.error > answer.accuracy]
+    rows = [(a.name, f"{a.accuracy:g}", f"{a.error:.1e}", f"{a.finer:.1e}", ", ".join(a.chosen)) for a in beyond]
+    show("beyond the accuracy", ("scene", "accuracy", "error", "on a finer grid", "chosen"), rows)
+    within = 1 - sum(answer.finer > answer.accuracy for answer in beyond) / len(answered)
+    repeats = Counter(len(answer.repeats) for answer in answered)
+    ratio = median(answer.everything_seconds / answer.seconds for answer in answered)
+    idle = [
+        name for answer in answered for name, change in (answer.idle or {}).items() if change < LEAST * answer.accuracy
+    ]
+    print(f"\n{len(answered)} of {len(studied)} answered, {within:.1%} within the accuracy; repeats {dict(repeats)}")
+    print(f"everything takes {ratio:.2f} times as long (median); chosen for nothing: {Counter(idle).most_common()}")
+
+
+if __name__ == "__main__":
+    bundled = [(name, sc.load_scene(name)) for name in sc.bundled_names()]
+    drawn = random_scenes()
+    random = [(f"random {number}", scene) for number, scene in enumerate(drawn)]
+    print_answers("bundled and random scenes", answers([*bundled, *random]))
+    surrounded = [(f"random {number}", scene) for number, scene in enumerate(in_surroundings(drawn))]
+    print_answers("in surroundings", answers(surrounded, idle=False))
