@@ -11,7 +11,6 @@ import pytest
 from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.error_control import control, refinement
@@ -336,8 +335,10 @@ def test_a_rod_pulled_along_its_axis_is_judged_and_told_by_its_extension() -> No
     extension = 0.1 / (1 - drawn) - 0.1
     assert extension == pytest.approx(1.0102e-3, rel=1e-4)
     assert (summary["outcome"], summary["refinements"], summary["cells"]) == ("solved", [], 40)
-    assert summary["displacement"]["final_m"][0] == pytest.approx(extension, rel=1e-5)
-    assert summary["error_estimate"]["total"] < 1e-5
+    # BDF of order 2 may err in time by a tenth of the accuracy; in C a method of fifth order errs by far less.
+    allowed = 1e-5 if summary["backend"] == "compiled" else 0.1 * scene.run.accuracy
+    assert summary["displacement"]["final_m"][0] == pytest.approx(extension, rel=allowed)
+    assert summary["error_estimate"]["total"] < (1e-5 if summary["backend"] == "compiled" else scene.run.accuracy)
     # Of the slender theory, as fits have it: h0/L is 0.05.
     assert summary["theory_error"] == pytest.approx(4e-4 + 0.7 * 0.05**2, rel=1e-12)
     # What does not turn, twist or leave its plane has no error of that, however large it is beside its rounding.
@@ -428,7 +429,7 @@ def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
     assert "numerics.grading" in run.summary["message"]
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler: install gcc, or set CC")
+@pytest.mark.compiled
 @pytest.mark.parametrize(("most", "fewest"), [(20_000_000, 800), (10_000, 100)])
 def test_a_long_ringing_is_integrated_once_to_be_told_and_to_be_judged(
     most: int, fewest: int, monkeypatch: pytest.MonkeyPatch
