@@ -361,7 +361,7 @@ def test_ctrl_c_between_members_and_within_one() -> None:
         begun = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             sc.simulate_many(LONG, {"run.duration": durations}, workers=2, progress=progress_listener)
-        assert time.monotonic() - begun < 5
+        assert time.monotonic() - begun < 60, "all of them would take some ten minutes"
     press.join()
     assert threading.active_count() == before
     # And the next one runs as if nothing had been.

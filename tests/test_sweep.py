@@ -181,6 +181,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     assert Path("taken").read_text() == "a file"
 
 
+@pytest.mark.compiled
 def test_members_are_as_accurate_as_the_middle_one_was_made(softcat: Softcat, tmp_path: Path) -> None:
     """On the first guess, 40 cells, this rod errs by more than is asked; each member is compared with one of 320."""
     rod = sc.load_scene("glass-rod", {"run.accuracy": 1e-4, "run.frames": 11})

@@ -200,7 +200,7 @@ def prepare(
 
         stride = 1 if len(kinks) else _stride(scene)
         frames = stride * (scene.run.frames - 1) + 1
-        integration = Integration(graph, settings, frames, kinks[kinks < times[-1]], code, bounds)
+        integration = Integration(graph, settings, frames, kinks, code, bounds)
     whole = code if isinstance(code, CompiledFilament) else None
     return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
 

@@ -227,7 +227,7 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
         return _RTOL_PER_ACCURACY[solver]
     if not effects.terms().inertia:
         return _QUASI_STATIC
-    if _is_slow(scene):
+    if _is_slow(scene) or _relaxes_at_once(scene, effects):
         return _CREEP
     if effects.terms().rotary_inertia:
         return _TURNING
