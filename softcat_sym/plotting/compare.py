@@ -336,7 +336,7 @@ def comparison_report(comparison: Comparison) -> Report:
     times = [run.time[frame] / run.elastic_time for frame in moments(len(run.time))]
     names = [*(f"error at t = {time:.4g}" for time in times), "mean error", "largest error"]
     errors = [
-        [_percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
+        [percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
     ]
     every = [run, *rows]
     lines = [
@@ -367,7 +367,8 @@ def _ratio(value: float) -> str:
     return f"{value:.5f}" if math.isfinite(value) else "–"
 
 
-def _percent(error: float) -> str:
+def percent(error: float) -> str:
+    """A share as a signed percentage without its sign of per cent."""
     if not math.isfinite(error):
         return "–"
     return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"

@@ -14,6 +14,7 @@ from matplotlib.patches import Patch
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
+from softcat_sym.plotting.compare import percent
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
@@ -112,13 +113,6 @@ def _mark(theory: TheoryError) -> dict[str, Any]:
     regime = theory.row.trajectory.summary["regime"] or ""
     rests = regime.startswith(("arrested", "no-yield", "elastic"))
     return {"marker": "o", "markersize": 4.5, **({"markerfacecolor": "white"} if rests else {})}
-
-
-def percent(error: float) -> str:
-    """A share as a signed percentage without its sign of per cent."""
-    if not math.isfinite(error):
-        return "–"
-    return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"
 
 
 _NOTE = "filament/elements − 1 in %: positive where the filament sags more; t in L √(ρ/E)"
