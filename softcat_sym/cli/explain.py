@@ -52,7 +52,7 @@ def explain(
     written = [] if output is None else write_results(output, contents)
     if not quiet:
         print_explanation(explanation, verbose=verbose)
-        if written:
+        if output is not None:
             cli.print_written(written, output)
 
 
