@@ -17,6 +17,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
@@ -360,7 +361,8 @@ def comparison_report(comparison: Comparison) -> Report:
     files |= tables(comparison)
     if isinstance(run, CalculixRun):
         files |= {f"{CALCULIX}/{name}": content for name, content in run.files.items()}
-    return Report(files, [table, *remarks, *(f"warning: {text}" for text in comparison.warnings)])
+    remarks += [f"warning: {text}" for text in comparison.warnings]
+    return Report(files, [table, *map(Text, remarks)])
 
 
 def _ratio(value: float) -> str:

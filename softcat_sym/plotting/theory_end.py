@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
@@ -188,4 +189,4 @@ def theory_end_report(end: TheoryEnd) -> Report:
         "compare_vary_cost.csv": end.costs,
         "compare_vary_limit.csv": end.limit_table if end.limits else None,
     }
-    return Report(files, [*shown, *remarks(end)])
+    return Report(files, [*shown, *map(Text, remarks(end))])
