@@ -29,7 +29,7 @@ class Report:
         Contents by file name: figures, tables, documents, texts or bytes, or functions that make them when the report
         is written. None stands for a file that this result does not have.
     texts : sequence of renderables
-        Texts and tables for a terminal, in their order.
+        Texts and tables for a terminal, in their order; a plain string is printed as it is, without line breaks.
     title : str
         Heading above them.
     stale : sequence of str
@@ -56,7 +56,7 @@ class Report:
 
         screen = console or Console()
         for text in ([Text(self.title, style="bold")] if self.title else []) + [*self.texts]:
-            screen.print(text, markup=False, highlight=False)
+            screen.print(text, markup=False, highlight=False, soft_wrap=isinstance(text, str))
 
     def figures(self) -> dict[str, Figure]:
         """Draw the pictures among the files, by name without ending."""

@@ -296,6 +296,8 @@ def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene)
 
 def test_shapes_are_drawn_swollen(descent, summary, scene):
     """About the same centreline, by as much as is asked and said."""
+    run = sc.simulate(sc.load_scene("gelatin-strand", {"numerics.estimate": False, "numerics.cells": 8}))
+    assert shapes_figure(run.data, run.summary, run.scene, radius=2.0).axes, "in three dimensions"
     plain, swollen = (shapes_figure(descent, summary, scene, radius=radius) for radius in (1.0, 5.0))
     (thin, thick) = (np.array(figure.axes[-1].patches[0].get_xy()) for figure in (plain, swollen))
     middle = len(thin) // 4

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, TypedDict
+from typing import Annotated
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-
-if TYPE_CHECKING:
-    from softcat_sym.design.critical_span import CriticalSpan
-    from softcat_sym.scene.scene import Scene
-    from softcat_sym.solvers.solution import Progress
 
 _RANGE = "LOW:HIGH"
 
@@ -54,37 +49,29 @@ def experiment(
     experiments that were tried.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "experiment")
-    within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
+    given = {"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration}
+    # A text that is no pair is passed on, as one value or for the design to refuse.
+    within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
+    from softcat_sym.design.critical_span import critical_span
     from softcat_sym.design.experiment import design_experiment
     from softcat_sym.progress import StudyDisplay
 
-    how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         # The faster of the two comes first.
-        critical = None if sag is None else _critical(asked, sag, progress)
-        design = design_experiment(asked, free, noise, within, **how, progress=progress)
+        critical = None if sag is None else critical_span(asked, sag, progress=progress)
+        design = design_experiment(
+            asked,
+            free,
+            noise,
+            within,
+            nuisance=nuisance or [],
+            max_frames=max_frames,
+            rough=rough,
+            max_sag=max_sag,
+            progress=progress,
+        )
         progress.stage("drawing")
         report = drawing.report(design, critical=critical)
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
-
-
-class _How(TypedDict):
-    """Further options of a design."""
-
-    nuisance: list[str]
-    max_frames: int | None
-    rough: float
-    max_sag: str | None
-
-
-def _within(given: dict[str, str | None]) -> dict[str, object]:
-    """Read the ranges; a text that is no pair is passed on, as one value or for the design to refuse."""
-    return {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
-
-
-def _critical(scene: Scene, limit: str, progress: Progress) -> CriticalSpan:
-    from softcat_sym.design.critical_span import critical_span
-
-    return critical_span(scene, limit, progress=progress)

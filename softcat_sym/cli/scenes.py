@@ -38,7 +38,7 @@ def scenes(
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
         cli.check_directory(output)
-        from softcat_sym.plotting.gallery import exhibit_of, write_gallery
+        from softcat_sym.plotting.gallery import exhibit_of, gallery_report
         from softcat_sym.plotting.terminal import StepProgress
         from softcat_sym.scene.reading import load_scene
 
@@ -49,7 +49,7 @@ def scenes(
             for name in names:
                 progress.step(name)
                 shown.append(exhibit_of(name, changes or []))
-            written = write_gallery(shown, output, changes or [])
+            written = gallery_report(shown, changes or []).write(output)
         if not quiet:
             files = ", ".join(path.name for path in written[:4])
             typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")

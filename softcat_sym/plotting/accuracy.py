@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
@@ -121,4 +122,4 @@ def accuracy_report(found: WorkPrecision) -> Report:
         "accuracy.png": found.plot,
         "scene.toml": found.scene.to_toml,
     }
-    return Report(files, [text_table(header, program_rows(found), title=title), *lines])
+    return Report(files, [text_table(header, program_rows(found), title=title), *map(Text, lines)])

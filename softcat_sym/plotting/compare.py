@@ -17,6 +17,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
@@ -336,7 +337,7 @@ def comparison_report(comparison: Comparison) -> Report:
     times = [run.time[frame] / run.elastic_time for frame in moments(len(run.time))]
     names = [*(f"error at t = {time:.4g}" for time in times), "mean error", "largest error"]
     errors = [
-        [_percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
+        [percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
     ]
     every = [run, *rows]
     lines = [
@@ -360,14 +361,16 @@ def comparison_report(comparison: Comparison) -> Report:
     files |= tables(comparison)
     if isinstance(run, CalculixRun):
         files |= {f"{CALCULIX}/{name}": content for name, content in run.files.items()}
-    return Report(files, [table, *remarks, *(f"warning: {text}" for text in comparison.warnings)])
+    remarks += [f"warning: {text}" for text in comparison.warnings]
+    return Report(files, [table, *map(Text, remarks)])
 
 
 def _ratio(value: float) -> str:
     return f"{value:.5f}" if math.isfinite(value) else "–"
 
 
-def _percent(error: float) -> str:
+def percent(error: float) -> str:
+    """A share as a signed percentage without its sign of per cent."""
     if not math.isfinite(error):
         return "–"
     return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"

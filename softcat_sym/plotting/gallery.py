@@ -6,7 +6,6 @@ import io
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +14,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from softcat_sym import store
-from softcat_sym.files import json_bytes, write_results
+from softcat_sym.drawing import Report
+from softcat_sym.files import json_bytes
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes, page
 from softcat_sym.plotting.run import Shape, largest_sag, shapes_of
@@ -165,10 +165,8 @@ NOTE = (
 )
 
 
-def write_gallery(
-    shown: Sequence[tuple[Exhibit, Run]], directory: str | Path, changes: Sequence[str] = ()
-) -> list[Path]:
-    """Write page, contact sheet, table and document, and of each scene its picture and its file."""
+def gallery_report(shown: Sequence[tuple[Exhibit, Run]], changes: Sequence[str] = ()) -> Report:
+    """Page, contact sheet, table and document, and of each scene its picture and its file."""
     pictures = [png(tile(run.fields, run.scene, exhibit)) for exhibit, run in shown]
     texts = [load_scene(e.name, changes).to_toml() if changes else bundled_text(e.name) for e, _ in shown]
     rows = [
@@ -195,7 +193,7 @@ def write_gallery(
     }
     for (exhibit, _), picture, text in zip(shown, pictures, texts, strict=True):
         contents |= {f"{exhibit.name}.png": picture, f"{exhibit.name}.toml": text}
-    return write_results(directory, contents)
+    return Report(contents)
 
 
 def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:

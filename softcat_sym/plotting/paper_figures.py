@@ -225,32 +225,24 @@ def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
 
 def phase_report(diagram: PhaseDiagram) -> Report:
     """Picture, data and facts of figure 3(a)."""
-    runs, lines, planes = [], [], []
-    for sheet in diagram.sheets:
-        name = sheet.plane.name
-        ran = [point.run for point in sheet.points]
-        columns = {key: [getattr(run.place, key) for run in ran] for key in ("G", "V", "delta")} | {
-            "regime": [run.regime or "none" for run in ran],
-            "outcome": [run.outcome for run in ran],
-            "sag_over_L": [run.sag for run in ran],
-            "largest_rate_over_sY_by_eta": [run.rate for run in ran],
+    names = {"sag_over_span": "sag_over_L", "rate": "largest_rate_over_sY_by_eta"}
+    runs = diagram.to_frame()[["plane", "G", "V", "delta", "regime", "outcome", *names]].rename(columns=names)
+    lines = diagram.lines().drop(columns=["boundary", "other"]).rename(columns={"other_value": "other"})
+    planes = [
+        {
+            **{"plane": sheet.plane.name, "runs": sheet.runs, "lattice_nodes": sheet.nodes},
+            **{"nodes_never_run": sheet.saved, "regimes": sheet.counts},
+            "boundary_over_formula": [
+                each.to_dict() | {name: 1 + getattr(each, name) for name in ("median", "least", "most")}
+                for each in sheet.distances
+            ],
         }
-        runs.append(pd.DataFrame({"plane": name} | columns))
-        for line in sheet.lines:
-            texts = {"plane": name, "line": line.name, "source": line.source, "equation": line.equation}
-            texts = {key: text.replace(",", " with") for key, text in texts.items()}
-            lines.append(pd.DataFrame(texts | {"other": line.other, "G": line.G}))
-        boundaries = [
-            {"boundary": each.kind, "line": each.line.name, "source": each.line.source, "rows": each.rows,
-             "median": 1 + each.median, "least": 1 + each.least, "most": 1 + each.most}
-            for each in sheet.distances
-        ]  # fmt: skip
-        nodes = {"runs": sheet.runs, "lattice_nodes": sheet.nodes, "nodes_never_run": sheet.saved}
-        planes.append({"plane": name, **nodes, "regimes": sheet.counts, "boundary_over_formula": boundaries})
+        for sheet in diagram.sheets
+    ]
     caption = phase_caption(diagram)
     files = {
-        "figure3a-runs.csv": table(runs),
-        "figure3a-lines.csv": table(lines),
+        "figure3a-runs.csv": table([runs.fillna({"regime": "none"})]),
+        "figure3a-lines.csv": table([lines.replace(",", " with", regex=True)]),
         "figure3a.json": {"caption": caption, "planes": planes},
     }
     return Report({**printed("figure3a", phase_figure(diagram)), **files}, [caption])

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.batch.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
@@ -208,7 +209,7 @@ def phase_report(diagram: PhaseDiagram) -> Report:
             f"({sheet.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time. "
             f"{', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
         )
-        shown += [text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)), saved]
+        shown += [text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)), Text(saved)]
     tables = {"runs": diagram.to_frame, "boundaries": diagram.boundaries, "lines": diagram.lines}
     files = {
         "phase.json": diagram.to_dict,
@@ -216,4 +217,4 @@ def phase_report(diagram: PhaseDiagram) -> Report:
         **{f"phase_{name}.csv": table for name, table in tables.items()},
         **{f"phase_{name}.png": draw for name, draw in _drawers(diagram).items()},
     }
-    return Report(files, [*shown, diagram.strain_caption])
+    return Report(files, [*shown, Text(diagram.strain_caption)])

@@ -139,4 +139,4 @@ def pricing_report(pricing: Pricing) -> Report:
         "effects.png": pricing.plot,
         "scene.toml": pricing.scene.to_toml,
     }
-    return Report(files, [table, *(Text(text, style="dim") for text in remarks(pricing)), f"{pricing.reading}."])
+    return Report(files, [table, *(Text(text, style="dim") for text in remarks(pricing)), Text(f"{pricing.reading}.")])

@@ -64,11 +64,11 @@ def frame_tube(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     axes.set_box_aspect(half)
     axes.view_init(*_VIEW)
     axes.tick_params(labelsize=7, pad=-2)
-    axes.set_xlabel(f"x [{unit}]", labelpad=2)
+    axes.set_xlabel(f"x [{unit}]", labelpad=7)
     axes.set_ylabel("-z", labelpad=0)
     axes.set_zlabel("y", labelpad=-8)
     # As large as box and labels fit: what is tall would stand in the next picture.
-    axes.figure.draw_without_rendering()
+    axes.figure.canvas.figure.draw_without_rendering()
     sides = (axes.xaxis, axes.yaxis, axes.zaxis)
     room, drawn = axes.get_window_extent(), Bbox.union([side.get_tightbbox() for side in sides])
     centre, reach = (room.p0 + room.p1) / 2, (room.p1 - room.p0) / 2

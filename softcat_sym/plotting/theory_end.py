@@ -10,10 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
+from softcat_sym.plotting.compare import percent
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
@@ -114,13 +116,6 @@ def _mark(theory: TheoryError) -> dict[str, Any]:
     return {"marker": "o", "markersize": 4.5, **({"markerfacecolor": "white"} if rests else {})}
 
 
-def percent(error: float) -> str:
-    """A share as a signed percentage without its sign of per cent."""
-    if not math.isfinite(error):
-        return "–"
-    return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"
-
-
 _NOTE = "filament/elements − 1 in %: positive where the filament sags more; t in L √(ρ/E)"
 
 
@@ -194,4 +189,4 @@ def theory_end_report(end: TheoryEnd) -> Report:
         "compare_vary_cost.csv": end.costs,
         "compare_vary_limit.csv": end.limit_table if end.limits else None,
     }
-    return Report(files, [*shown, *remarks(end)])
+    return Report(files, [*shown, *map(Text, remarks(end))])
