@@ -16,7 +16,7 @@ from rich.console import Console
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.plotting.pricing import pricing_figure, pricing_table, print_pricing
+from softcat_sym.plotting.pricing import pricing_table, print_pricing
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies import effect_importance
 from softcat_sym.studies.effect_importance import (
@@ -170,21 +170,7 @@ def altered(honey: Pricing) -> Pricing:
     return replace(honey, rows=(same, failed, missed, found["yielding"]))
 
 
-def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
-    change, seconds, *_ = pricing_figure(altered).axes
-    drawn = {
-        axes: {
-            int(y): float(x)
-            for line in axes.lines
-            if line.get_marker() != "None"
-            for x, y in zip(*line.get_data(), strict=True)
-        }
-        for axes in (change, seconds)
-    }
-    named = {text.get_text(): place for place, text in zip(change.get_yticks(), change.get_yticklabels(), strict=True)}
-    assert "shear" not in named and "yielding" not in named
-    assert drawn[change][int(named["rotary-inertia"])] == pytest.approx(0.25)
-    assert drawn[seconds][int(named["rotary-inertia"])] == pytest.approx(2.0)
+def test_tables_hold_the_numbers(altered: Pricing) -> None:
     runs = rows_of(altered)["rotary-inertia"].variant, altered.base
     sag, without = (f"{-1e3 * run.midpoint[-1]:.3g} mm" for run in runs if run is not None)
     expected = f"left out: rotary-inertia (sag {sag}; without it {without})"

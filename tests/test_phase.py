@@ -23,10 +23,8 @@ from softcat_sym.batch.phase_runs import (
     Place,
     coarse_width,
     duration_at,
-    place_at,
     refined,
     refuse_scene,
-    row_of,
     run_places,
 )
 from softcat_sym.effects.forecast import overshoot, rebound
@@ -209,14 +207,6 @@ def test_papers_continual_descent(pool: RunPool) -> None:
     assert run.sag == pytest.approx(0.245, abs=0.005)  # "about a quarter of its original length"
     assert run.clamp_strain > run.clamp_strain_centreline > 0.23  # "local strains over 23 % near the clamp"
     assert run.midspan_strain < 0.23
-
-
-def test_rows_give_the_groups_back() -> None:
-    place = place_at(SCENE, PLANES["G-V"], 0.7, 2.0)
-    assert (place.G, place.V) == (0.7, 2.0)
-    assert place.delta == pytest.approx(0.03)
-    row = {"groups.delta": 0.05, "groups.G": 0.7, "groups.V": 2.0, "run.duration": 1.5}
-    assert row_of(SCENE, Place(0.7, 2.0, 0.05), 1.5) == row
 
 
 class Listener:
