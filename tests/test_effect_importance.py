@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import signal
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,7 +17,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.plotting.pricing import pricing_table, print_pricing
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies import effect_importance
 from softcat_sym.studies.effect_importance import (
     EVERYTHING,
     Pricing,
@@ -267,13 +265,3 @@ def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path:
     for scene in ("cold-honey", "--bundled"):
         done = softcat("effects", scene, "-o", str(tmp_path / "taken" / "below"))
         assert done.status == 2 and "is not a directory" in done.err
-
-
-def test_interrupted_before_anything_is_finished_nothing_is_written(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(effect_importance, "simulated", lambda *_: signal.raise_signal(signal.SIGINT))
-    done = softcat("effects", "cold-honey", "--fresh", "-o", str(tmp_path / "out"), *sets(*BARE))
-    assert (done.status, done.out) == (130, "")
-    assert "interrupted; the same command resumes" in done.err
-    assert not (tmp_path / "out").exists()
