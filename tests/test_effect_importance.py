@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import signal
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,9 +16,8 @@ import softcat_sym as sc
 from softcat_sym import drawing
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.plotting.pricing import pricing_figure, pricing_table
+from softcat_sym.plotting.pricing import pricing_table
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies import effect_importance
 from softcat_sym.studies.effect_importance import (
     EVERYTHING,
     Pricing,
@@ -171,21 +169,7 @@ def altered(honey: Pricing) -> Pricing:
     return replace(honey, rows=(same, failed, missed, found["yielding"]))
 
 
-def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
-    change, seconds, *_ = pricing_figure(altered).axes
-    drawn = {
-        axes: {
-            int(y): float(x)
-            for line in axes.lines
-            if line.get_marker() != "None"
-            for x, y in zip(*line.get_data(), strict=True)
-        }
-        for axes in (change, seconds)
-    }
-    named = {text.get_text(): place for place, text in zip(change.get_yticks(), change.get_yticklabels(), strict=True)}
-    assert "shear" not in named and "yielding" not in named
-    assert drawn[change][int(named["rotary-inertia"])] == pytest.approx(0.25)
-    assert drawn[seconds][int(named["rotary-inertia"])] == pytest.approx(2.0)
+def test_tables_hold_the_numbers(altered: Pricing) -> None:
     runs = rows_of(altered)["rotary-inertia"].variant, altered.base
     sag, without = (f"{-1e3 * run.midpoint[-1]:.3g} mm" for run in runs if run is not None)
     expected = f"left out: rotary-inertia (sag {sag}; without it {without})"
@@ -282,13 +266,3 @@ def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path:
     for scene in ("cold-honey", "--bundled"):
         done = softcat("effects", scene, "-o", str(tmp_path / "taken" / "below"))
         assert done.status == 2 and "is not a directory" in done.err
-
-
-def test_interrupted_before_anything_is_finished_nothing_is_written(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(effect_importance, "simulated", lambda *_: signal.raise_signal(signal.SIGINT))
-    done = softcat("effects", "cold-honey", "--fresh", "-o", str(tmp_path / "out"), *sets(*BARE))
-    assert (done.status, done.out) == (130, "")
-    assert "interrupted; the same command resumes" in done.err
-    assert not (tmp_path / "out").exists()

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym import store
 from softcat_sym.batch.executor import RunPool, Where
 from softcat_sym.batch.phase_runs import (
     CLAMPS_ONLY,
@@ -23,10 +22,8 @@ from softcat_sym.batch.phase_runs import (
     Place,
     coarse_width,
     duration_at,
-    place_at,
     refined,
     refuse_scene,
-    row_of,
     run_places,
 )
 from softcat_sym.effects.forecast import overshoot, rebound
@@ -209,42 +206,6 @@ def test_papers_continual_descent(pool: RunPool) -> None:
     assert run.sag == pytest.approx(0.245, abs=0.005)  # "about a quarter of its original length"
     assert run.clamp_strain > run.clamp_strain_centreline > 0.23  # "local strains over 23 % near the clamp"
     assert run.midspan_strain < 0.23
-
-
-def test_rows_give_the_groups_back() -> None:
-    place = place_at(SCENE, PLANES["G-V"], 0.7, 2.0)
-    assert (place.G, place.V) == (0.7, 2.0)
-    assert place.delta == pytest.approx(0.03)
-    row = {"groups.delta": 0.05, "groups.G": 0.7, "groups.V": 2.0, "run.duration": 1.5}
-    assert row_of(SCENE, Place(0.7, 2.0, 0.05), 1.5) == row
-
-
-class Listener:
-    """Notes the members done; after so many it stops."""
-
-    def __init__(self, stop: int = 10**9) -> None:
-        self.done, self._stop = list[int](), stop
-
-    def update(self, done: int, members: int, left: float) -> None:
-        self.done.append(done)
-        if done >= self._stop:
-            raise KeyboardInterrupt
-
-
-@pytest.mark.slow
-def test_a_phase_diagram_resumes_from_its_finished_runs(results_of_studies: Path) -> None:
-    scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
-    with pytest.raises(KeyboardInterrupt):
-        phase_diagram(scene, ["G-V"], 4, workers=1, progress=Listener(20))
-    assert len(list(results_of_studies.iterdir())) == 19
-    listener = Listener()
-    resumed = phase_diagram(scene.replace({"title": "the same"}), ["G-V"], 4, workers=1, progress=listener)
-    assert listener.done[0] == 20
-    with store.fresh():
-        fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
-    assert {(point.i, point.j): point for point in resumed.sheets[0].points} == {
-        (point.i, point.j): point for point in fresh.sheets[0].points
-    }
 
 
 @pytest.fixture

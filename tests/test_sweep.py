@@ -8,6 +8,7 @@ import math
 import signal
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -136,12 +137,9 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         ([*pair, "--from-csv", "x.csv"], "and not by both"),
         (["--from-csv", "none.csv"], "no such file"),
         (varied("groups.G"), "'groups.G' varies nothing"),
-        (varied("groups.G="), "varies nothing"),
         (varied("groups.G=1:2:1"), "at least 2 values"),
-        (varied("groups.G=1:2:2.5"), "is no range"),
         (varied("groups.G=0:2:5:log"), "logarithmic, and not positive"),
         (varied("groups.G=1:1:5"), "are the same"),
-        (varied("groups.G=1:2:5:cubic"), "is no range"),
         (varied("groups.G=1:2"), "is no range"),
         (varied("groups.G=1:nan:5"), "is not finite"),
         (varied("groups.G=a:b:5"), "no plain numbers"),
@@ -153,9 +151,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         (varied("nonsense.G=1,2"), "unknown"),
         (varied("material.yeild_stress=1 kPa,2 kPa"), "did you mean 'yield_stress'"),
         (varied("material.yield_stress=1,2"), "has no unit"),
-        (varied("material.yield_stress=5:20:3"), "has no unit"),
         (varied("material.yield_stress=1:2 furlongs:3"), "not a stress"),
-        (varied("material.yield_stress=5:20 parsnips:3"), "unknown unit 'parsnips'"),
         (varied("filament.span=1 mm,2 kg"), "'kg' is a mass"),
         (varied("filament.span=-1 m,-2 m"), "every one of the 2 members is refused"),
         (varied("numerics.cells=10:12:7"), "does not give 7 whole numbers"),
@@ -163,7 +159,6 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         ([*varied("groups.G=1,2,3", "groups.V=4,5"), "--mode", "zip"], "groups.G has 3, groups.V has 2"),
         ([*pair, "--mode", "spiral"], "grid, zip, lhs"),
         ([*pair, "--mode", "lhs"], "needs a number"),
-        ([*pair, "--mode", "lhs", "--samples", "1"], "needs a number"),
         ([*pair, "--samples", "10"], "samples are for a Latin hypercube"),
         ([*pair, "--local-cluster", "0"], "1 or more"),
         ([*pair, "--local-cluster", "2", "--scheduler", "tcp://a:1"], "not both"),
@@ -327,6 +322,18 @@ def test_without_a_directory_the_data_stay_in_memory() -> None:
     assert done.data.outcome.values.tolist() == ["solved", "refused"]
     with pytest.raises(SceneError, match="unknown key"):
         sc.sweep(SCENE, {"material.yeild_stress": ["1 kPa", "2 kPa"]})
+
+
+def test_any_executor_runs_the_members() -> None:
+    vary = {"groups.G": [0.3, 0.35, 0.4]}
+    with ThreadPoolExecutor(2) as executor:
+        there = sc.sweep(SCENE, vary, executor=executor, fresh=True)
+        assert executor.submit(int, "1").result() == 1, "it outlives the sweep"
+        with pytest.raises(SoftcatError, match="threads is for runs in this process"):
+            sc.sweep(SCENE, vary, executor=executor, workers=2)
+    here = sc.sweep(SCENE, vary, workers=1, fresh=True)
+    assert (there.place, here.place) == ("ThreadPoolExecutor", "embedded, 1 thread")
+    assert there.data.drop_vars("wall_s").identical(here.data.drop_vars("wall_s"))
 
 
 def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import logging
 import os
 import re
@@ -17,6 +16,7 @@ from typing import Any, Protocol, TypeVar
 from softcat_sym.batch.lane_pool import WORTHWHILE, LanePool, Stop
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.lanes import can_be_compiled
+from softcat_sym.store import version
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -94,7 +94,10 @@ class RunPool:
             batches = [batch for _ in range(self.ahead - len(running)) if (batch := list(islice(waiting, chunk)))]
             self.expect(len(batches))
             for batch in batches:
-                future = self.executor.submit(_each, function, [item for _, item in batch])
+                try:
+                    future = self.executor.submit(_each, function, [item for _, item in batch])
+                except futures.BrokenExecutor as error:
+                    raise SoftcatError(f"{self}: {error}; give the same command again") from error
                 running[future] = [number for number, _ in batch]
             if not running:
                 return
@@ -274,18 +277,14 @@ def _check_workers(client: Client, address: str) -> None:
     """Refuse a cluster without workers, or with others than ours."""
     if not client.nthreads():
         raise SoftcatError(f"the Dask scheduler at {address} has no workers; start some with `dask worker {address}`")
-    ours = _version()
+    ours = version("softcat_sym")
     try:
-        versions = client.run(_version)
+        versions = client.run(version, "softcat_sym")
     except ImportError as error:
         raise SoftcatError(f"the workers at {address} cannot import this package: {error}") from None
-    other = sorted({str(version) for version in versions.values()} - {ours})
+    other = sorted(set(versions.values()) - {ours})
     if other:
         raise SoftcatError(f"workers at {address} have softcat_sym {', '.join(other)}, and here it is {ours}")
-
-
-def _version() -> str:
-    return importlib.metadata.version("softcat_sym")
 
 
 @contextmanager

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -26,7 +25,6 @@ from softcat_sym.scene.laws import OF_THE_INDEX, kind_of_constant
 from softcat_sym.scene.material import power, shear_names
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.scene import Scene, refuse_settled
-from softcat_sym.scene.toml import Override, apply
 from softcat_sym.scene.units import Kind, Number, Quantity, shown, si_unit, with_unit
 from softcat_sym.solvers.settings import Backend, choose_backend, settings_for
 
@@ -233,7 +231,6 @@ class MemberMaker:
     def __init__(self, scene: Scene, choosing: Choosing, *, neighbours: bool = True) -> None:
         refuse_settled(scene, "members share their output times")
         self.scene, self._choosing, self._neighbours = scene, choosing, neighbours
-        self._given = scene.given()
         self._effects: dict[Pattern, Effects] = {}
         self._backends: dict[tuple[Pattern, tuple[str, ...]], tuple[Backend, bool]] = {}
 
@@ -246,17 +243,10 @@ class MemberMaker:
         return Member(scene, effects, backend, parallel, pattern)
 
     def _scene(self, row: Row) -> Scene:
-        """The scene of a row, validated as :meth:`Scene.replace` does."""
+        """The scene of a row."""
         plain = {key: value for key, value in written(self.scene, row).items() if not is_group(key)}
-        scene = self._replaced(plain) if plain else self.scene
-        return self._replaced(plain | constants_of(scene, row)) if len(plain) < len(row) else scene
-
-    def _replaced(self, changes: Row) -> Scene:
-        table = copy.deepcopy(self._given)
-        faults = apply([Override(key, value) for key, value in changes.items()], table)
-        if faults:
-            raise SceneError(faults)
-        return Scene.model_validate(table)
+        scene = self.scene.replace(plain) if plain else self.scene
+        return self.scene.replace(plain | constants_of(scene, row)) if len(plain) < len(row) else scene
 
     def _chosen(self, scene: Scene, pattern: Pattern, row: Row) -> Effects:
         if self._choosing == "each":

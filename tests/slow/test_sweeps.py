@@ -17,8 +17,7 @@ import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.batch.executor import Lost, Where
-from softcat_sym.studies.phase import SETTINGS, phase_diagram
-from tests.common.commands import ended, softcat, until
+from tests.common.commands import until
 from tests.common.in_process import sets
 from tests.common.table import show
 
@@ -134,45 +133,6 @@ def test_ten_thousand_filaments_in_constant_memory(tmp_path: Path) -> None:
     data = stored(tmp_path)
     assert data.sizes["member"] == count
     assert int((data.outcome == "solved").sum()) == record["outcomes"]["solved"] > 0.9 * count
-
-
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-def test_an_interrupted_sweep_resumed_from_gives_the_same_file(
-    number: signal.Signals, status: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked = ("sweep", *OPTIONS, "--vary", VARY[0], "--vary", VARY[1], "--shapes", "-q")
-    whole, broken = tmp_path / "whole", tmp_path / "broken"
-    results = tmp_path / "cache of broken" / "results"
-
-    def resumed(output: Path) -> int:
-        with softcat(*asked, "-o", str(output)) as process:
-            out, err = process.communicate(timeout=300)
-        assert process.returncode == 0, out + err
-        members: int = json.loads((output / "sweep.json").read_text())["resumed_members"]
-        return members
-
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache of whole"))
-    assert resumed(whole) == 0
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache of broken"))
-    with softcat(*asked, "-o", str(broken)) as process:
-        until(lambda: len(list(results.glob("*"))) >= 3, process)
-        assert ended(process, number) == (
-            status,
-            "",
-            "softcat: interrupted; the same command resumes from what was finished\n",
-        )
-    kept = len(list(results.iterdir()))
-    assert 3 <= kept < MEMBERS // 10
-    assert resumed(broken) == 10 * kept
-    assert stored(broken).identical(stored(whole))
-
-
-def test_a_phase_diagram_is_the_same_on_a_cluster() -> None:
-    scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
-    here = phase_diagram(scene, ["G-V"], 8, workers=2)
-    there = phase_diagram(scene, ["G-V"], 8, local_cluster=2)
-    assert here.sheets[0].points == there.sheets[0].points
-    assert (here.workers, there.workers) == (2, 2)
 
 
 def test_ctrl_c_in_a_terminal_ends_a_local_cluster_quietly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
