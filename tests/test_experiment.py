@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 import softcat_sym as sc
 from softcat_sym.design.critical_span import Limit, critical_span, polished
 from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
-from softcat_sym.design.information import Noise, exact_film, films_of, relative_errors
+from softcat_sym.design.information import ReadingNoise, exact_film, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from tests.common.in_process import Softcat, sets
 
@@ -169,7 +169,7 @@ def _maxwell(name: str = "maxwell-fast", duration: float = 6) -> sc.Scene:
 
 def _errors(scene: sc.Scene, names: list[str], frames: int, noise: float = _NOISE) -> np.ndarray:
     free = free_parameters(scene, names)
-    return relative_errors(exact_film(scene, free, frames, Noise(noise)).information, free)
+    return relative_errors(exact_film(scene, free, frames, ReadingNoise(noise)).information, free)
 
 
 def test_errors_go_as_noise_and_as_the_root_of_frames() -> None:
