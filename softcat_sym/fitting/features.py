@@ -332,8 +332,6 @@ class LateLaw:
     slope: float  # k [m^3/s]
     slope_error: float  # Its standard error
     shift: float  # t_0 [s], from earlier motion: elastic sag, bending, a clock that was started late
-    exponent: float  # Exponent of a power law with t_0 = 0, fitted to the same frames
-    exponent_error: float
     first: float  # Times of the frames that are fitted [s]
     last: float
 
@@ -378,7 +376,7 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
     scale = film.noise_scale(float(rest @ rest), len(time) - 2)
     covariance = np.linalg.inv(jacobian.T @ jacobian) * scale**2
     error = slope * math.sqrt(covariance[0, 0])
-    return LateLaw(slope, error, shift, exponent, exponent_error, float(time[0]), float(time[-1]))
+    return LateLaw(slope, error, shift, float(time[0]), float(time[-1]))
 
 
 def _fit_third_law(time: Floats, sag: Floats, std: Floats) -> tuple[float, float, Floats, Floats] | None:

@@ -286,12 +286,10 @@ class Information:
 
     names: tuple[str, ...]  # The k unknowns
     spread: Spread  # Of the residuals
-    matrix: Floats  # shape (k, k); J^T J/s^2, s being `noise`
-    covariance: Floats  # shape (k, k); Its inverse, with the errors of undetermined directions cut as above
+    # shape (k, k); Inverse of J^T J/s^2, s being `noise`, with the errors of undetermined directions cut as above.
+    covariance: Floats
     standard_errors: Floats  # shape (k,); Square roots of its diagonal, of q
-    singular_values: Floats  # shape (k,); Of J/s, the largest first: reciprocal standard errors of the directions
-    directions: Floats  # shape (k, k); In columns
-    determined: NDArray[np.bool_]  # shape (k,); Which directions are determined
+    determined: NDArray[np.bool_]  # shape (k,); Which directions are determined, the best known first
     # Combinations that are determined; empty if every unknown and every direction is.
     combinations: tuple[Combination, ...]
     logarithmic: tuple[bool, ...]  # Which unknowns are logarithms
@@ -317,11 +315,6 @@ class Information:
         """Which single unknowns are determined, shape (k,): those with a standard error below `MAX_ERROR`."""
         below: NDArray[np.bool_] = self.standard_errors < MAX_ERROR
         return below
-
-    @property
-    def rank(self) -> int:
-        """Number of determined directions."""
-        return int(self.determined.sum())
 
     @property
     def quantile(self) -> float:
@@ -368,11 +361,8 @@ def information(
     return Information(
         names=names,
         spread=spread,
-        matrix=jacobian.T @ jacobian / spread.deviation**2,
         covariance=root @ root.T,
         standard_errors=standard,
-        singular_values=singular,
-        directions=rows.T,
         determined=determined,
         combinations=() if determined.all() and np.all(standard < MAX_ERROR) else found,
         logarithmic=flags,
