@@ -192,24 +192,6 @@ def test_a_filament_that_would_be_slack_has_no_answer() -> None:
     assert "slack" in model.message
 
 
-def test_an_evaluation_is_kept() -> None:
-    scene = _scene("continual-descent")
-    model = _model(scene, "viscosity")
-    q = np.array([0.01])
-    midpoint, derivatives = model.with_derivatives(q)
-    begun = time.process_time()
-    again = model.with_derivatives(q)
-    kept = time.process_time() - begun
-    begun = time.process_time()
-    model.with_derivatives(q + 1e-6)
-    assert kept < 0.2 * (time.process_time() - begun)
-    np.testing.assert_array_equal(again[0], midpoint)
-    # What is handed out is the caller's own.
-    again[1][:] = 0
-    np.testing.assert_array_equal(model.with_derivatives(q)[1], derivatives)
-    np.testing.assert_array_equal(model.midpoints(q), midpoint)
-
-
 def test_what_does_nothing_is_refused() -> None:
     """Without shear nothing asks for Poisson's ratio."""
     with pytest.raises(sc.SceneError, match="free poisson: makes no difference with the effects in force") as error:

@@ -19,8 +19,8 @@ from softcat_sym.design.information import (
     SPAN,
     THICKNESS,
     Films,
-    Noise,
     Range,
+    ReadingNoise,
     Trial,
     Within,
     as_given,
@@ -91,7 +91,7 @@ class Judge:
     scene: Scene  # With rough values
     names: tuple[str, ...]  # All that is estimated, nuisance included
     counted: tuple[bool, ...]  # What of it counts
-    noise: Noise  # Of one reading
+    noise: ReadingNoise  # Of one reading
     ranges: dict[str, Range]  # Of every design variable
     max_frames: int | None  # That the camera keeps
     rough: float  # Factor by which the rough values may be wrong either way; one: not at all
@@ -232,7 +232,7 @@ class Experiment:
     best: Trial  # Of least worst error, judged by its own frames
     as_given: Trial  # The scene as it is, with as many frames as the camera keeps
     at_bounds: Mapping[str, str]  # Design variables whose bound binds, ``"lower"`` or ``"upper"``
-    noise: Noise  # Of one reading
+    noise: ReadingNoise  # Of one reading
     counted: tuple[str, ...]  # The parameters whose worst error counts
     rough: float  # Factor by which the rough values were allowed to be wrong
     # In the order of the search, each filament with its best film: what beats all before it is judged by its own
@@ -396,7 +396,7 @@ def _judge(
     rough: float,
     max_sag: object,
 ) -> Judge:
-    ranges, faults, reading, allowed = read_ranges(scene, within), [], Noise(math.nan), None
+    ranges, faults, reading, allowed = read_ranges(scene, within), [], ReadingNoise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
     counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))
     if not any(counted):

@@ -134,7 +134,7 @@ Sags = TypeVar("Sags", float, Floats)
 
 
 @dataclass(frozen=True, slots=True)
-class Noise:
+class ReadingNoise:
     """Standard deviation of one reading."""
 
     value: float  # [m], or a share of the largest sag within the film
@@ -145,10 +145,10 @@ class Noise:
         return self.value * sag if self.of_sag else self.value + 0 * sag
 
 
-def read_noise(value: object) -> Noise:
+def read_noise(value: object) -> ReadingNoise:
     """Read a length such as ``"10 um"``, a number in m, or a share of the sag such as ``"1 %"``."""
     share = read_share(value)
-    return Noise(read_positive(value, "length", "m")) if share is None else Noise(share, of_sag=True)
+    return ReadingNoise(read_positive(value, "length", "m")) if share is None else ReadingNoise(share, of_sag=True)
 
 
 # Components of a direction that no experiment sees, below which an unknown does not take part in it.
@@ -237,7 +237,7 @@ class ExactFilm(NamedTuple):
     message: str  # Why the filament does not hold; empty if it does
 
 
-def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: Noise) -> ExactFilm:
+def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: ReadingNoise) -> ExactFilm:
     """Follow a filament through the frames of one film."""
     integrated = min(frames, _MAX_FRAMES)
     model = ForwardModel(scene, free, np.linspace(0.0, scene.run.duration, integrated))

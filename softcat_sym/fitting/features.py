@@ -332,8 +332,6 @@ class LateLaw:
     slope: float  # k [m^3/s]
     slope_error: float  # Its standard error
     shift: float  # t_0 [s], from earlier motion: elastic sag, bending, a clock that was started late
-    exponent: float  # Exponent of a power law with t_0 = 0, fitted to the same frames
-    exponent_error: float
     first: float  # Times of the frames that are fitted [s]
     last: float
 
@@ -358,7 +356,14 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
         return f"fewer than {MIN_LATE_FRAMES} frames in the late part of the film"
     if np.any(sag <= 0):
         return "the midpoint is not below the supports throughout the late part of the film"
-    exponent, exponent_error = _exponent(film, time, sag, std)
+    # Powers of the time, fitted to the logarithms.
+    weight = sag / std
+    columns = np.column_stack([np.log(time / time[0]), np.ones_like(time)]) * weight[:, None]
+    line = np.linalg.lstsq(columns, np.log(sag) * weight, rcond=None)[0]
+    left = columns @ line - np.log(sag) * weight
+    spread = film.noise_scale(float(left @ left), len(time) - 2)
+    exponent = float(line[0])
+    exponent_error = spread * math.sqrt(float(np.linalg.inv(columns.T @ columns)[0, 0]))
     if abs(exponent - 1 / 3) > EXPONENT_MARGIN + 2 * exponent_error:
         cause = "bending still carries load, or the sag grows at another rate"
         cause = cause if exponent > 1 / 3 else "the filament stops, or is held elastically"
@@ -371,16 +376,7 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
     scale = film.noise_scale(float(rest @ rest), len(time) - 2)
     covariance = np.linalg.inv(jacobian.T @ jacobian) * scale**2
     error = slope * math.sqrt(covariance[0, 0])
-    return LateLaw(slope, error, shift, exponent, exponent_error, float(time[0]), float(time[-1]))
-
-
-def _exponent(film: Stretch, time: Floats, sag: Floats, std: Floats) -> tuple[float, float]:
-    weight = sag / std
-    columns = np.column_stack([np.log(time / time[0]), np.ones_like(time)]) * weight[:, None]
-    found, *_ = np.linalg.lstsq(columns, np.log(sag) * weight, rcond=None)
-    rest = columns @ found - np.log(sag) * weight
-    scale = film.noise_scale(float(rest @ rest), len(time) - 2)
-    return float(found[0]), scale * math.sqrt(float(np.linalg.inv(columns.T @ columns)[0, 0]))
+    return LateLaw(slope, error, shift, float(time[0]), float(time[-1]))
 
 
 def _fit_third_law(time: Floats, sag: Floats, std: Floats) -> tuple[float, float, Floats, Floats] | None:
@@ -391,7 +387,7 @@ def _fit_third_law(time: Floats, sag: Floats, std: Floats) -> tuple[float, float
         return None
 
     def law(unknowns: Floats) -> Floats:
-        return np.cbrt(math.exp(unknowns[0]) * (time - unknowns[1]))
+        return np.asarray(np.cbrt(math.exp(unknowns[0]) * (time - unknowns[1])))
 
     def derivatives(unknowns: Floats) -> Floats:
         here = law(unknowns)
@@ -682,6 +678,13 @@ def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: f
     ringing = found if isinstance(found, Oscillation) else None
     frequency, decay, sag, covariance = _of_ringing(found)
     late = late_law_of(film, ringing)
+    if isinstance(late, str):
+        prefactor = unread(late)
+    else:
+        # B of sag^3 = k (t - t_0), by the formula for the sag at a time of one unit.
+        known = {SAG: math.cbrt(late.slope * math.sqrt(span / gravity)), SPAN: span, rheometry.t_star: 1.0}
+        value = float(evaluate(rheometry.B_FROM_SAG.right, known)[0])
+        prefactor = Reading(value, value * late.slope_error / late.slope)
     return Features(
         gravity=gravity,
         span=span,
@@ -690,7 +693,7 @@ def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: f
         frequency=frequency,
         decay=decay,
         sag=sag,
-        prefactor=unread(late) if isinstance(late, str) else _prefactor(late, gravity, span),
+        prefactor=prefactor,
         ringing_covariance=covariance,
         ringing=ringing,
         late=None if isinstance(late, str) else late,
@@ -739,11 +742,3 @@ def _of_ringing(found: Oscillation | str) -> tuple[Reading, Reading, Reading, Fl
         decay = unread(f"the oscillation does not decay within its frames: slower than {most:.3g} 1/s")
     value = np.array([found.frequency, found.decay if decay.value else np.nan, found.sag])
     return frequency, decay, sag, found.covariance / np.outer(value, value)
-
-
-def _prefactor(late: LateLaw, gravity: float, span: float) -> Reading:
-    """B of sag^3 = k (t - t_0), by the formula for the sag at a time of one unit."""
-    unit = math.sqrt(span / gravity)
-    known = {SAG: math.cbrt(late.slope * unit), SPAN: span, rheometry.t_star: 1.0}
-    value = float(evaluate(rheometry.B_FROM_SAG.right, known)[0])
-    return Reading(value, value * late.slope_error / late.slope)

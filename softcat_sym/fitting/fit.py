@@ -291,7 +291,11 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     problem, options, loss = task.problem(scene), task.options, task.options["loss"]
     begin = time.perf_counter()
     first = _initial_guesses(problem, scene, task.features)
-    _estimate_duration(problem, task)
+    started = time.perf_counter()
+    problem.linearised(problem.typical)
+    one = time.perf_counter() - started
+    evaluations = _PER_OPTIMUM + (_PER_PROFILE * problem.asked if options["profiles"] else 0)
+    task.progress.doing(f"about {one * evaluations:.2g} s for {problem.asked} unknowns")
     starts = multi_start(
         problem,
         first,
@@ -424,15 +428,6 @@ def _moved_in_time(problem: FilamentProblem, best: Optimum, known: Information) 
             return moved(problem, best, known)
     except TimeLimitError:
         return None
-
-
-def _estimate_duration(problem: FilamentProblem, task: _Task) -> None:
-    """Report about how long the fit will take, from the duration of one evaluation."""
-    begin = time.perf_counter()
-    problem.linearised(problem.typical)
-    one = time.perf_counter() - begin
-    profiles = _PER_PROFILE * problem.asked if task.options["profiles"] else 0
-    task.progress.doing(f"about {one * (_PER_OPTIMUM + profiles):.2g} s for {problem.asked} unknowns")
 
 
 def _fits_within_noise(problem: FilamentProblem, best: Optimum) -> bool:

@@ -146,15 +146,14 @@ class FreeParameter:
 def candidates(scene: Scene) -> tuple[FreeParameter, ...]:
     """List every number of a scene, and of its measurement, that may be free."""
     of_scene = (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_temperature(scene))
-    return (*(_without_shape(scene, one) for one in of_scene), *_of_measurement(scene))
-
-
-def _without_shape(scene: Scene, one: FreeParameter) -> FreeParameter:
-    """A number on which a given curve depends cannot be free, as the curve is sampled once."""
+    # A given curve is sampled once: what it depends on cannot be free.
     curve = "filament.shape" if has_shape(scene) else "initial.centreline" if scene.initial.centreline else ""
-    if not curve or one.name not in _OF_SHAPE or one.trouble:
-        return one
-    return replace(one, trouble=f"{curve} fixes the initial shape for all values", remedy="a known one")
+    found, remedy = f"{curve} fixes the initial shape for all values", "a known one"
+    fixed = (
+        replace(one, trouble=found, remedy=remedy) if curve and one.name in _OF_SHAPE and not one.trouble else one
+        for one in of_scene
+    )
+    return (*fixed, *_of_measurement(scene))
 
 
 _ANY = (0.0, math.inf)
@@ -357,17 +356,14 @@ def why_not_free(scene: Scene, name: str, known: Mapping[str, FreeParameter]) ->
     where, leaf = f"free {name}", name.rpartition(".")[2]
     law, usable = scene.material.law, ", ".join(dict.fromkeys(one.name for one in known.values() if not one.trouble))
     if (tensile_name(leaf) or leaf) in (*CONSTANTS, "index") and name in (leaf, f"material.{leaf}"):
-        return Fault(where, f"the law '{law}' has no {leaf}{_other_shear(leaf, known)}", usable)
+        # The name that the shear datum has for this law.
+        other = next(iter({rule.shear for rule in FROM_SHEAR if rule.constant == tensile_name(leaf)} & set(known)), "")
+        hint = f" (did you mean '{other}'?)" if other else ""
+        return Fault(where, f"the law '{law}' has no {leaf}{hint}", usable)
     tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
     if tables and tables != ["groups"]:
         return Fault(where, "not a number that the motion of a filament depends on", usable)
     return Fault(where, f"unknown{did_you_mean(leaf, [one.name for one in known.values()])}", usable)
-
-
-def _other_shear(leaf: str, known: Mapping[str, FreeParameter]) -> str:
-    """The name that the shear datum has for this law."""
-    same = {rule.shear for rule in FROM_SHEAR if rule.constant == tensile_name(leaf)} & set(known)
-    return f" (did you mean '{next(iter(same))}'?)" if same else ""
 
 
 def _unit(kind: Kind) -> str:

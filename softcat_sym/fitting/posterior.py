@@ -21,7 +21,7 @@ from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.identifiability import Noise, is_identified
+from softcat_sym.fitting.identifiability import Spread, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
 from softcat_sym.fitting.problem import Marginal
@@ -46,6 +46,8 @@ _STEPS = 4
 _MAX_DEPTH = 6
 # Smallest distance of the centre from a bound, as a share of the width between the bounds.
 _EDGE = 1e-4
+# Difference of q for the curvature of a prior.
+_CURVED = 1e-3
 # Value of the function that is minimised for the mode, where the model has no answer.
 _NO_ANSWER = 1e15
 _LEVEL = 0.95
@@ -188,7 +190,7 @@ def sample(
     chains: int = CHAINS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
-    noise: Noise | None = None,
+    noise: Spread | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
@@ -236,7 +238,8 @@ def sample(
         )
     data = arviz.concat([part.isel(draw=slice(least)) for part in parts], dim="chain")
     random = np.random.default_rng([seed, chains])
-    before = {one.free.name: _in_si(one, one.draw(random, _PRIOR_DRAWS))[None] for one in priors}
+    drawn = {one.free.name: one.draw(random, _PRIOR_DRAWS).tolist() for one in priors}
+    before = {one.free.name: np.array([[one.free.value(q) for q in drawn[one.free.name]]]) for one in priors}
     data.extend(arviz.from_dict(prior=before, observed_data=dict(observed) if observed else None))
     for one in priors:
         for group in (data.posterior, data.prior):
@@ -271,7 +274,7 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Noise | None = None) -> None:
+    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Spread | None = None) -> None:
         self._problem, self._priors, self._noise = problem, priors, noise
         # Added to r.r, and the number of readings that count, where the noise is integrated out.
         self._added, self._count = 0.0, 0
@@ -340,17 +343,14 @@ class _Density:
         squares = float(residuals @ residuals) + self._added
         variance = 1.0 if self._problem.noise_known else max(squares, _TINY) / self._count
         scaled = jacobian * stretch / math.sqrt(variance)
-        curvature = [max(-_second(one, float(x)), 0.0) for one, x in zip(self._priors, q, strict=True)]
-        precision = scaled.T @ scaled + np.diag(stretch**2 * curvature + 2 * share * (1 - share))
+        curvature = []
+        for one, x in zip(self._priors, q.tolist(), strict=True):
+            low, high = max(x - _CURVED, one.lower), min(x + _CURVED, one.upper)
+            curvature.append(max((one.slope(low) - one.slope(high)) / (high - low), 0.0))
+        precision = scaled.T @ scaled + np.diag(stretch**2 * np.array(curvature) + 2 * share * (1 - share))
         lower = np.linalg.cholesky(precision)
         self._centre = logit(share)
         self._spread = solve_triangular(lower, np.eye(q.size), lower=True, trans="T")
-
-
-def _second(prior: Prior, q: float, step: float = 1e-3) -> float:
-    """Second derivative of a prior's logarithm."""
-    low, high = max(q - step, prior.lower), min(q + step, prior.upper)
-    return (prior.slope(high) - prior.slope(low)) / (high - low)
 
 
 def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
@@ -404,10 +404,6 @@ def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int
                 raise SoftcatError(f"no chain could start near the best fit: {reason}") from None
     finally:
         run.cancel()
-
-
-def _in_si(prior: Prior, q: Floats) -> Floats:
-    return np.array([prior.free.value(float(x)) for x in q])
 
 
 def _summary(arviz: Any, data: Any) -> dict[str, dict[str, Any]]:

@@ -301,7 +301,10 @@ class FilamentProblem(Unknowns):
 
     def _with_theory(self, film: Filmed, near: tuple[Scene, Floats] | None, number: int) -> Filmed:
         """The film with the largest principal components of the theory's error among its unknowns."""
-        scene, heights = near or (film.scene(self.typical), _smoothed(film))
+        scene, heights = near or (film.scene(self.typical), film.data.copy())
+        count = film.series.time.size
+        if near is None and count >= _FEWEST:
+            heights[:count] = make_smoothing_spline(film.series.time, film.series.midpoint)(film.series.time)
         error, seen = discrepancy(scene, film.model.effects, film.model.terms), ~film.is_force
         if not seen.any():
             return film
@@ -595,14 +598,6 @@ def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]
         raise SceneError([Fault(f"free {one.name}", found, one.name.partition("@")[0]) for one in alone])
     shared = [(k, one) for k, one in enumerate(free) if one.film is None and one.path.startswith("material.")]
     return FlowReadings.of(curve, scene, [one for _, one in shared], [k for k, _ in shared])
-
-
-def _smoothed(film: Filmed) -> Floats:
-    """Measured heights [m], smoothed by a spline with generalised cross-validation; shapes are not smoothed."""
-    count, heights = film.series.time.size, film.data.copy()
-    if count >= _FEWEST:
-        heights[:count] = make_smoothing_spline(film.series.time, film.series.midpoint)(film.series.time)
-    return heights
 
 
 def _camera_parameters(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParameter, ...]:

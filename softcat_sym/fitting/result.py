@@ -298,7 +298,14 @@ class Fit(drawing.Drawable):
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``fit.json``: plain SI."""
-        checks, problem, series = self.checks, self.problem, self.measurements.series
+        checks, problem, series, moved = self.checks, self.problem, self.measurements.series, self.resolution
+        # Cells, tolerance and fibres, each with the largest shift of a constant in standard errors.
+        shares = {} if moved is None else {"cells": "space", "rtol": "time", "fibres": "section"}
+        resolution = {
+            name: {"value": getattr(moved.at, name), "standard_errors": getattr(moved.shares, share)}
+            for name, share in shares.items()
+            if moved is not None
+        }
         starts = [
             {
                 "start": problem.values(result.start),
@@ -319,7 +326,7 @@ class Fit(drawing.Drawable):
             "noise_correlation": self.problem.noise.correlation,
             "camera": {name: dict(zip(_OF_CAMERA, one, strict=True)) for name, one in self.camera.items()},
             "theory_error": self.theory,
-            "resolution": None if self.resolution is None else self._resolution(self.resolution),
+            "resolution": resolution or None,
             "outliers": [{"film": film, "time_s": time} for film, time in self.outlying],
             "flow_curve": self._flow_curve(),
             "late": self.late,
@@ -358,11 +365,6 @@ class Fit(drawing.Drawable):
             return None
         stress = {"measured_Pa": flow.curve.shear_stress.tolist(), "model_Pa": flow.stress(best.q).tolist()}
         return {"shear_rate_1_s": flow.curve.shear_rate.tolist(), **stress, "contradiction": vars(test)}
-
-    def _resolution(self, moved: Moved) -> dict[str, Any]:
-        """Cells, tolerance and fibres, each with the largest shift of a constant in standard errors."""
-        shares = {"cells": moved.shares.space, "rtol": moved.shares.time, "fibres": moved.shares.section}
-        return {name: {"value": getattr(moved.at, name), "standard_errors": share} for name, share in shares.items()}
 
     def _profile(self, one: Profile) -> dict[str, Any]:
         free = next(free for free in self.problem.free if free.name == one.name)
