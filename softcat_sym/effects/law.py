@@ -14,18 +14,8 @@ def law_in(scene: Scene) -> Rheology:
         modes=len(material.modes),
         flow=material.flow,
         threshold=material.threshold > 0,
-        solvent=not material.has_chains or bool(material.solvent_viscosity),
+        solvent=not material.spec.has_chains or bool(material.solvent_viscosity),
     )
-
-
-def has_chains(scene: Scene) -> bool:
-    """Whether the material is made of polymer chains, whose stress is not linear in the strain."""
-    return scene.material.has_chains
-
-
-def is_solid(scene: Scene) -> bool:
-    """Whether the material is a solid, without unlimited flow."""
-    return scene.material.spec.is_solid
 
 
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:

@@ -31,7 +31,8 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
-from softcat_sym.scene.laws import LAWS, LawSpec
+from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
+from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.units import NotAQuantity, did_you_mean
 
 if TYPE_CHECKING:
@@ -415,25 +416,8 @@ def _golden_section(function: Callable[[Floats], Floats], low: float, high: floa
 
 
 REPLACED = (
-    "viscosity",
-    "yield_stress",
-    "index",
-    "second_modulus",
-    "modes",
-    "flow",
-    "parameters",
-    "shear_viscosity",
-    "shear_yield_stress",
-    "shear_consistency",
-    "relaxation_time",
-    "solvent_viscosity",
-    "shear_solvent_viscosity",
-    "finite_extensibility",
-    "mobility",
-    "ptt_epsilon",
-    "structure",
-    "hardening_modulus",
-    "hardening_recovery",
+    *(name for constant in CONSTANTS if constant != "youngs_modulus" for name in (constant, *shear_names(constant))),
+    *("index", "modes", "flow", "parameters", "structure", "hardening_modulus", "hardening_recovery"),
 )
 """Constants that are removed together with a scene's law; elastic ones stay, as no flow curve determines them."""
 

@@ -161,7 +161,7 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
         yield _positive("material.loss_tangent", "", material.loss_tangent)
     if material.spec.has_index:
         yield _positive("material.index", "", material.index, _INDEX)
-    if not material.has_chains:
+    if not material.spec.has_chains:
         ratio = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
         yield Candidate(**{**vars(ratio), "limits": _POISSON})
     for number, mode in enumerate(material.modes, start=1):

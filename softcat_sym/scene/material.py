@@ -571,11 +571,6 @@ class Material(Part):
         return self.loss_tangent > 0 or self.solid_viscosity is not None
 
     @property
-    def has_chains(self) -> bool:
-        """Whether it is made of polymer chains, whose stress is not linear in the strain."""
-        return self.spec.has_chains
-
-    @property
     def formula(self) -> Formula | None:
         """The flow rule as a tree, of a law that has a formula; None for other laws."""
         return parse_formula(self.flow or self.spec.flow) if self.spec.has_formula else None

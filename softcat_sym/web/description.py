@@ -16,7 +16,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.law import is_solid
 from softcat_sym.ensemble.members import Row, written
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
@@ -371,7 +370,15 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         if name.startswith(".")
     }
     flows = terms.flows or terms.viscous
-    kind = "elastic" if is_solid(scene) else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
+    kind = (
+        "elastic"
+        if scene.material.spec.is_solid
+        else "yields"
+        if flows and terms.yields
+        else "viscous"
+        if flows
+        else "unflowing"
+    )
     turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
     return {
         "numbers": exponents,
