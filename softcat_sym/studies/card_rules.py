@@ -248,12 +248,10 @@ def _rigid(scene: Scene, run: Run) -> bool:
 
 def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     """Prediction of a viscous sag, of a beam or of a string; time is counted from half the ramp of the load."""
-    material = scene.material
-    viscosity = (
-        None if scene.material.spec.is_solid or material.spec.has_formula else effective_viscosity(scene) or None
-    )
+    material, spec = scene.material, scene.material.spec
+    viscosity = None if spec.is_solid or spec.has_formula else effective_viscosity(scene) or None
     if viscosity is None:
-        return "a solid does not flow" if scene.material.spec.is_solid else "its flow rule has no viscosity"
+        return "a solid does not flow" if spec.is_solid else "its flow rule has no viscosity"
     if _rigid(scene, run):
         return _NEVER_FLOWS
     time = max(float(run.data["time"].values[-1]) - scene.load.ramp / 2, 0.0)

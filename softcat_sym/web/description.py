@@ -369,16 +369,8 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         for name in sorted(usual)
         if name.startswith(".")
     }
-    flows = terms.flows or terms.viscous
-    kind = (
-        "elastic"
-        if scene.material.spec.is_solid
-        else "yields"
-        if flows and terms.yields
-        else "viscous"
-        if flows
-        else "unflowing"
-    )
+    flows, solid = terms.flows or terms.viscous, scene.material.spec.is_solid
+    kind = "elastic" if solid else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
     turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
     return {
         "numbers": exponents,
