@@ -13,7 +13,7 @@ def law_in(scene: Scene) -> Rheology:
         material.law,
         modes=len(material.modes),
         flow=material.flow,
-        threshold=material.threshold > 0,
+        threshold=bool(material.flow) and material.threshold > 0,
         solvent=not material.spec.has_chains or bool(material.solvent_viscosity),
     )
 
