@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from softcat_sym.fitting.measurements import Measurements, Series, Shapes
 from softcat_sym.fitting.model_selection import (
     FITTED,
     FittedLaw,
-    LawComparison,
     ModelChoice,
     choose_model,
     fit_law,
@@ -28,7 +26,6 @@ from softcat_sym.fitting.model_selection import (
     scene_of_law,
     widened,
 )
-from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.scene.laws import LAWS
 from tests.common.draws import draws, gain
 from tests.marks import few
@@ -228,41 +225,9 @@ def test_laws_that_cannot_be_compared(laws: list[str], said: str) -> None:
         fit_laws(FILM, _scene("bingham"), laws)
 
 
-def test_what_is_wrong_with_the_films_is_said_once() -> None:
-    far = Measurements.of(TIME, 1e3 * FILM.series[0].midpoint)
-    with pytest.raises(SoftcatError, match="wrong unit") as caught:
-        fit_laws(far, _scene("bingham"), ["newtonian", "maxwell"])
-    assert str(caught.value).count("wrong unit") == 1
-
-
 def test_what_also_is_free_must_be_a_name() -> None:
     with pytest.raises(SoftcatError, match=r"(?s)none of the laws.*newtonian: .*free tmie_offset: unknown.*maxwell: "):
         fit_laws(FILM, _scene("bingham"), ["newtonian", "maxwell"], also_free=["tmie_offset"])
-
-
-def test_the_sentence() -> None:
-    def said(*rows: FittedLaw, points: int = 50) -> str:
-        failures = {row.name: row.failure for row in rows if row.failure}
-        fits = {
-            row.name: SimpleNamespace(checks=SimpleNamespace(verdict="white"), outcome=FitOutcome.solved)
-            for row in rows
-            if not row.failure
-        }
-        choice = choose_model(rows, points, noise_known=False)
-        return LawComparison(fits, failures, choice).sentence  # type: ignore[arg-type]
-
-    maxwell, newtonian = FittedLaw("maxwell", 2, 1.0), FittedLaw("newtonian", 1, 1.0)
-    assert said(maxwell, replace(newtonian, squares=2.0)) == "the films speak for maxwell"
-    assert (
-        said(maxwell, replace(newtonian, squares=1.04))
-        == "cannot tell: newtonian ranks first, but maxwell not ruled out"
-    )
-    alike = "the films speak for newtonian; nothing gained by the further constants of maxwell"
-    assert said(maxwell, replace(newtonian, squares=1.001)) == alike
-    assert "2 data are too few for maxwell" in said(maxwell, newtonian, points=2)
-    assert (
-        said(maxwell, replace(newtonian, failure="no")) == "cannot tell: maxwell ranks first, but no fit of newtonian"
-    )
 
 
 @pytest.mark.parametrize("law", FITTED)
@@ -331,15 +296,6 @@ def test_a_robust_comparison_does_not_follow_outliers() -> None:
     plain = robust.fits["newtonian"]
     # Charged alike: by the least of the scales, and not by the squares that the outliers make.
     assert robust.choice.table[0].law.squares < 0.5 * plain.squares
-
-
-def test_corrections_are_noted_once() -> None:
-    scene, film = _fallen("newtonian", 0.01)
-    turned = Measurements.of(film.series[0].time, -film.series[0].midpoint)
-    found = fit_laws(turned, scene, ["newtonian", "kelvin-voigt"], starts=0)
-    for one in found.fits.values():
-        assert len(one.notes) == 1
-        assert "Turned the sign" in one.notes[0]
 
 
 PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]
