@@ -180,7 +180,7 @@ def test_fit_card_and_page_have_it(tmp_path: Path) -> None:
     found = sc.fit(film(scene, 60, 1e-4), wrong, free=names, profiles=False).parameters
     # Six standard errors of two constants: by chance less than once in 2e8.
     for name, truth in zip(names, (400.0, 5e3), strict=True):
-        assert found[name].std < 0.01 * truth
+        assert found[name].std < 0.05 * truth
         assert found[name].best == pytest.approx(truth, abs=6 * found[name].std)
     assert sc.card(scene).run.outcome.is_success
     assert "casson" in live_page(scene, tmp_path).read_text(encoding="utf-8")
