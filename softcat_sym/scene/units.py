@@ -210,16 +210,7 @@ def _finite(si: float, value: object) -> float:
 
 def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
     """SI value, dimension and the unit as written."""
-    if isinstance(value, str):
-        magnitude, unit = _split(value)
-    elif hasattr(value, "magnitude") and hasattr(value, "units"):
-        if not isinstance(value.magnitude, Real):
-            raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
-        # By name, because a quantity of another registry cannot be converted by ours.
-        magnitude, unit = _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
-    else:
-        found = f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity"
-        raise NotAQuantity(found)
+    magnitude, unit = split_quantity(value)
     factor, dimension = _measured(unit, wanted)
     # In decimal, as the file is: 6 mm is then the same float as 0.006 m.
     return float(Decimal(repr(magnitude)) * Decimal(repr(factor))), dimension, unit
@@ -230,7 +221,10 @@ def split_quantity(value: object) -> tuple[float, str]:
     if isinstance(value, str):
         return _split(value)
     if hasattr(value, "magnitude") and hasattr(value, "units"):
-        return _finite(float(value.magnitude), value), str(value.units)
+        if not isinstance(value.magnitude, Real):
+            raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
+        # By name, because a quantity of another registry cannot be converted by ours.
+        return _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
     raise NotAQuantity(f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity")
 
 
