@@ -301,15 +301,6 @@ def test_a_storage_modulus_of_chains_is_a_third_of_youngs() -> None:
     assert any("solvent viscosity 2 Pa s in shear = 6 Pa s in tension" in note for note in material.notes)
 
 
-def test_explain_writes_the_chains() -> None:
-    for law, says in (("fene-p", "stiffening of the chains"), ("ptt", "relaxation along a fibre")):
-        explained = sc.explain(hanging(law))
-        names = [one.name for one in explained.equations]
-        assert {"conformation along a fibre", "conformation across a fibre", "stress of the chains", says} <= set(names)
-        kinds = {row["kind"]: row["number"] for row in explained.unknowns}
-        assert kinds["chains_along"] == kinds["chains_across"] == 5 * 4
-
-
 def test_without_chains_nothing_of_them_is_left() -> None:
     """No symbol and no state."""
     assert law_of("maxwell").chains is None

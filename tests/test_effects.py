@@ -69,7 +69,7 @@ def without(*names: str) -> tuple[str, ...]:
 def test_paper_takes_the_published_effects_that_apply() -> None:
     for name in bundled_names():
         scene = load_scene(name, {"run.effects": "paper"})
-        if scene.material.has_chains:
+        if scene.material.spec.has_chains:
             # Its bending is not linear through the thickness, which the published list takes for granted.
             with pytest.raises(SceneError, match="fibres"):
                 choose_effects(scene)

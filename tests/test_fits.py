@@ -148,7 +148,7 @@ def test_every_scene_takes_every_law_and_reads_back(name: str, law: str) -> None
     if tensile.index is not None:
         assert material.index == pytest.approx(tensile.index, rel=1e-9)
     # Of chains the storage modulus is a third of Young's, of other laws by Poisson's ratio.
-    if base.material.youngs_modulus and not base.material.has_chains:
+    if base.material.youngs_modulus and not base.material.spec.has_chains:
         assert material.youngs_modulus == base.material.youngs_modulus
         assert fitted_scene(FIT, base, law) == scene
     assert (scene.filament, scene.run) == (base.filament, base.run)

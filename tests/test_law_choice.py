@@ -225,13 +225,6 @@ def test_laws_that_cannot_be_compared(laws: list[str], said: str) -> None:
         fit_laws(FILM, _scene("bingham"), laws)
 
 
-def test_what_is_wrong_with_the_films_is_said_once() -> None:
-    far = Measurements.of(TIME, 1e3 * FILM.series[0].midpoint)
-    with pytest.raises(SoftcatError, match="wrong unit") as caught:
-        fit_laws(far, _scene("bingham"), ["newtonian", "maxwell"])
-    assert str(caught.value).count("wrong unit") == 1
-
-
 def test_what_also_is_free_must_be_a_name() -> None:
     with pytest.raises(SoftcatError, match=r"(?s)none of the laws.*newtonian: .*free tmie_offset: unknown.*maxwell: "):
         fit_laws(FILM, _scene("bingham"), ["newtonian", "maxwell"], also_free=["tmie_offset"])
@@ -303,15 +296,6 @@ def test_a_robust_comparison_does_not_follow_outliers() -> None:
     plain = robust.fits["newtonian"]
     # Charged alike: by the least of the scales, and not by the squares that the outliers make.
     assert robust.choice.table[0].law.squares < 0.5 * plain.squares
-
-
-def test_corrections_are_noted_once() -> None:
-    scene, film = _fallen("newtonian", 0.01)
-    turned = Measurements.of(film.series[0].time, -film.series[0].midpoint)
-    found = fit_laws(turned, scene, ["newtonian", "kelvin-voigt"], starts=0)
-    for one in found.fits.values():
-        assert len(one.notes) == 1
-        assert "Turned the sign" in one.notes[0]
 
 
 PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]

@@ -30,7 +30,6 @@ from softcat_sym.scene.scene import (
     is_symmetric,
     rest_length,
     stress_free_length,
-    undeformed_area,
 )
 from softcat_sym.scene.tables import farthest, nearest
 from softcat_sym.scene.units import COMMON, measured_by_pint
@@ -526,13 +525,6 @@ def test_symmetry() -> None:
         (SLACK, True),
     ]:
         assert is_symmetric(scene_of(**changes)) is symmetric
-
-
-def test_the_undeformed_area() -> None:
-    assert undeformed_area(scene_of()) == pytest.approx(0.006**2)
-    assert undeformed_area(scene_of(filament__width="2 mm")) == pytest.approx(0.006 * 0.002)
-    assert undeformed_area(scene_of(filament__section="sheet", filament__width="1 m")) == pytest.approx(0.006)
-    assert undeformed_area(scene_of(filament__section="circle")) == pytest.approx(math.pi * 0.006**2 / 4)
 
 
 # The units that are known without pint are pint's, to the last bit; scenes written in them never load it.

@@ -20,9 +20,9 @@ from softcat_sym.effects.choosing import (
     why_not,
 )
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.groups import GROUND, RELATES, Relation, faults_of, solve
+from softcat_sym.scene.groups import GROUND, RELATES, Relation, faults_of, relation_of, solve
 from softcat_sym.scene.laws import OF_THE_INDEX, kind_of_constant
-from softcat_sym.scene.material import power, shear_names
+from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.scene.units import Kind, Number, Quantity, shown, si_unit, with_unit
@@ -143,7 +143,9 @@ def constants_of(scene: Scene, row: Row) -> Row:
     def kept(name: str) -> Relation:
         return Relation(f"material.{name}", name, GROUND, getattr(material, name))
 
-    relations = [Relation(_GROUPS + key, *RELATES[key], _ratio(scene, key, value)) for key, value in numbers.items()]
+    span, gravity = scene.filament.span, scene.load.gravity
+    stress, time = scene.filament.density * gravity * span, math.sqrt(span / gravity)
+    relations = [relation_of(key, value, stress, time, material.index) for key, value in numbers.items()]
     given = [name for name in names if {f"material.{key}" for key in (name, *shear_names(name))} & set(row)]
     relations += [kept(name) for name in given]
     for name in names:
@@ -166,21 +168,6 @@ def _group_fault(key: str, value: object) -> Fault | None:
     if not is_number(value) or not 0 < float(value) < math.inf:
         return Fault(_GROUPS + key, f"{shown(value)} is no positive number", "a positive number without a unit")
     return None
-
-
-def _ratio(scene: Scene, key: str, group: float) -> float:
-    """Ratio of two constants that a group sets, from stress rho g L [Pa] and time sqrt(L/g) [s]."""
-    span, gravity, index = scene.filament.span, scene.load.gravity, scene.material.index
-    stress, time = scene.filament.density * gravity * span, math.sqrt(span / gravity)
-    ratios = {
-        "G": stress / group,
-        "eps_Y": group,
-        "E_star": stress * group,
-        "V": stress * power(time, index) * group,
-        "B": stress * time / (2 * group),
-        "tau": time * group,
-    }
-    return ratios[key]
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.forecast import expected_sag, forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.law import has_chains, law_in
+from softcat_sym.effects.law import law_in
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
@@ -40,7 +40,7 @@ def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
     """Refuse polymer chains without fibres in bending, as their stress is not linear through the thickness."""
-    if not has_chains(scene):
+    if not scene.material.spec.has_chains:
         return
     law = f"the law {scene.material.law!r}"
     if scene.run.closure == "printed":
@@ -346,7 +346,7 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
         dear = INERTIA.name in effect.needs and INERTIA.name not in complete
         if effect.name not in complete and not dear and effect.applies(scene) and (why := effect.eases(scene)):
             complete[effect.name] = why
-    if BENDING.name in complete and has_chains(scene):
+    if BENDING.name in complete and scene.material.spec.has_chains:
         complete.setdefault(FIBRES.name, "the stress of polymer chains is not linear through the thickness")
     if FIBRES.name in complete and SHEAR.applies(scene):
         complete.setdefault(SHEAR.name, "fibres are resolved on sections that shear")

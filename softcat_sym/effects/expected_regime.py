@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
@@ -82,7 +81,7 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     """
     scene = scene.at(scene.run.duration)
     gravity_number = worst_gravity_number(scene)
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         return ExpectedRegime(
             "elastic", "the law is that of a solid: it oscillates about, or creeps to, its elastic sag"
         )

@@ -12,7 +12,6 @@ from softcat_sym.effects import quasi_static as quasi_static
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
-from softcat_sym.effects.law import is_solid
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
     Scene,
@@ -400,7 +399,7 @@ def _relaxed(scene: Scene, rings: Ringing) -> float:
     relaxation = viscosity / modulus
     if scene.material.modes:
         relaxation = min(mode.viscosity / mode.youngs_modulus for mode in scene.material.modes)
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         relaxation = quasi_static.retardation(scene)
     share = -math.expm1(-scene.run.duration / relaxation)
     over = _overstress(scene, rings)

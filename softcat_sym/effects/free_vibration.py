@@ -21,7 +21,7 @@ from softcat_sym.effects.discrete_filament import (
     unstrained,
 )
 from softcat_sym.effects.first_stress import initial_strain
-from softcat_sym.effects.law import is_solid, may_have
+from softcat_sym.effects.law import may_have
 from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
@@ -330,7 +330,7 @@ def _decay(scene: Scene, frequency: float) -> float:
         return sum(mode.youngs_modulus**2 / mode.viscosity for mode in material.modes) / total / 2
     if material.relaxation_time:
         return 1 / (2 * material.relaxation_time) + frequency**2 * solvent_lag(scene) / 2
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         late = retardation(scene)
         if material.spec.viscous_stress:
             return frequency**2 * late / 2

@@ -13,19 +13,9 @@ def law_in(scene: Scene) -> Rheology:
         material.law,
         modes=len(material.modes),
         flow=material.flow,
-        threshold=material.threshold > 0,
-        solvent=not material.has_chains or bool(material.solvent_viscosity),
+        threshold=bool(material.flow) and material.threshold > 0,
+        solvent=not material.spec.has_chains or bool(material.solvent_viscosity),
     )
-
-
-def has_chains(scene: Scene) -> bool:
-    """Whether the material is made of polymer chains, whose stress is not linear in the strain."""
-    return scene.material.has_chains
-
-
-def is_solid(scene: Scene) -> bool:
-    """Whether the material is a solid, without unlimited flow."""
-    return scene.material.spec.is_solid
 
 
 def may_have(scene: Scene, effect: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from softcat_sym.effects.law import has_chains, is_solid, may_have
+from softcat_sym.effects.law import may_have
 from softcat_sym.physics.beams import Beam, beam_between, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held
@@ -25,7 +25,7 @@ def instant_modulus(scene: Scene) -> float | None:
 
 def static_modulus(scene: Scene) -> float | None:
     """Young's modulus of a solid under a lasting load [Pa]; otherwise that of a sudden load."""
-    return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)
+    return scene.material.youngs_modulus if scene.material.spec.is_solid else instant_modulus(scene)
 
 
 def yield_stress_of(scene: Scene) -> float | None:
@@ -114,7 +114,7 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
     material = scene.material
     if material.modes:
         return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
-    if has_chains(scene):
+    if scene.material.spec.has_chains:
         return hot_viscosity_factor(scene) * (viscosity_of_chains(scene) + (material.solvent_viscosity or 0.0))
     if material.formula is not None:
         values = material.values()
@@ -226,4 +226,6 @@ def neck_folds(scene: Scene, strain: float) -> float:
     viscosity = effective_viscosity(scene)
     stress = (limit or 0.0) + pull_of_surface(scene) / 2
     yields = limit is None or (gravity_number or 0.0) > first_yield_gravity_number(scene)
-    return strain + (stress / viscosity * scene.run.duration if viscosity and yields and not is_solid(scene) else 0.0)
+    return strain + (
+        stress / viscosity * scene.run.duration if viscosity and yields and not scene.material.spec.is_solid else 0.0
+    )

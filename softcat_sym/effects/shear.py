@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
-from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid
+from softcat_sym.effects.law import flow_nonlinearity
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
 from softcat_sym.scene.dimensions import is_spatial, needed_in_space
@@ -17,7 +17,7 @@ from softcat_sym.scene.tables import farthest
 
 def elastic_stretch(scene: Scene) -> float:
     """Elastic stretch that the supports impose at the start, and for a solid at any time."""
-    apart = farthest(scene) if is_solid(scene) and scene.ends.motion else distance(scene)
+    apart = farthest(scene) if scene.material.spec.is_solid and scene.ends.motion else distance(scene)
     return apart / stress_free_length(scene) if is_held(scene) else 1.0
 
 
@@ -38,7 +38,7 @@ def _limit(scene: Scene) -> float:
 
 def _applies(scene: Scene) -> bool:
     turns = is_spatial(scene) or stays_straight(scene)
-    return of_large_deflections(scene) and turns and not has_chains(scene)
+    return of_large_deflections(scene) and turns and not scene.material.spec.has_chains
 
 
 def _faults(scene: Scene) -> list[Fault]:

@@ -31,7 +31,8 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
-from softcat_sym.scene.laws import LAWS, LawSpec
+from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
+from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.toml import read_overrides
@@ -386,25 +387,8 @@ def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
 
 
 REPLACED = (
-    "viscosity",
-    "yield_stress",
-    "index",
-    "second_modulus",
-    "modes",
-    "flow",
-    "parameters",
-    "shear_viscosity",
-    "shear_yield_stress",
-    "shear_consistency",
-    "relaxation_time",
-    "solvent_viscosity",
-    "shear_solvent_viscosity",
-    "finite_extensibility",
-    "mobility",
-    "ptt_epsilon",
-    "structure",
-    "hardening_modulus",
-    "hardening_recovery",
+    *(name for constant in CONSTANTS if constant != "youngs_modulus" for name in (constant, *shear_names(constant))),
+    *("index", "modes", "flow", "parameters", "structure", "hardening_modulus", "hardening_recovery"),
 )
 """Constants that are removed together with a scene's law; elastic ones stay, as no flow curve determines them."""
 

@@ -215,7 +215,7 @@ def _of_material(scene: Scene) -> Iterator[FreeParameter]:
         yield _positive("material.loss_tangent", "1", material.loss_tangent)
     if material.spec.has_index:
         yield _positive("material.index", "1", material.index, _INDEX)
-    if not material.has_chains:
+    if not material.spec.has_chains:
         yield replace(_signed("material.poisson", "1", material.poisson, 1.0, _POISSON), limits=_POISSON)
     for number, mode in enumerate(material.modes, start=1):
         for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):

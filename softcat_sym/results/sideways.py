@@ -19,7 +19,6 @@ import numpy.typing as npt
 from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.free_vibration import solid_viscosity
-from softcat_sym.effects.law import has_chains
 from softcat_sym.effects.scaling_estimates import instant_modulus, section_of
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.dimensions import is_spatial
@@ -105,7 +104,7 @@ def seeded(scene: Scene) -> Scene | None:
 def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
     modulus = instant_modulus(scene)
-    if is_spatial(scene) or modulus is None or has_chains(scene) or section_of(scene).plane_strain:
+    if is_spatial(scene) or modulus is None or scene.material.spec.has_chains or section_of(scene).plane_strain:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None

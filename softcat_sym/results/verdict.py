@@ -179,7 +179,7 @@ def _place(nodes: Floats, cell: int) -> float:
 
 def largest_stretch(scene: Scene) -> float:
     """The stretch at which a filament counts as ruptured."""
-    if scene.material.has_chains:
+    if scene.material.spec.has_chains:
         return POLYMER_THREAD
     return STRONGEST if scene.material.spec.is_solid else THREAD
 

@@ -104,7 +104,7 @@ def _of_space(scene: Tables) -> Iterator[Rule]:
     yield filament.section == "sheet", "filament.section", f"'sheet', whose torsion is a plate's ({asked})", "rectangle"
     yield scene.model == "small-deflection", "model", f"'small-deflection', {only}", "filament"
     yield scene.run.closure == "printed", "run.closure", f"'printed', {only}", "material"
-    yield material.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
+    yield material.spec.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
     histories = (*material.histories(), *material.natural_strains())
     given = (
         *((f"material.{name}", True) for name in histories),

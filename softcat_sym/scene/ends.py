@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import ValidatorFunctionWrapHandler, field_validator
 
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.units import Choice, Flag, Motion, Quantity, Turns, refusal, shown
+from softcat_sym.scene.units import MOTION, TURNS, Choice, Flag, Quantity, refusal, shown
 
 
 class Hold(Enum):
@@ -99,9 +99,9 @@ class Ends(Part):
     """Angle of a left clamp, counterclockwise from the horizontal; a symmetric pair has -a and a."""
     right_angle: Angle = 0.0
     """Angle of a right clamp, counterclockwise from the horizontal."""
-    motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
+    motion: Annotated[tuple[tuple[float, ...], ...], MOTION] = ()
     """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
-    right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
+    right_twist: Annotated[tuple[tuple[float, ...], ...], TURNS] = ()
     """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
     right_slides: Annotated[bool, Flag()] = False
     """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""

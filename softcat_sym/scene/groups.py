@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -71,14 +71,15 @@ GROUND = "1"
 _WITH_INDEX = "groups.V, K/(rho g L (L/g)^(n/2))"
 _WORDS = {"youngs_modulus": "Young's modulus", "viscosity": "the viscosity", "yield_stress": "the yield stress"}
 
-# What each group relates; the ratio of the two comes with the numbers.
-RELATES = {
-    "G": ("yield_stress", GROUND),
-    "eps_Y": ("yield_stress", "youngs_modulus"),
-    "E_star": ("youngs_modulus", GROUND),
-    "V": ("viscosity", GROUND),
-    "B": ("viscosity", GROUND),
-    "tau": ("viscosity", "youngs_modulus"),
+# The two constants that each group relates, and their ratio: of the group, the stress rho g L [Pa], the time sqrt(L/g)
+# [s] and the index [3.9, 3.10].
+RELATES: dict[str, tuple[str, str, Callable[[float, float, float, float], float]]] = {
+    "G": ("yield_stress", GROUND, lambda group, stress, time, n: stress / group),
+    "eps_Y": ("yield_stress", "youngs_modulus", lambda group, stress, time, n: group),
+    "E_star": ("youngs_modulus", GROUND, lambda group, stress, time, n: stress * group),
+    "V": ("viscosity", GROUND, lambda group, stress, time, n: stress * power(time, n) * group),
+    "B": ("viscosity", GROUND, lambda group, stress, time, n: stress * time / (2 * group)),
+    "tau": ("viscosity", "youngs_modulus", lambda group, stress, time, n: time * group),
 }
 
 
@@ -90,6 +91,12 @@ class Relation:
     constant: str  # Names of material constants, or `GROUND`
     other: str
     ratio: float  # SI
+
+
+def relation_of(key: str, group: float, stress: float, time: float, index: float) -> Relation:
+    """What a group says of two constants, from the stress rho g L [Pa] and the time sqrt(L/g) [s]."""
+    constant, other, ratio = RELATES[key]
+    return Relation(f"groups.{key}", constant, other, ratio(group, stress, time, index))
 
 
 def faults_of(relations: list[Relation], law: str) -> list[Fault]:
@@ -115,7 +122,7 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
     loose = [name for name in LAWS[law].constants if _chain(tree, name, GROUND) is None]
     if loose:
         given = {relation.path for relation in relations}
-        ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair) & set(loose)]
+        ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair[:2]) & set(loose)]
         ways = [path for path in (*ways, *(f"material.{name}" for name in loose)) if path not in given]
         found = f"missing: nothing fixes {' and '.join(_WORDS[name] for name in loose)}"
         faults.append(Fault("groups", found, f"one more of {', '.join(ways)}"))
@@ -216,8 +223,7 @@ def resolve_groups(table: Table) -> Resolved:
         faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
     scaled = span > 0 and density > 0 and gravity > 0
     stress, time = density * gravity * span, math.sqrt(span / gravity) if scaled else 0.0
-    ratios = _ratios(block, stress, time, index) if block is not None and scaled else {}
-    relations = _relations(raw, rest, ratios, index if scaled else 1.0)
+    relations = _relations(raw, rest, block if scaled else None, (stress, time, index if scaled else 1.0))
     faults += _of_law(raw, rest, block, relations, index)
     if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
         return Resolved(rest, tuple(faults), determined, complete=False)
@@ -268,20 +274,11 @@ def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]
         return None, [fault_of(detail, known, accepted) for detail in details]  # type: ignore[arg-type]
 
 
-def _ratios(block: GroupBlock, stress: float, time: float, index: float) -> dict[str, float]:
-    """Turn each group into the ratio of its two constants, SI [3.9, 3.10]."""
-    growing = {"eps_Y": 1.0, "E_star": stress, "V": stress * power(time, index), "tau": time}
-    ratios = {key: scale * group for key, scale in growing.items() if (group := getattr(block, key)) is not None}
-    if block.G is not None:
-        ratios["G"] = stress / block.G
-    if block.B is not None:
-        ratios["B"] = stress * time / (2 * block.B)
-    return ratios
-
-
-def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float], index: float) -> list[Relation]:
-    """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
-    relations, given = [], _section(rest, "material")
+def _relations(
+    raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, scales: tuple[float, float, float]
+) -> list[Relation]:
+    """All that was said of the constants. Without a sound block the ratios of groups are 0: only who fixes whom."""
+    relations, given, index = [], _section(rest, "material"), scales[-1]
     poisson = _value(Material, rest, "poisson", POISSON)
     for name in ("youngs_modulus", "viscosity", "yield_stress"):
         shear = [(rule.shear, rule.factor(index, poisson)) for rule in FROM_SHEAR if rule.constant == name]
@@ -289,9 +286,10 @@ def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float],
             if key in given:
                 value = times * _read(kind_of_constant(key, str(raw.get("law")), index), given[key], 0.0)
                 relations.append(Relation(f"material.{key}", name, GROUND, value))
-    for key, (constant, other) in RELATES.items():
+    for key, (constant, other, _) in RELATES.items():
         if raw.get(key) is not None:
-            relations.append(Relation(f"groups.{key}", constant, other, ratios.get(key, 0.0)))
+            plain = Relation(f"groups.{key}", constant, other, 0.0)
+            relations.append(plain if block is None else relation_of(key, getattr(block, key), *scales))
     if not {*_MODULUS_GROUPS} & set(raw) and not {"youngs_modulus", *shear_names("youngs_modulus")} & set(given):
         modulus = _read(kind_of_constant("youngs_modulus", None, 1.0), PAPER_MODULUS, 0.0)
         relations.append(Relation("groups", "youngs_modulus", GROUND, modulus))

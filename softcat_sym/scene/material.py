@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from keyword import iskeyword
 from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
-from pydantic_core import PydanticCustomError, ValidationError
+from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene.formula import (
     FORMULA_CONSTANTS,
@@ -26,7 +27,9 @@ from softcat_sym.scene.laws import CONSTANTS, LAWS, STRESS, VISCOSITY, LawSpec, 
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.structure import Structure, StructureTable
 from softcat_sym.scene.units import (
-    SI,
+    STRESS as PASCAL,
+)
+from softcat_sym.scene.units import (
     Choice,
     Dimension,
     Kind,
@@ -34,16 +37,14 @@ from softcat_sym.scene.units import (
     Number,
     Quantity,
     Text,
-    each_refusal,
+    read_each,
+    read_fields,
     refusal,
     refusals,
     same_dimension,
     shown,
     si_unit,
     to_si_of_any,
-)
-from softcat_sym.scene.units import (
-    STRESS as PASCAL,
 )
 
 # `scene.units.Kind` documents the methods once for all kinds.
@@ -90,29 +91,15 @@ class Modes(Kind):
         items = self.listed(value, "a list")
         if len(items) > _MOST:
             raise refusal(f"{len(items)} modes", f"at most {_MOST} modes")
-        faults: list[Refused] = []
-        modes = [self._mode(item, str(number), faults) for number, item in enumerate(items, start=1)]
-        if faults:
-            raise refusals("modes", faults)
-        return tuple(modes)
+        reads = {str(number): partial(self._mode, item) for number, item in enumerate(items, start=1)}
+        return tuple(read_each("modes", reads).values())
 
-    def _mode(self, item: object, number: str, faults: list[Refused]) -> Mode:
+    def _mode(self, item: object) -> Mode:
         if isinstance(item, Mode):
             return item
         if not isinstance(item, Mapping):
-            faults.append(((number,), self.refuse(f"{shown(item)} is not a mode")))
-            item = {name: SI(1.0) for name in _MODE}
-        for key in set(item) - set(_MODE):
-            faults.append(((number, str(key)), refusal("unknown key", ", ".join(_MODE))))
-        read = dict.fromkeys(_MODE, math.nan)
-        for name, kind in _MODE.items():
-            try:
-                if name not in item:
-                    raise kind.refuse("missing")
-                read[name] = kind.read(item[name])
-            except (PydanticCustomError, ValidationError) as error:
-                faults += [((number, name, *steps), one) for steps, one in each_refusal(error)]
-        return Mode(**read)
+            raise self.refuse(f"{shown(item)} is not a mode")
+        return Mode(**read_fields("mode", item, _MODE, _MODE))
 
     def write(self, value: tuple[Mode, ...]) -> object:
         return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
@@ -132,16 +119,8 @@ class Parameters(Kind):
             raise self.refuse(f"{shown(value)} is not a table")
         if len(value) > _MOST:
             raise refusal(f"{len(value)} parameters", f"at most {_MOST} parameters")
-        faults: list[Refused] = []
-        parameters = []
-        for name, given in value.items():
-            try:
-                parameters.append(_parameter(name, given))
-            except PydanticCustomError as error:
-                faults.append(((str(name),), error))
-        if faults:
-            raise refusals("parameters", faults)
-        return tuple(sorted(parameters, key=lambda parameter: parameter.name))
+        read = read_each("parameters", {str(name): partial(_parameter, name, one) for name, one in value.items()})
+        return tuple(sorted(read.values(), key=lambda parameter: parameter.name))
 
     def write(self, value: tuple[Parameter, ...]) -> object:
         return {
@@ -160,14 +139,12 @@ class EffectTables(Kind):
             return value
         if not isinstance(value, Mapping):
             raise self.refuse(f"{shown(value)} is not a table")
-        faults = [
-            ((str(name),), self.refuse(f"{shown(table)} is not a table"))
-            for name, table in value.items()
-            if not isinstance(table, Mapping)
-        ]
-        if faults:
-            raise refusals("effects", faults)
-        return tuple((str(name), Parameters().read(table)) for name, table in sorted(value.items()))
+        return tuple(sorted(read_each("effects", {str(k): partial(self._table, v) for k, v in value.items()}).items()))
+
+    def _table(self, value: object) -> tuple[Parameter, ...]:
+        if not isinstance(value, Mapping):
+            raise self.refuse(f"{shown(value)} is not a table")
+        return Parameters().read(value)
 
     def write(self, value: tuple[EffectTable, ...]) -> object:
         return {name: Parameters().write(table) for name, table in value}
@@ -592,11 +569,6 @@ class Material(Part):
     def has_loss(self) -> bool:
         """Whether a viscous stress acts beside spring and flow."""
         return self.loss_tangent > 0 or self.solid_viscosity is not None
-
-    @property
-    def has_chains(self) -> bool:
-        """Whether it is made of polymer chains, whose stress is not linear in the strain."""
-        return self.spec.has_chains
 
     @property
     def formula(self) -> Formula | None:

@@ -23,19 +23,20 @@ from pydantic import (
 
 from softcat_sym.scene.shapes import Shape
 from softcat_sym.scene.units import (
+    NUMBERS,
+    POINTS,
     Choice,
     Direction,
     Flag,
     Kind,
     Names,
     Number,
-    Numbers,
-    Points,
     Quantity,
-    Three,
+    Values,
     Whole,
     refusal,
     shown,
+    three,
 )
 
 
@@ -133,7 +134,9 @@ class Filament(Part):
     """Width D0 across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
-    profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
+    profile: Annotated[
+        tuple[float, ...], Values(Number(above=0), "a list of positive numbers without units, at least 2", 2)
+    ] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
     shape: Annotated[str | tuple[Point, ...], Shape()] = "straight"
     """Natural curve between the supports: straight, arc, helix, or through points of a CSV file; in space."""
@@ -224,9 +227,9 @@ class Load(Part):
     """Mass at midspan."""
     tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at a free right end; in three dimensions."""
-    tip_force: Annotated[tuple[float, ...], Three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
+    tip_force: Annotated[tuple[float, ...], three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
     """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
-    tip_torque: Annotated[tuple[float, ...], Three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
+    tip_torque: Annotated[tuple[float, ...], three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
     """Dead torque on a free right end, about axes that point right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
@@ -246,11 +249,11 @@ class Initial(Part):
     """Stretch before the load acts, s0."""
     relaxed: Annotated[bool, Flag()] = True
     """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
-    P: Annotated[tuple[float, ...], Numbers()] = ()
+    P: Annotated[tuple[float, ...], NUMBERS] = ()
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
-    C: Annotated[tuple[float, ...], Numbers()] = ()
+    C: Annotated[tuple[float, ...], NUMBERS] = ()
     """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), at equally spaced points, too."""
-    centreline: Annotated[tuple[Point, ...], Points()] = ()
+    centreline: Annotated[tuple[Point, ...], POINTS] = ()
     """Places of equally spaced material points, from the left support: begins there, strained; in three dimensions."""
     surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""

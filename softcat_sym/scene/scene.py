@@ -545,7 +545,7 @@ def _modulus(scene: Scene) -> float | None:
 def _viscosity(scene: Scene) -> float | None:
     """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum, of polymer chains E lambda and the solvent's."""
     material = scene.material
-    if material.has_chains:
+    if material.spec.has_chains:
         return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (
             material.solvent_viscosity or 0.0
         )

@@ -13,7 +13,6 @@ import numpy.typing as npt
 
 from softcat_sym.batch.sweep import time_to_share
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
@@ -243,10 +242,10 @@ def _rigid(scene: Scene, run: Run) -> bool:
 
 def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     """Prediction of a viscous sag, of a beam or of a string; time is counted from half the ramp of the load."""
-    material = scene.material
-    viscosity = None if is_solid(scene) or material.spec.has_formula else effective_viscosity(scene) or None
+    material, spec = scene.material, scene.material.spec
+    viscosity = None if spec.is_solid or spec.has_formula else effective_viscosity(scene) or None
     if viscosity is None:
-        return "a solid does not flow" if is_solid(scene) else "its flow rule has no viscosity"
+        return "a solid does not flow" if spec.is_solid else "its flow rule has no viscosity"
     if _rigid(scene, run):
         return _NEVER_FLOWS
     time = max(float(run.data["time"].values[-1]) - scene.load.ramp / 2, 0.0)

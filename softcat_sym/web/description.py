@@ -17,7 +17,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.law import is_solid
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.generation import ended_at
@@ -370,8 +369,8 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         for name in sorted(usual)
         if name.startswith(".")
     }
-    flows = terms.flows or terms.viscous
-    kind = "elastic" if is_solid(scene) else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
+    flows, solid = terms.flows or terms.viscous, scene.material.spec.is_solid
+    kind = "elastic" if solid else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
     turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
     return {
         "numbers": exponents,
