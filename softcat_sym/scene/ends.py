@@ -92,12 +92,17 @@ SLIDING = Support("sliding", Hold.FREE, Hold.RIGID, Hold.RIGID)
 SYMMETRY = Support("symmetry", Hold.RIGID, Hold.FREE, Hold.RIGID)
 """The middle of a filament of which one half is followed."""
 
-SUPPORTS: dict[str, Support] = {one.name: one for one in (CLAMPED, PINNED, FREE)}
+ELASTIC = Support("elastic", Hold.SPRING, Hold.SPRING, Hold.SPRING)
+"""What of it is not given is rigid."""
 
-End = Literal["clamped", "pinned", "free"]
+SUPPORTS: dict[str, Support] = {one.name: one for one in (CLAMPED, PINNED, FREE, ELASTIC)}
+
+End = Literal["clamped", "pinned", "free", "elastic"]
 _END = Choice(End)
 _ANGLE = Quantity("angle", "10 deg", "any")
 Angle = Annotated[float, _ANGLE]
+Stiffness = Annotated[float | None, Quantity("stiffness", "200 N/m")]
+RotationalStiffness = Annotated[float | None, Quantity("rotational stiffness", "0.01 N*m/rad", "non-negative")]
 
 
 class Ends(Part):
@@ -109,6 +114,14 @@ class Ends(Part):
     """How the left end is held."""
     right: Annotated[End, _END] = "clamped"
     """How the right end is held."""
+    left_stiffness: Stiffness = None
+    """Stiffness of a left end that is elastic, against displacements in every direction; rigid unless given."""
+    right_stiffness: Stiffness = None
+    """Stiffness of a right end that is elastic, likewise."""
+    left_rotational_stiffness: RotationalStiffness = None
+    """Stiffness of a left end that is elastic, against turning about every axis; rigid unless given, 0 as a pin."""
+    right_rotational_stiffness: RotationalStiffness = None
+    """Stiffness of a right end that is elastic, likewise."""
     drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
     """Depth of the right support below the left one."""
     left_angle: Angle = 0.0
@@ -136,7 +149,7 @@ class Ends(Part):
 
     def given_stiffness(self, side: str) -> dict[str, float | None]:
         """Stiffnesses of an end as the scene has them, by their keys."""
-        return {key: getattr(self, key, None) for key in (f"{side}_stiffness", f"{side}_rotational_stiffness")}
+        return {key: getattr(self, key) for key in (f"{side}_stiffness", f"{side}_rotational_stiffness")}
 
     @property
     def springs(self) -> dict[str, float]:
@@ -166,6 +179,13 @@ def end_rules(ends: Ends) -> Iterator[Rule]:
     for side, support, angle in ends.sides:
         found, accepted = f"given, but the {side} end is {support.name}", f'{out}, or ends.{side} = "clamped"'
         yield not support.carries_moment and angle != 0, f"ends.{side}_angle", found, accepted
+        stiffnesses = ends.given_stiffness(side)
+        if SUPPORTS[getattr(ends, side)].has_springs:
+            given = any(value is not None for value in stiffnesses.values())
+            yield not given, f"ends.{side}", "'elastic' without a stiffness", f"{' or '.join(stiffnesses)}, or clamped"
+        else:
+            for key, value in stiffnesses.items():
+                yield value is not None, f"ends.{key}", found, f'{out}, or ends.{side} = "elastic"'
     yield ends.drop and any(free), "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
     broken, found = ends.motion and free[1], "given, but the right end is free"
     yield broken, "ends.motion", found, f"{out}, or a right end that is held"
