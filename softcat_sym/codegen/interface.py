@@ -57,7 +57,7 @@ _UNITS = {
     "index": "1",
 }
 _ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_dz": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
-_ENDINGS |= {"_angle": "rad"}
+_ENDINGS |= {"_angle": "rad", "_rotational_stiffness": "N*m/rad", "_stiffness": "N/m"}
 
 _MEANINGS = {
     "area": "undeformed, of the section",
@@ -86,6 +86,8 @@ _MEANINGS = {
     **dict.fromkeys(TIP_TORQUE, "torque at the free end over the undeformed section"),
     **dict.fromkeys(DIRECTION, "of gravity; the three make a vector of length one"),
     **{name: "of the quaternion of a clamp, of length one" for turn in END_TURNS for name in turn},
+    **dict.fromkeys(("left_stiffness", "right_stiffness"), "of the spring between an end and its support"),
+    **dict.fromkeys(("left_rotational_stiffness", "right_rotational_stiffness"), "of the spring that turns it back"),
     "time_scale": "unit of time in which the computation works; 0: sqrt(rest_length / gravity)",
 }
 

@@ -130,6 +130,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         sideways=any(len(row) > _IN_THE_PLANE for row in ends.motion),
         turns=len(ends.right_twist),
         directed=scene.load.direction != DOWN,
+        springs=tuple(ends.springs),
         curved=(shaped and left, shaped and right),
     )
     return Body(

@@ -308,8 +308,9 @@ class Mechanics:
     energies: dict[str, list[Field]]  # Stored energies, each a sum over sites
     dissipation: list[Field]  # Plastic power, weighted with the length of each place
     shown: dict[str, ca.SX]  # What a run stores of the cells
+    psi: Neighbours | None = None  # The section angle where it is independent, its rate, and what turns it [Pa m]
     omega: Neighbours = field(default_factory=Same)
-    torque: Sided | None = None  # What turns the section angle of a node [Pa m], where it is independent
+    torque: Sided | None = None
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move

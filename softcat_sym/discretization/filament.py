@@ -99,7 +99,7 @@ def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.S
         return Field(name, slot.where, of.plastic[slot.name] * b.scale)
     if slot.name in ("psi", "omega"):
         inertia = rotary if slot.differential else b.density * b.span**2
-        acting, factor, minus = of.torque, 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
+        acting, factor, minus = _torque(b, of, outer), 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
     else:
         way = int(slot.name in ("y", "v"))
         acting, factor = _net(of.force[way], outer, way), per_mass
@@ -110,6 +110,19 @@ def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.S
     sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, strict=True)
     ends = {site: acting(*cells) * factor - minus for site, cells, is_held in sides if not is_held}
     return Field(name, INNER, acting(-1, 0) * factor - minus, ends)
+
+
+def _torque(b: Builder, of: Mechanics, outer: Outer) -> Sided | None:
+    """What the cells beside a node and the spring of an end do to the angle of its section [Pa m]."""
+    turning = of.torque
+    if turning is None or not outer.springs:
+        return turning
+
+    def acting(before: int | None, behind: int | None) -> ca.SX:
+        springs = (slope for one in outer.springs if one.acts(before, behind) for slope in one.by_turn)
+        return ca.SX(turning(before, behind) - b.span * sum(springs, ca.SX(0)))
+
+    return acting
 
 
 def _net(force: Neighbours, outer: Outer, way: int) -> Sided:
@@ -158,7 +171,10 @@ _AT_RIGHT = Where(-1, 0, alone=True)
 
 
 def _support(b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Force of the right support: it carries the last cell and its own share."""
+    """Force of the right support: it carries the last cell and its own share, or pulls by its spring."""
+    for spring in outer.springs:
+        if spring.site and not b.last.holds_height:
+            return spring.pull[0], spring.pull[1]
     pushed = [outer.at(way, -1, None) for way in (0, 1)]
     return of.force[0][-1] - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
 

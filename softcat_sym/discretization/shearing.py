@@ -134,6 +134,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
         {"elastic": [Field("elastic", CELLS, volume * fibres.energy)], "surface": surface},
         [Field("power_plastic", CELLS, volume * fibres.dissipation)],
         shown,
+        psi,
         omega,
         torque,
         double_force,

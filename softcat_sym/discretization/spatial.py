@@ -27,6 +27,7 @@ from softcat_sym.discretization.cell import (
     program_of,
     surface_force,
 )
+from softcat_sym.discretization.end_springs import end_springs
 from softcat_sym.discretization.held_ends import Held
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.sampling import OnePoint, SpatialSampling, point_labels
@@ -106,6 +107,7 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
     rates = tuple(of.rate(slot, points.rates) for slot in ordered(b.slots))
     volume = b.length[0] * b.area_cell
     stored = {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface}
+    stored |= {"supports": [one.stored for one in of.springs]} if of.springs else {}
     powers = of.powers(Field("power_plastic_0", CELLS, volume * points.dissipation * of.work))
     shown = {**of.shown(stored), **_shown(b, cell, conjugate, tension_now, points)}
     return program_of(b, rates, powers, shown, {name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")})
@@ -132,7 +134,7 @@ def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
             plain if not are[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
             for name, plain, are, end in zip(SPEEDS, speeds, holds, last, strict=True)
         ]
-    held = at.turns[0] or _quaternion(at.left_angle, ca.SX(0)), _right_clamp(at)
+    held = _clamps(at)
     turn = [
         b.unknown(Slot(name, "node", b.bends, turns, "", section=False), *pair)
         for name, pair in zip(TURN, zip(*held, strict=True), strict=True)
@@ -151,6 +153,11 @@ def _quaternion(angle: Any, twist: Any) -> list[ca.SX]:
     """A clamp turned by an angle in the plane, and about its own normal."""
     c, s, a, t = (ca.SX(f(one / 2)) for one, f in ((angle, ca.cos), (angle, ca.sin), (twist, ca.cos), (twist, ca.sin)))
     return [c * a, c * t, s * t, s * a]
+
+
+def _clamps(at: Held) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Quaternions that the supports hold."""
+    return at.turns[0] or _quaternion(at.left_angle, ca.SX(0)), _right_clamp(at)
 
 
 def _right_clamp(at: Held) -> list[ca.SX]:
@@ -395,6 +402,7 @@ class _Body:
         self.mass = b.place("mass")[0]
         self.unit = b.scale**2 / b.span
         self.work = b.scale / energy_scale(b.density, b.span, b.scale)
+        self.springs = end_springs(b, self.places, self.turn, _clamps(b.supports)) if b.body.supports.springs else ()
 
     def _mass(self, behind: int | None) -> ca.SX:
         """Of a node over density, area and rest length; at a free end with what hangs there."""
@@ -436,6 +444,7 @@ class _Body:
             net = (0 if behind is None else force[behind]) - (0 if before is None else force[before])
             if behind is None and b.body.tip_force:
                 net += b.named[TIP_FORCE[way]]
+            net += sum((one.pull[way] for one in self.springs if one.acts(before, behind)), ca.SX(0))
             per_mass = self.unit / (self._mass(behind) * b.density * b.span)
             return ca.SX(net * per_mass + self.gravity * self.unit * self.direction[way])
 
@@ -450,6 +459,9 @@ class _Body:
             net = (0 if behind is None else first[behind]) + (0 if before is None else last[before])
             if behind is None and b.body.tip_torque:
                 net += self._dead_torque()[axis]
+            for one in self.springs:
+                if one.acts(before, behind):
+                    net -= b.span / 2 * _of_a_turn([q[0] for q in self.turn], one.by_turn)[axis]
             return ca.SX(net * factor)
 
         return acting
@@ -486,6 +498,10 @@ class _Body:
             ),
             ca.SX(0),
         )
+        for spring in self.springs:
+            if spring.site and not b.last.holds_height:
+                speeds = zip(spring.pull, (at.right_u, at.right_v, at.right_w), strict=True)
+                pushed = sum((pull * speed for pull, speed in speeds), ca.SX(0))
         pushed -= self.torque[1][0][-1] * at.right_spin / b.span
         if not ca.SX(pushed).is_zero():
             load.append(Field("power_load_1", Where(-1, 0, alone=True), pushed * self.work))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, always, held_up
-from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, carries_moment, groups_of, is_held, is_turned
 
@@ -16,7 +16,7 @@ _LAYER, _PINNED = 0.5, 0.1
 
 
 def _indispensable(scene: Scene) -> str:
-    if why := needed_in_space(scene):
+    if why := needs_section_angles(scene):
         return why
     if is_curved(scene):
         return "the filament is curved by nature"

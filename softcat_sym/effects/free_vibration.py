@@ -242,7 +242,9 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     free = np.ones((n + 1, 6), dtype=bool)
     free[:, 2:5] = is_spatial(scene)
     left, right = scene.ends.supports
-    for node, support in ((0, left), (-1, right)):
+    springs = np.zeros((n + 1, 6))
+    for node, (side, support, _) in zip((0, -1), scene.ends.sides, strict=True):
+        springs[node] = np.repeat([k if k < math.inf else 0.0 for k in scene.ends.stiffness(side)], 3)
         held = support.holds_x, support.holds_height, support.holds_height, *[support.holds_angle] * 3
         free[node] &= ~np.array(held)
     return Elements(
@@ -258,6 +260,8 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,
+        springs=springs,
+        first=begin,
         closing=np.linspace(left.is_free, not right.is_free, n + 1),
         free=np.flatnonzero(free),
     )

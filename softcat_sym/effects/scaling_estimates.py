@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from softcat_sym.effects.law import may_have
-from softcat_sym.physics.beams import Beam, beam_between, first_yield, plastic_collapse
+from softcat_sym.physics.beams import Beam, beam_between, beam_on_springs, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
-from softcat_sym.scene.scene import Scene, groups_of, is_held
+from softcat_sym.scene.scene import Scene, groups_of, is_held, undeformed_area
 
 _THROUGHOUT = 2.0
 """G over that of first yield from which the whole section yields."""
@@ -157,7 +157,14 @@ def duration_star(scene: Scene) -> float:
 
 def beam_of(scene: Scene) -> Beam:
     """The straight beam between the scene's ends; with a free end, a cantilever."""
-    return beam_between(*scene.ends.supports)
+    nearest, modulus = beam_between(*scene.ends.supports), instant_modulus(scene)
+    if not scene.ends.springs or not modulus:
+        return nearest
+    length = scene.filament.span
+    turning = modulus * section_of(scene).gyration * undeformed_area(scene) * scene.filament.thickness**2 / length
+    (left, left_turn), (right, right_turn) = (scene.ends.stiffness(side) for side in ("left", "right"))
+    places = left * length**2 / turning, right * length**2 / turning
+    return beam_on_springs(nearest, places, (left_turn / turning, right_turn / turning))
 
 
 def section_of(scene: Scene) -> CrossSection:

@@ -10,7 +10,7 @@ from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, 
 from softcat_sym.effects.law import flow_nonlinearity
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
-from softcat_sym.scene.dimensions import is_spatial, needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 from softcat_sym.scene.tables import farthest
 
@@ -37,19 +37,19 @@ def _limit(scene: Scene) -> float:
 
 
 def _applies(scene: Scene) -> bool:
-    turns = is_spatial(scene) or stays_straight(scene)
-    return of_large_deflections(scene) and turns and not scene.material.spec.has_chains
+    turns = needs_section_angles(scene) or stays_straight(scene)
+    return of_large_deflections(scene) and bool(turns) and not scene.material.spec.has_chains
 
 
 def _faults(scene: Scene) -> list[Fault]:
-    """Refuse a filament with unstable sections in three dimensions, where shear is indispensable."""
-    if stays_straight(scene) or not is_spatial(scene):
+    """Refuse a filament with unstable sections where shear is indispensable."""
+    if stays_straight(scene) or not needs_section_angles(scene):
         return []
     at_start = distance(scene) / stress_free_length(scene) >= _limit(scene)
     given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
     found = (
         f"stretched elastically {elastic_stretch(scene):.4g} times, at which sections rotate spontaneously "
-        f"({needed_in_space(scene)})"
+        f"({needs_section_angles(scene)})"
     )
     return [Fault(given if at_start else "ends.motion", found, f"less than {_limit(scene):.4g} times")]
 
@@ -84,6 +84,6 @@ SHEAR = Effect(
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
     in_paper=False,
     eases=_eases,
-    indispensable=needed_in_space,
+    indispensable=needs_section_angles,
     faults=_faults,
 )

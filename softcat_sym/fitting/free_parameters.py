@@ -260,6 +260,8 @@ def _of_surroundings(scene: Scene) -> Iterator[FreeParameter]:
     yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
     yield _positive("load.point_mass", "kg", load.point_mass)
     yield _positive("load.tip_mass", "kg", load.tip_mass)
+    for name, stiffness in scene.ends.springs.items():
+        yield _positive(f"ends.{name}", "N*m/rad" if "rotational" in name else "N/m", stiffness)
     yield _surface_tension(scene)
     yield _bath(scene, "density", "kg/m^3")
     yield _bath(scene, "viscosity", "Pa*s")

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
+
+import numpy as np
 
 from softcat_sym.physics.cross_sections import CrossSection
 from softcat_sym.scene.ends import Support
@@ -42,8 +44,8 @@ def no_relief(psi: Any, m: Any = math) -> Any:
 class Beam:
     """A straight beam of span L under its own weight q per length, by the way its ends are held."""
 
-    largest_moment: Fraction  # Largest static bending moment over q L^2
-    midspan_sag: Fraction  # Static elastic sag at midspan over q L^4/(E I)
+    largest_moment: Fraction | float  # Largest static bending moment over q L^2
+    midspan_sag: Fraction | float  # Static elastic sag at midspan over q L^4/(E I)
     # Bound on the largest moment over the static one, when the weight is applied at once and no mode is damped: the
     # moment that all modes add up to when all are at their worst.
     overshoot_bound: float
@@ -66,6 +68,26 @@ def beam_between(left: Support, right: Support) -> Beam:
     if left.is_free or right.is_free:
         return CANTILEVER
     return (PINNED, PROPPED, CLAMPED)[left.carries_moment + right.carries_moment]
+
+
+def beam_on_springs(nearest: Beam, places: tuple[float, float], turns: tuple[float, float]) -> Beam:
+    """A beam whose ends are held by springs, of stiffness k L^3/(E I) and c L/(E I), infinite where they are rigid.
+
+    Of deflection, moments and frequency (Rayleigh's quotient of the static shape); the rest is that of the nearest
+    beam, which gives way to plastic hinges and to tension much like it.
+    """
+    springs = np.array([places[0], turns[0], places[1], turns[1]])
+    free = np.isfinite(springs)
+    bending = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4.0]])
+    moved, clamped = np.zeros(4), np.array([1 / 2, 1 / 12, 1 / 2, -1 / 12])
+    moved[free] = np.linalg.solve((bending + np.diag(np.where(free, springs, 0.0)))[np.ix_(free, free)], clamped[free])
+    x = np.linspace(0.0, 1.0, 201)
+    hermite = np.array([1 - 3 * x**2 + 2 * x**3, x * (1 - x) ** 2, 3 * x**2 - 2 * x**3, x**2 * (x - 1)])
+    curved = np.array([12 * x - 6, 6 * x - 4, 6 - 12 * x, 6 * x - 2])
+    sag, moment = moved @ hermite + x**2 * (1 - x) ** 2 / 24, moved @ curved + (1 - 6 * x + 6 * x**2) / 12
+    frequency = math.sqrt(np.sum(sag) / np.sum(sag**2))
+    largest = float(np.max(np.abs(moment)))
+    return replace(nearest, largest_moment=largest, midspan_sag=float(sag[100]), frequency=frequency)
 
 
 def first_yield(section: CrossSection, beam: Beam, slenderness: float) -> float:

@@ -119,6 +119,10 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
         return None
     # Of forces and moments, and of each unit of a modulus.
     carried, elastic = (cells.tangent(share, force=one) for share, one in ((0.0, 1.0), (1.0, 0.0)))
+    for cell, first, side in ((0, 0, "left"), (-1, _FREE, "right")):
+        place, turn = scene.ends.stiffness(side)
+        spring = [k if k < math.inf else 0.0 for k in (place, turn, turn)]
+        carried[:, cell, range(first, first + _FREE), range(first, first + _FREE)] += spring
     viscosity = solid_viscosity(scene)
     if scene.material.spec.viscous_stress:
         viscosity += float(scene.material.viscosity or 0.0)

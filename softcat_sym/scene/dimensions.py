@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule
 from softcat_sym.scene.tables import Tables
@@ -54,6 +55,12 @@ def reason_for_dimensions(scene: Tables) -> str:
 def needed_in_space(scene: Tables) -> str:
     """Reason why a scene cannot do without what its theory in three dimensions holds; empty in the plane."""
     return f"three dimensions: {reason_for_dimensions(scene)}" if is_spatial(scene) else ""
+
+
+def needs_section_angles(scene: Tables) -> str:
+    """Reason why the angle of a section is an unknown of its own; empty where none is known."""
+    springs = any(support.angle is Hold.SPRING for support in scene.ends.supports)
+    return needed_in_space(scene) or ("a rotational spring turns the section of an end" if springs else "")
 
 
 def dimension_rules(scene: Tables) -> Iterator[Rule]:

@@ -13,6 +13,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
+from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import Parameter, power
@@ -96,6 +97,7 @@ def is_symmetric(scene: Scene) -> bool:
         len(set(ends.supports)) == 1
         and not is_spatial(scene)
         and is_held(scene)
+        and not any(support.has_springs for support in ends.supports)  # The stiffness of one may be varied alone
         and mirrored
         and ends.drop == 0
         and not ends.motion
@@ -147,9 +149,9 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
-    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
+    checks = (_of_springs, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
     others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
-    rules = (rule for check in (*checks, *others) for rule in check(scene))
+    rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
 
@@ -160,16 +162,11 @@ def refuse_settled(scene: Scene, why: str) -> None:
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
-def _of_ends(scene: Scene) -> Iterator[Rule]:
-    ends, out = scene.ends, "leaving it out"
-    free = [support.is_free for support in ends.supports]
-    yield all(free), "ends", "both ends are free", "at least one end clamped or pinned"
-    for side, support, angle in ends.sides:
-        found, accepted = f"given, but the {side} end is {support.name}", f'{out}, or ends.{side} = "clamped"'
-        yield not support.carries_moment and angle != 0, f"ends.{side}_angle", found, accepted
-    yield ends.drop and any(free), "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
-    broken, found = ends.motion and free[1], "given, but the right end is free"
-    yield broken, "ends.motion", found, f"{out}, or a right end that is held"
+def _of_springs(scene: Scene) -> Iterator[Rule]:
+    """The printed closure has no section angles, which a rotational spring turns."""
+    for side, support, _ in scene.ends.sides:
+        found = f"'printed', but a rotational spring holds the {side} end"
+        yield scene.run.closure == "printed" and support.angle is Hold.SPRING, "run.closure", found, "material"
 
 
 def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
@@ -204,7 +201,8 @@ def _of_reach(scene: Scene) -> Iterator[Rule]:
         f"the supports are up to {reach:.4g} m apart, {reach / length:.4g} times the rest length {length:.4g} m: "
         "beyond what the filament can follow; an elastic filament of true strain is strongest at stretch e = 2.718"
     )
-    broken = scene.material.spec.is_solid and is_held(scene) and reach > limit
+    held = all(support.holds_x and support.holds_height for support in scene.ends.supports)
+    broken = scene.material.spec.is_solid and held and reach > limit
     yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
 
 
@@ -308,7 +306,7 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     sheet = scene.filament.section == "sheet"
     yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
     for side, support, _ in scene.ends.sides:
-        yield not support.holds_height, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
+        yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
 LATE = "late overrides"

@@ -58,6 +58,8 @@ SI_UNITS = {
     "mass": "kg",
     "force": "N",
     "torque": "N*m",
+    "stiffness": "N/m",
+    "rotational stiffness": "N*m/rad",
     "surface tension": "N/m",
     "curvature": "1/m",
     "angle": "rad",

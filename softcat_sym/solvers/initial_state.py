@@ -81,7 +81,8 @@ def is_straight(scene: Scene) -> bool:
     # A Newtonian fluid has no elastic stress after stretching.
     pulled = held and scene.material.spec.is_elastic
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
-    uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
+    gives = any(support.has_springs for support in scene.ends.supports)
+    uneven = len(set(initial.P)) > 1 or (pulled and (gives or bool(scene.filament.profile)))
     bent = is_curved(scene) or any(initial.C) or bool(initial.centreline)
     return not ((is_turned(scene) and held) or is_slack(scene) or uneven or bent)
 

@@ -18,11 +18,13 @@ from softcat_sym.scene.natural_curve import has_shape, is_curved
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
+    distance,
     force_free_stretch,
     is_held,
     is_turned,
     rest_length,
     straight_angle,
+    stress_free_length,
 )
 from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
@@ -150,7 +152,9 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 def _is_forced(scene: Scene) -> bool:
     """Whether the straight filament between its ends is stressed without weight, so that its shape must be solved."""
-    bent = not has_shape(scene) and (is_turned(scene) or is_curved(scene))
+    gives = any(support.has_springs for support in scene.ends.supports)
+    pulled = gives and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
+    bent = not has_shape(scene) and (is_turned(scene) or is_curved(scene) or pulled)
     return not scene.initial.centreline and (bent or len(set(scene.initial.P)) > 1)
 
 

@@ -203,6 +203,7 @@ def unusual(scene: Scene) -> str:
     ends, filament = scene.ends, scene.filament
     checks = {
         "an end is free": not is_held(scene),
+        "an end gives way": any(support.has_springs for support in ends.supports),
         "the supports are not level, or move": ends.drop != 0 or bool(ends.motion),
         "a clamp is turned": ends.left_angle != 0 or ends.right_angle != 0,
         "its thickness varies": bool(filament.profile),
