@@ -253,7 +253,16 @@ _RANGES = {
 }
 _PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
 _PLACES |= set(NATURAL_PLACES)
-_KNOWN = ("rest_length", "time_scale", "gravity", "density", "span", "drop", "left_angle", "right_angle")
+_KNOWN: tuple[str, ...] = (
+    "rest_length",
+    "time_scale",
+    "gravity",
+    "density",
+    "span",
+    "drop",
+    "left_angle",
+    "right_angle",
+)
 _KNOWN += ("curvature", "twist")
 
 
