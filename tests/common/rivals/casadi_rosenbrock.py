@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
@@ -17,21 +15,16 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.run import Prepared
 from tests.common.rivals.kirchhoff_c import PORTABLE
 from tests.common.rivals.radau import Solved
-from tests.common.rivals.scenes import Physics, converged_midpoint, prepare
+from tests.common.rivals.scenes import Physics
 
 _MAX_STEPS = 1_000_000
-REPEATS = 7
 
 # rtol and atol: of those tried, rtol in 1e-2, 3e-3, 1e-3, 3e-4, 1e-4 and atol/rtol in 1e-3, 1e-2, 1e-1, 1, the pair of
 # the fewest steps with the midpoint of 40 cells within 1e-3 of the converged one. Space takes 2e-4 of that in the
 # descent and 9e-4 in the arrest, with fibres 3e-5 and 4e-4.
 LOOSEST: dict[tuple[str, Physics, str], tuple[float, float]] = {
-    ("continual-descent", "paper", "rosenbrock"): (1e-2, 1e-3),
-    ("arrested-overdamped", "paper", "rosenbrock"): (1e-3, 1e-3),
     ("continual-descent", "fibres", "rosenbrock"): (3e-3, 3e-3),
     ("arrested-overdamped", "fibres", "rosenbrock"): (3e-3, 3e-5),
-    ("continual-descent", "paper", "cvodes"): (1e-3, 1e-4),
-    ("arrested-overdamped", "paper", "cvodes"): (3e-3, 3e-5),
     ("continual-descent", "fibres", "idas"): (1e-3, 1e-4),
     ("arrested-overdamped", "fibres", "idas"): (1e-3, 1e-4),
 }
@@ -87,41 +80,6 @@ class Interpreted:
         stats = self._call.stats()
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         return Solved(seconds, _midpoint(self._graph, np.asarray(found["xf"]).ravel()), steps)
-
-
-@dataclass(frozen=True, slots=True)
-class Timed:
-    """Median seconds of a solve to t~ = 460, relative error against the converged midpoint, and steps."""
-
-    seconds: float
-    error: float
-    steps: int
-
-
-def compiled_rosenbrock(name: str, physics: Physics, repeats: int = REPEATS) -> tuple[Timed, CompiledRosenbrock]:
-    """Time CasADi's generated solver at its loosest tolerances; the steps are those of the interpreted one."""
-    prepared = prepare(name, physics, numerics={"backend": "interpreted"})
-    rtol, atol = LOOSEST[name, physics, "rosenbrock"]
-    rival = CompiledRosenbrock(prepared, rtol, atol)
-    same = Interpreted(prepared, "rosenbrock", {"reltol": rtol, "abstol": atol}).solve()
-    return replace(_timed(rival.solve, name, physics, repeats), steps=same.steps), rival
-
-
-def interpreted_bdf(name: str, physics: Physics, *, loosest: bool, repeats: int = REPEATS) -> Timed:
-    """Time CVODES, or IDAS where there are algebraic unknowns: as softcat_sym sets it, or as loosely as will do."""
-    prepared = prepare(name, physics, numerics={"backend": "interpreted"})
-    settings, options = prepared.settings, prepared.settings.options()
-    if loosest:
-        rtol, atol = LOOSEST[name, physics, settings.solver]
-        options |= {"reltol": rtol, "abstol": atol}
-    return _timed(Interpreted(prepared, settings.solver, options).solve, name, physics, repeats)
-
-
-def _timed(solve: Callable[[], Solved], name: str, physics: Physics, repeats: int) -> Timed:
-    solve()
-    runs = [solve() for _ in range(repeats)]
-    error = runs[0].midpoint / converged_midpoint(name, physics) - 1
-    return Timed(float(np.median([run.seconds for run in runs])), error, runs[0].steps)
 
 
 def integrator(prepared: Prepared, solver: str, options: dict[str, Any]) -> ca.Function:
