@@ -279,9 +279,7 @@ def _add_branch(
         fibre.add(branch, (axial, shear))
     found: dict[str, ca.SX] = {}
     for k, kind in enumerate(("axial", "shear")):
-        rates, drives = (
-            [one[number][k] for one in of] for of in ([f.rates for f in fibres], [f.drives for f in fibres])
-        )
+        rates, drives = [one.rates[number][k] for one in fibres], [one.drives[number][k] for one in fibres]
         found |= _projected(rule, _names(rule, kind, number), rates, fibres, drives)
     found = {name: rate for name, rate in found.items() if name in b.slots}
     for k, kind in enumerate(backs):
