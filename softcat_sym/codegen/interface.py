@@ -138,7 +138,13 @@ class Description:
         values, names = parameter_values(self.scene), self.model.parameters
         units = {name: _unit(self.scene, name, names) for name in names}
         return tuple(
-            Given(name, unit, _meaning(name, unit), _bound(self.scene, name), float(values[name]))
+            Given(
+                name,
+                unit,
+                "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, ""),
+                _bound(self.scene, name),
+                float(values[name]),
+            )
             for name, unit in units.items()
         )
 
@@ -209,10 +215,6 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     if name in own:
         return str(si_unit(own[name].dimension)).replace(" ", "") or "1"
     return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
-
-
-def _meaning(name: str, unit: str) -> str:
-    return "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, "")
 
 
 def _bound(scene: Scene, name: str) -> str:

@@ -74,7 +74,10 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         massive.rate(slot, b.slots) if massive and slot.name in ("u", "v") else _rate(b, of, outer, slot, fixed)
         for slot in slots
     )
-    support = _support(b, of, outer, mass, gravity)
+    # The right support carries the last cell and its own share.
+    pushed = [outer.at(way, -1, None) for way in (0, 1)]
+    weight = mass * b.density * gravity * b.span
+    support = of.force[0][-1] - pushed[0], of.force[1][-1] + weight - pushed[1]
     powers = _powers(b, of, outer, heat, mass, gravity_rate, support)
     shown = _observables(b, of, outer, mass, gravity, rotary) | heat.shown
     linear = {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
@@ -155,12 +158,6 @@ class _Massive:
 
 
 _AT_RIGHT = Where(-1, 0, alone=True)
-
-
-def _support(b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Force of the right support: it carries the last cell and its own share."""
-    pushed = [outer.at(way, -1, None) for way in (0, 1)]
-    return of.force[0][-1] - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
 
 
 def _powers(
