@@ -217,32 +217,19 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
 
 
+_ANY = ("curvature", "twist", "drop", "left_angle", "right_angle", *TIP_FORCE, *TIP_TORQUE, *DIRECTION)
+_NOT_NEGATIVE = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS)
+_NOT_NEGATIVE += ("surface_tension", "bath_density", "bath_viscosity")
+_BOUNDS = {"poisson": "poisson", **dict.fromkeys((*_ANY, *itertools.chain(*END_TURNS)), "any")}
+_BOUNDS |= dict.fromkeys(_NOT_NEGATIVE, "not-negative")
+
+
 def _bound(scene: Scene, name: str) -> str:
-    if name == "poisson":
-        return "poisson"
-    own = _named_by_user(scene)
-    free = (
-        "curvature",
-        "twist",
-        "drop",
-        "left_angle",
-        "right_angle",
-        *TIP_FORCE,
-        *TIP_TORQUE,
-        *DIRECTION,
-        *itertools.chain(*END_TURNS),
-    )
-    if (
-        name in own
-        or name in free
-        or name in history_values(scene.material)
-        or name.startswith(PREFIX)
-        or (name.startswith(("motion_", "turn_")) and not name.endswith("_time"))
-    ):
+    if name.startswith(PREFIX) or name in {*_named_by_user(scene), *history_values(scene.material)}:
         return "any"
-    zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
-    zero |= {"surface_tension", "bath_density", "bath_viscosity", TIP_MASS}
-    return "not-negative" if name in zero or name.startswith(("motion_", "turn_")) else "positive"
+    if name.startswith(("motion_", "turn_")):
+        return "not-negative" if name.endswith("_time") else "any"
+    return _BOUNDS.get(name, "positive")
 
 
 DEFAULT_NAME = "filament"
