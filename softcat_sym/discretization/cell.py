@@ -374,9 +374,9 @@ def branch_name(kind: str, branch: int) -> str:
     return kind if branch == 0 else f"{kind}_mode{branch + 1}"
 
 
-def chain_state(direction: Direction, label: str = "") -> str:
-    """Name of what relaxation took of the conformation in a direction, of one cell or of one point of its section."""
-    return f"chains_{direction.name}{label}"
+def chain_state(direction: Direction) -> str:
+    """Name of what relaxation took of the conformation in a direction."""
+    return f"chains_{direction.name}"
 
 
 def shown_chains(extensions: Sequence[ca.SX]) -> dict[str, ca.SX]:
