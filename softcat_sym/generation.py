@@ -107,7 +107,7 @@ def contents_of(scene: Scene, name: str, *, rhs: bool, progress: Progress | None
     }
     if start is not None:
         files[START] = start_text(described, graph.grid.nodes, start)
-    return {**files, **(rhs_source(graph).files if rhs else {})}
+    return {**files, **(rhs_source(graph, described.model).files if rhs else {})}
 
 
 def _as_it_ends(scene: Scene, progress: Progress | None) -> tuple[Scene, str]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_theory
+from softcat_sym.discretization.assembly import choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, parameter_values, time_scale
@@ -22,7 +22,18 @@ from softcat_sym.scene.ends import CLAMPED, PINNED
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.continuation import sagging_guesses
 from softcat_sym.solvers.equilibrium import Equilibrium
-from tests.common.assembled import GRIDS, build, energy_of, parameters, place, random_state, rhs, scene_of, value
+from tests.common.assembled import (
+    GRIDS,
+    assemble,
+    build,
+    energy_of,
+    parameters,
+    place,
+    random_state,
+    rhs,
+    scene_of,
+    value,
+)
 
 STORED = ("energy_kinetic", "energy_elastic", "energy_potential")
 GEOMETRY = ("bending", "finite-stretch", "thinning", "large-rotation")

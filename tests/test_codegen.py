@@ -17,12 +17,13 @@ import sympy as sp
 import softcat_sym as sc
 from softcat_sym import cache
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
-from softcat_sym.codegen.c_text import number
+from softcat_sym.codegen.c_text import CSource, number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.codegen.library import about, compile_library, load
-from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
+from softcat_sym.codegen.right_hand_side import JACOBIAN, POWERS, RHS, rhs_source
 from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -440,29 +441,37 @@ def test_sharing_changes_no_value() -> None:
             assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])
 
 
+def rhs_of(scene: sc.Scene) -> tuple[Graph, CSource]:
+    filament = assembled(scene, choose_effects(scene))
+    return filament.graph, rhs_source(filament.graph, model_for(filament.structure))
+
+
 @pytest.mark.parametrize("kind", ["surface tension", "viscous stress, moving support", "point mass, no inertia"])
 def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph(kind: str) -> None:
-    scene = scene_of(kind)
-    graph, rng = assembled(scene, choose_effects(scene)).graph, np.random.default_rng(5)
-    dynamics, symbols = Dynamics(graph), [graph.t, graph.x, graph.z, graph.p]
+    (graph, source), rng = rhs_of(scene := scene_of(kind)), np.random.default_rng(5)
+    library = str(compile_library(source.files, flags=STRICT))
+    rhs, jacobian, powers = (ca.external(name, library) for name in (RHS, JACOBIAN, POWERS))
     states = [start + 0.01 * rng.standard_normal(len(start)) for start in (graph.start, graph.straight)]
     at = (0.3, *states, graph.vector(parameter_values(scene)))
+    symbols = [graph.t, graph.x, graph.z, graph.p]
+    of_rates = [[ca.jacobian(value, by) for by in symbols[:3]] for value in (graph.ode, graph.alg)]
+    of_powers = [ca.jacobian(graph.quad, by) for by in symbols[:3]]
+    # By parameters none is asked for.
+    none = [ca.SX(len(rows), len(graph.parameters)) for rows in (graph.start, graph.straight, graph.powers)]
     for function, of in [
-        (dynamics.rhs, [graph.ode, graph.alg]),
-        (dynamics.jacobian, [ca.jacobian(value, by) for value in (graph.ode, graph.alg) for by in symbols[:3]]),
-        (dynamics.powers, [graph.quad]),
-        (dynamics.powers.jacobian(), [ca.jacobian(graph.quad, by) for by in symbols[:3]]),
+        (rhs, [graph.ode, graph.alg]),
+        (jacobian, [*of_rates[0], *of_rates[1]]),
+        (rhs.jacobian(), [*of_rates[0], none[0], *of_rates[1], none[1]]),
+        (powers, [graph.quad]),
+        (powers.jacobian(), [*of_powers, none[2]]),
     ]:
-        given = at if function.n_in() == 4 else (*at, 0)
-        for one, other in zip(function.call(given), ca.Function("graph", symbols, of).call(at), strict=False):
+        given = [*at, *[0] * (function.n_in() - 4)]
+        for one, other in zip(function.call(given), ca.Function("graph", symbols, of).call(at), strict=True):
             found, expected = np.asarray(ca.densify(one)), np.asarray(ca.densify(other))
-            assert np.all(np.isfinite(expected))
+            assert found.shape == expected.shape and np.all(np.isfinite(expected))
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.max(np.abs(expected), initial=1e-300))
 
 
 def test_the_plain_right_hand_side_grows_by_tables_only() -> None:
-    few, many = (
-        rhs_source(assembled(s, choose_effects(s)).graph).size
-        for s in (scene_of("paper", numerics__cells=n) for n in (10, 20))
-    )
+    few, many = (rhs_of(scene_of("paper", numerics__cells=n))[1].size for n in (10, 20))
     assert many < 1.6 * few

@@ -20,7 +20,7 @@ from rich.console import Console
 import softcat_sym as sc
 from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
+from softcat_sym.discretization.assembly import choose_grid, choose_theory
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import finite, json_bytes
@@ -43,6 +43,7 @@ from softcat_sym.studies.compare import (
     discrepancy,
     filament_clamp_strain,
 )
+from tests.common.assembled import assemble
 from tests.common.in_process import Softcat, sets
 
 COARSE = Mesh(8, 2)

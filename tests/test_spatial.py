@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_theory
+from softcat_sym.discretization.assembly import Theory, choose_body, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
@@ -31,6 +31,7 @@ from softcat_sym.results.sideways import _Cells, _Matrix, sideways
 from softcat_sym.scene.ends import CLAMPED
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import load_scene
+from tests.common.assembled import assemble
 from tests.common.pairs import differences, pair_of
 
 EFFECTS = ["inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres"]

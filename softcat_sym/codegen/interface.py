@@ -140,7 +140,13 @@ class Description:
         values, names = parameter_values(self.scene), self.model.parameters
         units = {name: _unit(self.scene, name, names) for name in names}
         return tuple(
-            Given(name, unit, _meaning(name, unit), _bound(self.scene, name), float(values[name]))
+            Given(
+                name,
+                unit,
+                "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, ""),
+                _bound(self.scene, name),
+                float(values[name]),
+            )
             for name, unit in units.items()
         )
 
@@ -213,36 +219,19 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
 
 
-def _meaning(name: str, unit: str) -> str:
-    return "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, "")
+_ANY = ("curvature", "twist", "drop", "left_angle", "right_angle", *TIP_FORCE, *TIP_TORQUE, *DIRECTION)
+_NOT_NEGATIVE = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS)
+_NOT_NEGATIVE += ("surface_tension", "bath_density", "bath_viscosity")
+_BOUNDS = {"poisson": "poisson", **dict.fromkeys((*_ANY, *itertools.chain(*END_TURNS)), "any")}
+_BOUNDS |= dict.fromkeys(_NOT_NEGATIVE, "not-negative")
 
 
 def _bound(scene: Scene, name: str) -> str:
-    if name == "poisson":
-        return "poisson"
-    own = _named_by_user(scene)
-    free = (
-        "curvature",
-        "twist",
-        "drop",
-        "left_angle",
-        "right_angle",
-        *TIP_FORCE,
-        *TIP_TORQUE,
-        *DIRECTION,
-        *itertools.chain(*END_TURNS),
-    )
-    if (
-        name in own
-        or name in free
-        or name in history_values(scene.material)
-        or name.startswith(PREFIX)
-        or (name.startswith(("motion_", "turn_")) and not name.endswith("_time"))
-    ):
+    if name.startswith(PREFIX) or name in {*_named_by_user(scene), *history_values(scene.material)}:
         return "any"
-    zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
-    zero |= {"surface_tension", "bath_density", "bath_viscosity", TIP_MASS}
-    return "not-negative" if name in zero or name.startswith(("motion_", "turn_")) else "positive"
+    if name.startswith(("motion_", "turn_")):
+        return "not-negative" if name.endswith("_time") else "any"
+    return _BOUNDS.get(name, "positive")
 
 
 DEFAULT_NAME = "filament"
@@ -255,7 +244,16 @@ _RANGES = {
 }
 _PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
 _PLACES |= set(NATURAL_PLACES)
-_KNOWN = ("rest_length", "time_scale", "gravity", "density", "span", "drop", "left_angle", "right_angle")
+_KNOWN: tuple[str, ...] = (
+    "rest_length",
+    "time_scale",
+    "gravity",
+    "density",
+    "span",
+    "drop",
+    "left_angle",
+    "right_angle",
+)
 _KNOWN += ("curvature", "twist")
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import TypeVar
+
+from pydantic import TypeAdapter
 
 from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
@@ -230,15 +231,12 @@ def _recalled(key: str) -> Template:
     text = store.recall(store.key_of("template", key), cache.TEXTS)
     if text is None:
         raise LookupError(key)
-    parts = json.loads(text)
-    parts |= {name: tuple(parts[name]) for name in ("powers", "scratch", "scratch_shown")}
-    parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    given = parts["signature"]
-    given |= {name: tuple(given[name]) for name in ("parameters", "places", "powers")}
-    given["slots"] = tuple(Slot(**{**slot, "held": tuple(slot["held"])}) for slot in given["slots"])
-    given["shown"] = tuple(Shown(**one) for one in given["shown"])
-    given["profiles"] = {name: tuple(parts_of) for name, parts_of in given["profiles"].items()}
-    return Template(**{**parts, "signature": Signature(**given)})
+    return _form().validate_json(text)
+
+
+@lru_cache(maxsize=1)
+def _form() -> TypeAdapter[Template]:
+    return TypeAdapter(Template)
 
 
 @dataclass(frozen=True)
@@ -295,6 +293,5 @@ def model_for(structure: Structure) -> Model:
         theory = structure.recorded.theory
         rule = one_of(theory.fibres) if theory.fibres else theory.rule
         template = template_of(structure.recorded.sampled_by(rule), Template)
-        content = json.dumps(asdict(template)).encode()
-        store.keep(store.key_of("template", structure.key), content, cache.TEXTS)
+        store.keep(store.key_of("template", structure.key), _form().dump_json(template), cache.TEXTS)
     return template.with_fibres(structure.recorded.theory.fibres)

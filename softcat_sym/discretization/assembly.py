@@ -33,7 +33,6 @@ from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_le
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
     from softcat_sym.discretization.sampling import Sampling, SpatialSampling
-    from softcat_sym.physics.filament import FilamentEquations
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -231,9 +230,6 @@ class Theory:
         return self.rule if self.rule is not None and self.rule.is_of_fibres else None
 
 
-KIRCHHOFF = Theory("filament", None)
-
-
 @dataclass(frozen=True)
 class Recorded:
     """A filament whose program is written down when somebody asks for it."""
@@ -256,18 +252,6 @@ class Recorded:
 
         ends = self.grid.first, self.grid.last
         return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
-
-
-def assemble(
-    equations: FilamentEquations,
-    grid: Grid,
-    effects: tuple[str, ...],
-    theory: Theory = KIRCHHOFF,
-    body: Body | None = None,
-) -> Graph:
-    """Evaluate the filament of one cell's equations on a grid."""
-    recorded = Recorded(equations.formulation, grid, theory, body or Body())
-    return graph_of(recorded, effects, recorded.program.signature)
 
 
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:

@@ -375,9 +375,9 @@ def branch_name(kind: str, branch: int) -> str:
     return kind if branch == 0 else f"{kind}_mode{branch + 1}"
 
 
-def chain_state(direction: Direction, label: str = "") -> str:
-    """Name of what relaxation took of the conformation in a direction, of one cell or of one point of its section."""
-    return f"chains_{direction.name}{label}"
+def chain_state(direction: Direction) -> str:
+    """Name of what relaxation took of the conformation in a direction."""
+    return f"chains_{direction.name}"
 
 
 def shown_chains(extensions: Sequence[ca.SX]) -> dict[str, ca.SX]:
@@ -477,11 +477,11 @@ def program_of(
     support: tuple[Field, ...] = (),
 ) -> Program:
     """All that was collected; what is zero everywhere has no power."""
-    powers = {
+    at_work = {
         name: tuple(one for one in fields if not all(value.is_zero() for value in one.values))
         for name, fields in powers.items()
     }
-    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
+    everything = [*b.fields, *rates, *(one for power in at_work.values() for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
     leaves = {leaf for one in everything for value in one.values for leaf in b.leaves.within(value)}
     used = {"density", "rest_length", *(leaf.name for leaf in leaves if leaf.kind == PARAMETER)}
@@ -496,7 +496,7 @@ def program_of(
         slots=ordered(b.slots),
         fields=tuple(b.fields),
         rates=rates,
-        powers=powers,
+        powers=at_work,
         shown=shown,
         parameters=(*parameters, TIME_SCALE),
         places=tuple(places),

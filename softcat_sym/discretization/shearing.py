@@ -180,7 +180,10 @@ _NO_STRESS = 1e-12
 
 def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Values) -> Fibres:
     """Stress and flow at the points of a section, and their sums."""
-    _adopt(b, rule)
+    if isinstance(rule, OneFibre):
+        # The one fibre that stands for all has the place and the weight of a fibre.
+        b.leaves.adopt(rule.zeta, Leaf(FIBRE, "zeta"))
+        b.leaves.adopt(rule.weight, Leaf(FIBRE, "weight"))
     fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
     found = Fibres(profiles=_profiles(rule, resolved))
     followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.clocks if clock.state]
@@ -202,13 +205,6 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
             shown["backstress"] = fibre.backstress
         found.shown |= {f"{POINT}{name}_{label}": value for name, value in shown.items()}
     return found
-
-
-def _adopt(b: Builder, rule: Sampling) -> None:
-    """Make the place and the weight of the one fibre that stands for all numbers of a fibre."""
-    if isinstance(rule, OneFibre):
-        for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
-            b.leaves.adopt(symbol, Leaf(FIBRE, name))
 
 
 def _sum_up(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
@@ -280,9 +276,7 @@ def _add_branch(
         fibre.add(branch, (axial, shear))
     found: dict[str, ca.SX] = {}
     for k, kind in enumerate(("axial", "shear")):
-        rates, drives = (
-            [one[number][k] for one in of] for of in ([f.rates for f in fibres], [f.drives for f in fibres])
-        )
+        rates, drives = [one.rates[number][k] for one in fibres], [one.drives[number][k] for one in fibres]
         found |= _projected(rule, _names(rule, kind, number), rates, fibres, drives)
     found = {name: rate for name, rate in found.items() if name in b.slots}
     for k, kind in enumerate(backs):

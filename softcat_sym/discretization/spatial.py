@@ -466,10 +466,10 @@ class _Body:
 
         return acting
 
-    def _dead_torque(self, at: int = 0) -> Three:
+    def _dead_torque(self) -> Three:
         """Torque on the free end in its own axes."""
         dead = tuple(self.b.named[name] for name in TIP_TORQUE)
-        return spatial.unrotated(tuple(one[at] for one in self.turn), dead)  # type: ignore[arg-type]
+        return spatial.unrotated(tuple(one[0] for one in self.turn), dead)  # type: ignore[arg-type]
 
     def _of_turn(self, slot: Slot) -> Sided:
         """The length of a quaternion and the balance of its torques, or its rate where it has a spin."""

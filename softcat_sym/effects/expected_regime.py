@@ -223,13 +223,9 @@ def _first_frequency(scene: Scene) -> float:
     modulus, weight = scales.instant_modulus(scene) or 0.0, scales.weight_stress(scene)
     gyration = scales.section_of(scene).gyration
     speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
-    return scales.beam_of(scene).frequency * speed / math.sqrt(1 + _shear_sag(scene))
-
-
-def _shear_sag(scene: Scene) -> float:
-    """Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam."""
+    # Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam.
     stiffness = 8 * scales.section_of(scene).shear_correction / (2 * (1 + scene.material.poisson))
-    return scales.bending_stiffness(scene) / stiffness
+    return scales.beam_of(scene).frequency * speed / math.sqrt(1 + scales.bending_stiffness(scene) / stiffness)
 
 
 def _static_first_yield(scene: Scene) -> float:

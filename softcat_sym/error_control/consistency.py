@@ -7,14 +7,14 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
+from softcat_sym.error_control.control import frames_of_first, refine_to_accuracy
 from softcat_sym.error_control.estimate import LOOSER, Resolution
 from softcat_sym.progress import Clock
 from softcat_sym.results.breaking import Break, break_at_end, break_frame, first_break, refuse_broken, unbreakable
 from softcat_sym.results.run import Run
 from softcat_sym.results.sideways import Sideways, seeded
 from softcat_sym.scene.scene import Scene
-from softcat_sym.single_run import rest_of, run_once
+from softcat_sym.single_run import run_once, settling_time_of
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence
 
@@ -33,7 +33,7 @@ def run_until_consistent(scene: Scene, progress: Progress, finished: list[Run]) 
     while True:
         effects, ends, until = choose_effects(scene, shown), None, scene
         if scene.run.until == "settled":
-            ends = rest_of(scene, effects, progress)
+            ends = settling_time_of(scene, effects, progress)
             clock.lap("estimate")
             until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
@@ -53,7 +53,7 @@ def run_until_consistent(scene: Scene, progress: Progress, finished: list[Run]) 
             run = _descended(run_once(brief, brief, effects, clock, progress), brief)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
-            run = as_accurate_as_asked(run, effects, clock, progress)
+            run = refine_to_accuracy(run, effects, clock, progress)
             aside = _in_space(scene, run, progress, finished)
             if aside is not None:
                 return aside

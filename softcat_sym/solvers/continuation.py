@@ -133,10 +133,11 @@ class _Stage:
         x, constants = self.at(share)
         for guess in guesses:
             z = self.search(x, constants, [guess])
-            if z is not None and (self.graph.terms.bending or self._hangs(x, z, constants)):
+            if z is None:
+                continue
+            if self.graph.terms.bending:
+                return z
+            observed = self.graph.symbolic.observables(time=0.0, state=x, algebraic=z, parameters=constants)
+            if float(np.min(np.asarray(observed["tension"]))) >= 0:
                 return z
         return None
-
-    def _hangs(self, x: Floats, z: Floats, constants: Floats) -> bool:
-        observed = self.graph.symbolic.observables(time=0.0, state=x, algebraic=z, parameters=constants)
-        return float(np.min(np.asarray(observed["tension"]))) >= 0

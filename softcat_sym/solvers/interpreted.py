@@ -16,6 +16,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
+from softcat_sym.codegen.structure import Model
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import check_time
@@ -58,9 +59,9 @@ class External:
         return x, z, p
 
 
-def compiled_rhs(graph: Graph) -> External:
+def compiled_rhs(graph: Graph, model: Model) -> External:
     """The right-hand side of a graph as machine code, compiled now or found in the cache."""
-    library = compile_library(rhs_source(graph).files, flags=PORTABLE)
+    library = compile_library(rhs_source(graph, model).files, flags=PORTABLE)
     # These options keep CasADi from searching forward derivatives in the library, which has none.
     options = {"enable_forward": False, "enable_reverse": False}
     rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))

@@ -76,7 +76,7 @@ class Assembled:
             return compile_filament(self.graph, self.structure)
         from softcat_sym.solvers.interpreted import compiled_rhs
 
-        return compiled_rhs(self.graph)
+        return compiled_rhs(self.graph, model_for(self.structure))
 
 
 def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Effect
@@ -25,6 +25,7 @@ from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from tests.common import fading_filaments as fading
+from tests.common.assembled import assemble
 from tests.common.fading_filaments import Pair
 from tests.common.rheology import STRING
 from tests.common.table import show

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_body, choose_theory
+from softcat_sym.discretization.assembly import choose_body, choose_theory
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
@@ -20,6 +20,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import FREE
+from tests.common.assembled import assemble
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow

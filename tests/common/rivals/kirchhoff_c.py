@@ -1,4 +1,4 @@
-"""The hand-written C right-hand side, and CasADi's generated C of the same one, called through ctypes."""
+"""The hand-written C right-hand side, called through ctypes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import casadi as ca
 import numpy as np
 
 from softcat_sym.codegen.library import compile_library, load
@@ -106,40 +105,6 @@ class HandWritten:
         self._state[self._places] = state
         arrays = (_pointer(a) for a in (self._state, self._rates, self._scratch))
         function(ctypes.byref(self._filament), ctypes.c_double(t), *arrays, *rest)
-
-
-class Generated:
-    """CasADi's C of the graph's right-hand side, every cell written out (SX)."""
-
-    def __init__(self, graph: Graph, p: Floats) -> None:
-        function = ca.Function("rates", [graph.t, graph.x, graph.p], [graph.ode])
-        generator = ca.CodeGenerator("rates.c")
-        generator.add(function)
-        repeat = (
-            "\nvoid rates_repeat(const casadi_real **arg, casadi_real **res, casadi_int *iw, casadi_real *w, int n)\n"
-            "{\n    while (n-- > 0) rates(arg, res, iw, w, 0);\n}\n"
-        )
-        text = generator.dump() + repeat
-        self._repeat = load(compile_library({"rates.c": text}, flags=PORTABLE)).rates_repeat
-        self._time, self._state, self._p = np.zeros(1), np.zeros(graph.x.numel()), np.array(p)
-        self._rates = np.zeros(graph.x.numel())
-        self._arguments = (_Doubles * max(3, function.sz_arg()))(*map(_pointer, (self._time, self._state, self._p)))
-        self._results = (_Doubles * max(1, function.sz_res()))(_pointer(self._rates))
-        self._whole, self._work = np.zeros(function.sz_iw() + 1, dtype=np.int64), np.zeros(function.sz_w() + 1)
-
-    def rates(self, t: float, state: Floats) -> Floats:
-        """Rates in the order of the graph, shape (nx,)."""
-        self._call(t, state, 1)
-        return self._rates.copy()
-
-    def seconds(self, t: float, state: Floats, calls: int) -> float:
-        """Time of one call, of many in a row."""
-        return _per_call(lambda: self._call(t, state, calls), calls)
-
-    def _call(self, t: float, state: Floats, calls: int) -> None:
-        self._time[0], self._state[:] = t, state
-        whole = self._whole.ctypes.data_as(ctypes.POINTER(ctypes.c_longlong))
-        self._repeat(self._arguments, self._results, whole, _pointer(self._work), ctypes.c_int(calls))
 
 
 def _filament(cells: int, numbers: Numbers) -> _Filament:

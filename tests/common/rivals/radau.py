@@ -192,10 +192,3 @@ class RadauRival:
         if not found.success:
             raise RuntimeError(found.message)
         return Solved(seconds, float(found.y[1, -1]), len(found.t) - 1, int(found.nfev))
-
-    def microseconds(self, calls: int = 200) -> float:
-        """Of one right-hand side."""
-        began = time.perf_counter()
-        for _ in range(calls):
-            self.filament.rates(0.3, self.start)
-        return (time.perf_counter() - began) / calls * 1e6
