@@ -57,7 +57,7 @@ def slopes(run: sc.Run, at: Floats) -> tuple[Floats, Floats]:
 def test_a_thread_thins_as_entov_and_hinch_say() -> None:
     """R ~ exp(-t/(3 lambda)) in the limit of a thread that is thin beside its drops: what is left goes as R itself."""
     rows = []
-    for elasticity, solvent, end, cells in ((0.1, 0.1, 6.6, 400), (0.03, 0.1, 5.2, 400), (0.01, 0.05, 4.4, 600)):
+    for elasticity, solvent, end, cells in ((0.1, 0.1, 6.6, 400), (0.01, 0.05, 4.4, 600)):
         run = thread(elasticity, solvent, end, **{"numerics.cells": cells})
         late = np.linspace(end - 1.2, end - 0.1, 12)
         s, fall = slopes(run, late)
@@ -72,15 +72,6 @@ def test_a_thread_thins_as_entov_and_hinch_say() -> None:
         assert row[5] == pytest.approx(1, abs=0.01), "in the limit"
         assert row[6] < 1e-6
     assert min(row[4] for row in rows) < 1.01
-
-
-def test_a_thread_is_followed_beyond_a_thousandfold_stretch() -> None:
-    """The audit stays closed where other fluids are called ruptured."""
-    run = thread(0.01, 0.05, 5.8, **{"numerics.cells": 600})
-    s = float(run.data.stretch.max())
-    show("How thin", ("stretch", "R/R0", "energy"), [[f"{s:.4g}", f"{s**-0.5:.3g}", run.summary["energy_residual"]]])
-    assert s > 1e3
-    assert run.summary["energy_residual"] < 1e-5
 
 
 @pytest.mark.parametrize("backend", ["compiled", "interpreted"])

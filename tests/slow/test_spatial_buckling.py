@@ -312,8 +312,8 @@ def onset(lowest_at: Any, weights: Floats) -> float | None:
 
 
 CURLS = {
-    0.0: ((2.0, 0.45), (3.0, 0.3), (3.0, 0.4), (3.0, 0.45), (3.0, 0.4999), (4.0, 0.45)),
-    -np.pi / 2: ((4.0, 0.45), (5.0, 0.45), (6.0, 0.3), (6.0, 0.45), (8.0, 0.45)),
+    0.0: ((2.0, 0.45), (3.0, 0.4), (4.0, 0.45)),
+    -np.pi / 2: ((4.0, 0.45), (6.0, 0.3)),
 }
 """By the angle of the clamp: curvature times length, and Poisson's ratio."""
 
@@ -340,29 +340,6 @@ def test_curls_leave_their_plane(name: str, angle: float) -> None:
             assert found is not None and 0.51 < found / ONE_G < 0.54
     header = ("curvature L", "Poisson", "w L^3/EI", "Kirchhoff", "error", "over g, curled-rod")
     show(f"weight from which a curl is unstable sideways, its clamp {name}; up to 40", header, rows)
-
-
-def test_a_curl_that_is_seeded_leaves_its_plane() -> None:
-    """A weight 1e-4 aside puts the tip of curvature L = 3 half a length out of its plane at g, and nowhere at 0.4 g."""
-    rows, aside = [], dict[float, float]()
-    for share in (0.4, 1.0):
-        scene = sc.load_scene(
-            "curled-rod",
-            {
-                "filament.curvature": f"{3 / LENGTH} 1/m",
-                "load.gravity": f"{share * GRAVITY} m/s^2",
-                "load.direction": [0, -1, 1e-4],
-                "run.duration": "20 s",
-                "numerics.cells": 10,
-                "numerics.estimate": False,
-            },
-        )
-        run = sc.simulate(scene)
-        assert run.outcome.is_success, run.summary["message"]
-        aside[share] = float(abs(run.data.z.values[-1, -1])) / LENGTH
-        rows.append([f"{share:g}", f"{aside[share]:.5f}"])
-    show("tip out of the plane over L after 20 s", ("g", "z/L"), rows)
-    assert aside[0.4] < 1e-2 and 0.42 < aside[1.0] < 0.52
 
 
 STEEL, STEEL_POISSON, WIRE = 2e11, 0.3, 1e-3
@@ -407,7 +384,7 @@ class Spring:
         return found
 
 
-SPRINGS = ((10, 5, 1, 20), (10, 5, 1, 40), (10, 5, 3, 60), (10, 30, 3, 60), (5, 10, 3, 60), (30, 5, 3, 60))
+SPRINGS = ((10, 5, 1, 20), (10, 30, 3, 60), (5, 10, 3, 60))
 """D/d, pitch in degrees, coils and cells."""
 
 
@@ -431,36 +408,3 @@ def test_helical_springs() -> None:
         assert 0 < errors[1] < 0.6 / index**2 and abs(1 / (held / love) - 1) < 0.6 / index**2
     header = ("D/d", "pitch [deg]", "coils", "cells", "exact rod", "Wahl", "8 P D^3 n/(G d^4)", "held: Love")
     show("lengthening of a helical spring over that of formulas, less 1", header, rows)
-
-
-def test_a_loaded_spring() -> None:
-    """A spring between a clamp and a small force at the end of its wire, as anyone runs it: Castigliano's sum."""
-    spring = Spring(10, np.radians(10), 3, 60)
-    force = 1e-3 * spring.radius / spring.twisted
-    scene = spring.statics.scene.replace(
-        {"load.tip_force": [f"{one} N" for one in (force * spring.axis).tolist()], "numerics.backend": "auto"}
-    )
-    run = sc.simulate(scene)
-    assert run.outcome.is_success, run.summary["message"]
-    at_rest = Spring(10, np.radians(10), 3, 60).statics
-    tip = np.array([at_rest.start[at_rest.at(kind, at_rest.nodes[-1])] for kind in PLACES]) * spring.length
-    moved = np.array([run.data[kind].values[-1, -1] for kind in PLACES]) - tip
-    assert moved @ spring.axis == pytest.approx(force * castigliano(spring), rel=3e-3)
-
-
-def castigliano(spring: Spring) -> float:
-    """Displacement of the end of the wire along the axis under a unit force there, by a sum over the wire."""
-    count = 4000
-    X = (np.arange(count) + 0.5) / count * spring.length
-    c, s = np.cos(spring.pitch), np.sin(spring.pitch)
-    angle = X * c / spring.radius
-    # Axes: away from the centre at the clamp, the binormal one around it, and that of the helix.
-    radial = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-    tangent = np.column_stack([-c * np.sin(angle), c * np.cos(angle), s + 0 * angle])
-    places = spring.radius * radial + np.outer(X * s, [0, 0, 1])
-    last = spring.length * c / spring.radius
-    end = spring.radius * np.array([np.cos(last), np.sin(last), 0]) + np.array([0, 0, spring.length * s])
-    moment = np.cross(end - places, [0, 0, 1])
-    twisting = np.sum(moment * tangent, axis=1)
-    bending = np.sum(moment**2, axis=1) - twisting**2
-    return float(np.mean(twisting**2 / spring.torsion + bending / spring.bending) * spring.length + spring.aside)
