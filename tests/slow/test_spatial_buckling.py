@@ -1,17 +1,16 @@
-"""Rods that leave their line or their plane, against Greenhill, Michell and Kirchhoff; springs against Wahl."""
+"""Rods that leave their line or their plane, against Greenhill and Kirchhoff; springs against Wahl."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 from scipy.interpolate import BarycentricInterpolator
 from scipy.linalg import eigh
-from scipy.optimize import brentq, least_squares
+from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.unknowns import Floats
@@ -137,82 +136,6 @@ def held_ends(turn: float) -> float:
         [[1, 0, 1, 1], [0, 1, 1j * n[0], 1j * n[1]], [1, 1, *wave], [0, 1, 1j * n[0] * wave[0], 1j * n[1] * wave[1]]]
     )
     return float(np.imag(np.linalg.det(matrix_) * np.exp(-0.5j * m)))
-
-
-class Ring:
-    """A rod that is bent into a closed ring and twisted, its ends clamped to each other.
-
-    By symmetry all nodes of the circle are alike: three numbers make it an equilibrium, its radius and a tilt.
-    """
-
-    def __init__(self, cells: int) -> None:
-        self.cells, self.statics = cells, turned_by_its_end(cells)
-        g = self.statics.graph
-        self.X, self._near = g.grid.nodes + 0.5, np.zeros(3)
-        self._alg = ca.Function("alg", [g.t, g.x, g.z, g.p], [ca.densify(g.symbolic.raw.rates[1])])
-
-    def p(self, turn: float) -> Floats:
-        """Both ends at one place; once around is a quaternion of the other sign, as once about the normal is."""
-        return self.statics.p(turn_1_angle=turn + 2 * np.pi, motion_1_dx=-1.0)
-
-    def at(self, turn: float, numbers: Floats) -> Floats:
-        """State of a ring of this radius and tilt."""
-        radius = (1 + 1e-3 * numbers[0]) / (2 * self.cells * np.sin(np.pi / self.cells))
-        tilt = np.array([[1, 0, *(1e-2 * numbers[1:])]]).repeat(len(self.X), 0)
-        tilt /= np.linalg.norm(tilt[0])
-        back, around = tilt * [1, -1, -1, -1], 2 * np.pi * self.X
-        places = radius * np.column_stack([0 * around, np.sin(around), 1 - np.cos(around), 0 * around])
-        places = product(product(back, places), tilt)[:, 1:] + [-0.5, 0, 0]
-        turns = product(product(product(back, about(2, around)), tilt), about(0, turn * self.X))
-        return self.statics.guess(places, turns)
-
-    def equilibrium(self, turn: float) -> Floats:
-        """Of the twisted circle."""
-        p, now = self.p(turn), AT_THE_END / self.statics.prepared.scale
-
-        def remains(numbers: Floats) -> Floats:
-            return np.asarray(self._alg(now, [], self.at(turn, numbers), p)).ravel()
-
-        found = least_squares(remains, self._near, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        assert np.abs(found.fun).max() < 1e-10
-        self._near = found.x
-        return self.at(turn, found.x)
-
-    def stiffness(self, turn: float) -> tuple[Floats, Floats]:
-        """Stiffness of the circle, and the motion that no force opposes.
-
-        That is the ring which swings about its tangent at the clamp, and rolls back within itself.
-        """
-        z = self.equilibrium(turn)
-        K = self.statics.stiffness(AT_THE_END, z, self.p(turn))
-        free = []
-        for node in self.statics.nodes:
-            place, q = (np.array([z[self.statics.at(kind, node)] for kind in kinds]) for kinds in (PLACES, TURN))
-            free += [*np.cross([1, 0, 0], place - [-0.5, 0, 0]), *(matrix(q)[0] - [1, 0, 0])]
-        return K, np.array(free) / np.linalg.norm(free)
-
-    def lowest(self, turn: float) -> float:
-        """Lowest eigenvalue but for the motion that no force opposes."""
-        K, free = self.stiffness(turn)
-        return lowest(K + np.abs(K).max() * np.outer(free, free))
-
-
-def test_michell() -> None:
-    """A ring of a straight rod buckles when it is twisted by 2 pi sqrt(3) EI/GJ (Michell 1889, Goriely 2006)."""
-    exact = 2 * np.pi * np.sqrt(3) * (1 + POISSON)
-    rows, errors = [], []
-    for cells in (20, 40, 80):
-        ring = Ring(cells)
-        turn = float(brentq(ring.lowest, 0.9 * exact, 1.1 * exact, xtol=1e-9 * exact))
-        errors.append(turn / exact - 1)
-        K, free = ring.stiffness(0.9 * exact)
-        neutral = abs(float(free @ K @ free)) / float(np.linalg.eigvalsh(K)[-1])
-        rows.append([cells, f"{turn:.4f}", f"{errors[-1]:+.1e}", f"{neutral:.0e}"])
-        assert neutral < 1e-15
-    header = ("cells", "turn", "error", "stiffness of the neutral motion")
-    show(f"Michell's ring, {exact:.4f}", header, rows)
-    assert abs(errors[-1]) < 1e-3
-    assert all(3.5 < coarse / fine < 6 for coarse, fine in pairwise(errors))
 
 
 class Curl:
