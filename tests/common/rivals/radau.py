@@ -10,9 +10,9 @@ import numpy.typing as npt
 from scipy.integrate import solve_ivp
 from scipy.sparse import csc_matrix
 
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.run import Prepared
-from tests.common.rivals.kirchhoff_c import Numbers, numbers_of
 
 _DIFFERENCE = float(np.sqrt(np.finfo(float).eps))
 _SMALL = 1e-2
@@ -21,6 +21,53 @@ _SMALL = 1e-2
 # that costs the least with the midpoint of 40 cells within 1e-3 of the converged one.
 LOOSEST = {"continual-descent": (1e-2, 1e-4), "arrested-overdamped": (3e-2, 3e-4)}
 _NOTHING = 1e-200
+_NODE_KINDS = ("x", "y", "u", "v", "a_1")
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """A half filament without units, in lengths of L_0 and times of its scale."""
+
+    half_thickness: float
+    yield_strain: float
+    flow: float
+    gravity: float
+    ramp: float
+    per_cell: Floats
+    per_node: Floats
+    before: Floats
+    behind: Floats
+    per_mass: Floats
+
+
+def numbers_of(nodes: Floats, given: dict[str, float]) -> Numbers:
+    """From the node positions X/L_0 and the parameters in SI units, by their names in the scene."""
+    length, scale, modulus = given["rest_length"], given["time_scale"], given["youngs_modulus"]
+    cell = np.diff(nodes)
+    left, right = np.concatenate([[0.0], cell / 2]), np.concatenate([cell / 2, [0.0]])
+    node = left + right
+    return Numbers(
+        half_thickness=given["thickness"] / (2 * length),
+        yield_strain=given["yield_stress"] / modulus,
+        flow=scale * modulus / given["viscosity"],
+        gravity=given["gravity"] * scale**2 / length,
+        ramp=given["ramp"] / scale,
+        per_cell=1 / cell,
+        per_node=1 / node,
+        before=left / node,
+        behind=right / node,
+        per_mass=modulus * scale**2 / (given["density"] * length**2) / node,
+    )
+
+
+def places_of(graph: Graph) -> np.ndarray:
+    """Where each state of a graph stands in the blocks x, y, u, v, a_1 (nodes), a_0 (cells), shape (nx,)."""
+    cells = graph.grid.cells
+    at = np.array(graph.x_where)
+    nodes, centres = np.searchsorted(graph.grid.nodes, at - 1e-12), np.searchsorted(graph.grid.centres, at - 1e-12)
+    first = {kind: block * (cells + 1) for block, kind in enumerate((*_NODE_KINDS, "a_0"))}
+    is_cell = np.array([kind == "a_0" for kind in graph.x_kinds])
+    return np.array([first[kind] for kind in graph.x_kinds]) + np.where(is_cell, centres, nodes)
 
 
 class NumpyFilament:
@@ -192,10 +239,3 @@ class RadauRival:
         if not found.success:
             raise RuntimeError(found.message)
         return Solved(seconds, float(found.y[1, -1]), len(found.t) - 1, int(found.nfev))
-
-    def microseconds(self, calls: int = 200) -> float:
-        """Of one right-hand side."""
-        began = time.perf_counter()
-        for _ in range(calls):
-            self.filament.rates(0.3, self.start)
-        return (time.perf_counter() - began) / calls * 1e6
