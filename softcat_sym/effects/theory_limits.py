@@ -55,8 +55,8 @@ def theory_error(scene: Scene, effects: Collection[str], terms: Terms) -> float:
     -------
     float
         The constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against
-        plane-stress elements, as ``tests/slow/test_element_films.py`` prints them; other laws and ends are assumed to err
-        by as much.
+        plane-stress elements, as ``tests/slow/test_element_films.py`` prints them; other laws and ends are assumed to
+        err by as much.
     """
     delta = groups_of(scene).delta
     return sum(part * delta**k for k, part in enumerate(error_by_slenderness(scene, effects, terms)))
