@@ -17,7 +17,7 @@ _UNEVENNESS = 4e-4
 
 _HINGE = 0.03
 """Change of the sag per e-fold with yielding hinges at clamps, which the gradient widens: within a factor of two in
-``tests/slow/test_collapse_contours.py``, for up to two e-folds; too large later, when the hinges have stopped."""
+``tests/studies/elements.py``, for up to two e-folds; too large later, when the hinges have stopped."""
 
 _SHORT = 2.0
 """Sag over the length of a neck beyond which the hinges are a small share of what is drawn out."""
