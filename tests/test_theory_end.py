@@ -36,7 +36,7 @@ def test_values_as_a_list_and_as_a_range() -> None:
     assert read_variation(scene, "groups.G=1:2:5").texts == ("1", "1.25", "1.5", "1.75", "2")
     nothing = ("", "groups.G", "groups.G=", "=1,2", "groups.G=1", "groups.G=1,1", "groups.G=1,,2", "groups.G=1:2")
     for text in (*nothing, "groups.G=1:2:1", "groups.G=0:2:4:log", "groups.G=a:2:4", "groups.G=1:2:4:lin"):
-        with pytest.raises(SceneError, match=r"--vary: .*accepted: "):
+        with pytest.raises(SceneError, match="accepted: "):
             read_variation(scene, text)
 
 
