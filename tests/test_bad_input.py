@@ -43,6 +43,7 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.span": "-1 m"}, "filament.span", "is negative"),
     ({"filament.span": "nan m"}, "filament.span", "'nan m' is not finite"),
     ({"filament.span": "1e308 km"}, "filament.span", "is not finite"),
+    ({"temperature.initial": "1e300 K"}, "temperature.initial", "'1e300 K' is beyond"),
     ({"filament.span": None}, "filament.span", 'missing; accepted: a positive length with its unit, such as "0.2 m"'),
     ({"filament.span": pint.Quantity(1.0, "s")}, "filament.span", "is a time, not a length"),
     ({"filament.span": pint.Quantity(math.nan, "m")}, "filament.span", "nan is not finite"),

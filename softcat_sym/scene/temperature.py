@@ -43,19 +43,14 @@ class AbsoluteTemperature(Quantity):
     """A temperature on a scale with its zero: stored in kelvin."""
 
     def __init__(self, example: str) -> None:
-        super().__init__("temperature", example, unit="K")
+        super().__init__("temperature", example, sign="any", unit="K")
         self.accepted = f'a temperature above absolute zero with its unit, such as "{example}" or "300 K"'
 
     def measured(self, value: object) -> float:
         return float(value) if isinstance(value, SI) else _kelvin(*split_quantity(value))
 
     def read(self, value: object) -> float:
-        try:
-            kelvin = self.measured(value)
-        except NotAQuantity as found:
-            raise self.refuse(str(found)) from None
-        if not math.isfinite(kelvin):
-            raise self.refuse(f"{shown(value)} is not finite")
+        kelvin = super().read(value)
         if kelvin <= 0:
             raise self.refuse(f"{shown(value)} is {kelvin:g} K, not above absolute zero")
         return kelvin
