@@ -497,7 +497,7 @@ for cell in cells.values():
 # %%
 for shape, name in ((sections.RECTANGLE, "both ways"), (sections.CIRCLE, "both ways"), (sections.SHEET, "sheet")):
     whole_rate = rate_of(eps, gam).subs(c, cells[name].carry)
-    potential = reissner.resolve(shape, laws.KELVIN_VOIGT_LAW, shear=True).viscous.rayleigh
+    potential = reissner.resolve(shape, laws.law_of("kelvin-voigt"), shear=True).viscous.rayleigh
     moving = {reissner.eps_t: sp.diff(eps, t), reissner.gamma_t: sp.diff(gam, t), reissner.gamma: gam}
     prove_equal(eta / 3 * sum(entry**2 for entry in whole_rate), potential.subs(moving))
 

@@ -78,7 +78,7 @@ prove_equal(stress_rate, E * sp.diff(eps, t) + sp.diff(E, t) / E * sigma)
 
 # %%
 growth = laws.growth_of(symbols.E)
-for law in (laws.ELASTIC, laws.MAXWELL_LAW):
+for law in (laws.law_of("elastic"), laws.law_of("maxwell")):
     branch = laws.Branch(flow=law.branches[0].flow, growth=growth)
     outline = Shape(
         SECTIONS["rectangle"],

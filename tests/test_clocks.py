@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from scipy.interpolate import PchipInterpolator
 
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
@@ -20,7 +19,7 @@ from softcat_sym.fitting.free_parameters import candidates, free_parameters, wit
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
-from softcat_sym.scene.history import History, Timed, TimedNumber, table_history
+from softcat_sym.scene.history import History, Timed, TimedNumber
 from softcat_sym.scene.units import in_si
 from softcat_sym.studies.compare import compare
 
@@ -45,17 +44,6 @@ def scene(material: Mapping[str, Any], **tables: Mapping[str, Any]) -> sc.Scene:
     for name, table in tables.items():
         given[name] = {**given.get(name, {}), **table}
     return sc.Scene.from_dict({**given, "material": material})
-
-
-@pytest.mark.parametrize("rows", [2, 3, 4, 9])
-def test_a_table_is_the_monotone_cubic_of_scipy(rows: int) -> None:
-    generator = np.random.default_rng(rows)
-    times, values = np.cumsum(generator.uniform(0.1, 2, rows)), generator.normal(size=rows)
-    history, cubic = table_history(dict(zip(times, values, strict=True))), PchipInterpolator(times, values)
-    inside = np.linspace(times[0], times[-1], 37)
-    assert [history.at(time) for time in inside] == pytest.approx(cubic(inside), abs=1e-12)
-    assert history.at(times[0] - 1) == values[0]
-    assert history.at(times[-1] + 1) == values[-1]
 
 
 @pytest.mark.parametrize("given", [TABLE, *FORMULAS], ids=str)

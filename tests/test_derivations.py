@@ -13,7 +13,7 @@ from scipy.special import iv, ivp
 
 from softcat_sym.physics import bulk, kinematics, necking, reissner
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import KELVIN_VOIGT_LAW, bingham_rate
+from softcat_sym.physics.laws import bingham_rate, law_of
 from softcat_sym.physics.reissner import Gam, Lam, S, k
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
 
@@ -173,7 +173,7 @@ def test_a_fibre_flows_as_the_solid_does(contraction: Contraction, carry: float)
 )
 def test_a_viscous_fibre_resists_the_rate_of_its_whole_deformation(shape: Section, carry: float) -> None:
     """Half of 2/3 eta D:D, D the symmetric part of F_t F^-1 at constant volume."""
-    viscous = reissner.resolve(shape, KELVIN_VOIGT_LAW, shear=True).viscous
+    viscous = reissner.resolve(shape, law_of("kelvin-voigt"), shear=True).viscous
     assert viscous is not None
     strain, shear, rates = 0.3, -0.4, (0.2, 0.7)
     ahead, behind = (triangular(strain + d * rates[0], shear + d * rates[1], carry) for d in (1e-6, -1e-6))

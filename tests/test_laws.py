@@ -12,13 +12,12 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.linalg import logm
-from scipy.optimize import brentq
 
 from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
 from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import closed_forms as strings
-from softcat_sym.physics.laws import K, bingham_rate, law_of, maxwell_rate, n
+from softcat_sym.physics.laws import K, law_of, n
 from softcat_sym.physics.regimes import H
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
@@ -207,91 +206,3 @@ def test_trial_strains_are_the_logarithm_of_be() -> None:
         plane = bulk_step.along_axes(bulk_step.trial_sum / 2, bulk_step.trial_gap / 2)
         wanted = logm(deformation @ plastic @ deformation.T) / 2
         assert [evaluate(part, values)[0] for part in plane] == pytest.approx(wanted.ravel(), abs=1e-12)
-
-
-# The three-dimensional law in numbers: integrated along a path, against what a tensile test must give.
-MODULUS_BULK, POISSON, YIELD, VISCOSITY = 1.0, 0.45, 0.02, 0.5
-CONSTANTS = {E: MODULUS_BULK, bulk.nu: POISSON, sigma_Y: YIELD, eta: VISCOSITY}
-LAW = bulk.general(bingham_rate())
-UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
-
-
-def compiled(inputs: list[sp.Symbol], expression: sp.Expr | sp.Matrix) -> Callable[..., np.ndarray]:
-    return sp.lambdify(inputs, expression.subs(CONSTANTS), modules="numpy")
-
-
-STRESS = compiled([bulk.elastic_strain[i, j] for i, j in UPPER], LAW.stress)
-EQUIVALENT = compiled([bulk.mandel[i, j] for i, j in UPPER], LAW.equivalent)
-FLOW = compiled([bulk.mandel[i, j] for i, j in UPPER] + [bulk.sigma_eq], LAW.flow)
-RESIDUAL = compiled([bulk.sigma_eq, bulk.sigma_trial, bulk.step], LAW.residual)
-
-
-def six(tensor: np.ndarray) -> list[float]:
-    return [tensor[i, j] for i, j in UPPER]
-
-
-def of_symmetric(function: Callable[[np.ndarray], np.ndarray], tensor: np.ndarray) -> np.ndarray:
-    values, axes = np.linalg.eigh(tensor)
-    return axes @ np.diag(function(values)) @ axes.T
-
-
-def elastic_strain(deformation: np.ndarray, plastic: np.ndarray) -> np.ndarray:
-    elastic = deformation @ np.linalg.inv(plastic)
-    return of_symmetric(np.log, elastic.T @ elastic) / 2
-
-
-def flow_at(stress: np.ndarray) -> np.ndarray:
-    equivalent = max(float(EQUIVALENT(*six(stress))), 1e-12)
-    return np.array(FLOW(*six(stress), equivalent), dtype=float)
-
-
-def shear_and_stretch(time: float) -> np.ndarray:
-    stretch = 1 + 0.1 * time
-    return np.array([[stretch, 0.15 * np.sin(3 * time), 0], [0, stretch**-0.5, 0.05 * time], [0, 0, stretch**-0.5]])
-
-
-def explicit(path: Callable[[float], np.ndarray], steps: int) -> np.ndarray:
-    plastic, dt = np.eye(3), 1 / steps
-    for step in range(steps):
-        stress = STRESS(*six(elastic_strain(path(step * dt), plastic)))
-        plastic = of_symmetric(np.exp, dt * flow_at(stress)) @ plastic
-    return plastic
-
-
-def implicit(path: Callable[[float], np.ndarray], steps: int) -> np.ndarray:
-    """Radial return: one scalar equation a step."""
-    plastic, dt = np.eye(3), 1 / steps
-    for step in range(steps):
-        trial = STRESS(*six(elastic_strain(path((step + 1) * dt), plastic)))
-        size = float(EQUIVALENT(*six(trial)))
-        new = brentq(RESIDUAL, 1e-12, size, args=(size, dt), xtol=1e-15) if size > 1e-12 else size
-        plastic = of_symmetric(np.exp, dt * flow_at(trial * new / size)) @ plastic if size > 1e-12 else plastic
-    return plastic
-
-
-def test_flow_keeps_the_volume_and_dissipates() -> None:
-    rng = np.random.default_rng(1)
-    for _ in range(50):
-        stress = rng.normal(size=(3, 3)) * 0.05
-        stress = stress + stress.T
-        flow = flow_at(stress)
-        size = float(EQUIVALENT(*six(stress)))
-        assert np.trace(flow) == pytest.approx(0, abs=1e-14)
-        assert np.sum(stress * flow) == pytest.approx(size * max(size - YIELD, 0) / VISCOSITY)
-    assert np.linalg.det(explicit(shear_and_stretch, 50)) == pytest.approx(1, abs=1e-12)
-
-
-def test_implicit_steps_converge_to_the_explicit_path() -> None:
-    reference = explicit(shear_and_stretch, 1600)
-    assert np.abs(reference - np.eye(3)).max() > 0.02
-    errors = [np.abs(implicit(shear_and_stretch, steps) - reference).max() for steps in (25, 50)]
-    assert errors[1] < 2e-3
-    assert errors[0] / errors[1] == pytest.approx(2, abs=0.4)
-
-
-def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
-    law = bulk.plane_stress(maxwell_rate())
-    plane = [bulk.elastic_strain[0, 0], bulk.elastic_strain[1, 1]]
-    strain = np.array(compiled(plane, law.strain)(0.02, -0.005), dtype=float)
-    assert np.array(compiled(plane, law.stress)(0.02, -0.005)) == pytest.approx(STRESS(*six(strain)), abs=1e-15)
-    assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-15)

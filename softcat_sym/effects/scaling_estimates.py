@@ -233,6 +233,6 @@ def neck_folds(scene: Scene, strain: float) -> float:
     viscosity = effective_viscosity(scene)
     stress = (limit or 0.0) + pull_of_surface(scene) / 2
     yields = limit is None or (gravity_number or 0.0) > first_yield_gravity_number(scene)
-    return strain + (
-        stress / viscosity * scene.run.duration if viscosity and yields and not scene.material.spec.is_solid else 0.0
-    )
+    if not viscosity or not yields or scene.material.spec.is_solid:
+        return strain
+    return strain + stress / viscosity * scene.run.duration

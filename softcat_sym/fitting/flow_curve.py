@@ -259,8 +259,9 @@ class Candidate:
         """Scene keys with their units, the shear data as fitted; empty for a law that is `unfit`."""
         if self.unfit:
             return {}
-        # A Newtonian fluid with the modulus of the scene is Maxwell's.
-        keys: dict[str, str | float] = {"material.law": "maxwell" if self.law == "newtonian" else self.law}
+        # With the modulus of the scene: a Newtonian fluid is then Maxwell's.
+        alike = (one.name for one in LAWS.values() if one.flow_curve == self.law and "youngs_modulus" in one.constants)
+        keys: dict[str, str | float] = {"material.law": next(alike)}
         if self.tau_Y is not None:
             keys["material.shear_yield_stress"] = f"{_written(self.tau_Y.value)} Pa"
         if self.n is None:
@@ -405,8 +406,9 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes |= fit.overrides(law)
     has_modulus = base.material.youngs_modulus is not None or "material.youngs_modulus" in later
-    if changes["material.law"] == "maxwell" and not has_modulus:
-        changes["material.law"] = "newtonian"
+    without = LAWS[str(changes["material.law"])].flow_curve
+    if not has_modulus and "youngs_modulus" not in LAWS[without].constants:
+        changes["material.law"] = without
     for path, value in later.items():
         # Moved to the end, where it replaces the same constant given in another form.
         changes.pop(path, None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Protocol, TypeVar, cast
+from typing import cast
 
 import sympy as sp
 
@@ -27,7 +27,7 @@ from softcat_sym.physics.symbols import (
     sigma_1,
     sigma_Y,
 )
-from softcat_sym.scene.formula import parse_formula
+from softcat_sym.scene.formula import Formula, parse_formula
 from softcat_sym.scene.laws import LAWS, LINEAR, POWER, LawSpec
 
 MeansOf = Callable[[Section], SectionMeans]
@@ -305,21 +305,6 @@ CHAINS = {
     "ptt": conformation.PTT,
 }
 
-Folded = TypeVar("Folded")
-
-
-class Formula(Protocol):
-    """A parsed formula, of which nothing is asked but to be built up again from its leaves."""
-
-    def fold(
-        self,
-        number: Callable[[float], Folded],
-        name: Callable[[str], Folded],
-        operation: Callable[[str, Sequence[Folded]], Folded],
-    ) -> Folded:
-        """Value of the formula, given what a number, a name and an operation on values are."""
-        ...
-
 
 def _asinh(size: sp.Expr) -> sp.Expr:
     """By its logarithm, for size >= 0: of a negative one the sum would lose its digits."""
@@ -447,5 +432,8 @@ def _flows_of(spec: LawSpec, symbols: Mapping[str, sp.Symbol]) -> tuple[Flow | N
     if not spec.flow or spec.flow in FLOW_RULES:
         return FLOW_RULES.get(spec.flow, (None, None))
     known = {**symbols, sigma.name: sigma}
-    rates = [expression_of(parse_formula(text), known.__getitem__) for text in (spec.flow, spec.flow_without_yield)]
-    return Flow(rates[1] if spec.yields else rates[0]), Flow(rates[0], sigma_Y)
+    beyond, fluid = (
+        Flow(expression_of(parse_formula(text), known.__getitem__), limit)
+        for text, limit in ((spec.flow, sigma_Y), (spec.flow_without_yield or spec.flow, sp.S.Zero))
+    )
+    return fluid, beyond

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -35,6 +34,7 @@ from softcat_sym.scene.units import (
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+    from scipy.interpolate import PchipInterpolator
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -70,14 +70,7 @@ class _Table:
     @property
     def slopes(self) -> tuple[float, ...]:
         """Slopes of the cubics at the times, on their inner side."""
-        widths = [after - before for before, after in zip(self.times, self.times[1:], strict=False)]
-        rises = [after - before for before, after in zip(self.values, self.values[1:], strict=False)]
-        chords = [rise / width for rise, width in zip(rises, widths, strict=True)]
-        if len(chords) == 1:
-            return chords[0], chords[0]
-        inner = [_harmonic(*widths[k : k + 2], *chords[k : k + 2]) for k in range(len(chords) - 1)]
-        first, last = _end_slope(*widths[:2], *chords[:2]), _end_slope(*widths[:-3:-1], *chords[:-3:-1])
-        return first, *inner, last
+        return tuple(map(float, _cubic(self)(self.times, 1)))
 
     @property
     def numbers(self) -> tuple[float, ...]:
@@ -86,29 +79,17 @@ class _Table:
 
     def at(self, time: float) -> float:
         """Value at a time [s]."""
-        k = bisect_right(self.times, time)
-        if k in (0, len(self.times)):
-            return self.values[0 if k == 0 else -1]
-        width, slopes = self.times[k] - self.times[k - 1], self.slopes
-        u = (time - self.times[k - 1]) / width
-        rise = (self.values[k] - self.values[k - 1]) * u * u * (3 - 2 * u)
-        return self.values[k - 1] + rise + width * u * (1 - u) * (slopes[k - 1] * (1 - u) - slopes[k] * u)
+        if not self.times[0] < time < self.times[-1]:
+            return self.values[0 if time <= self.times[0] else -1]
+        return float(_cubic(self)(time))
 
 
-def _harmonic(before: float, behind: float, chord: float, next_chord: float) -> float:
-    """Slope between two intervals: a weighted harmonic mean of their chords, none at an extreme."""
-    if chord * next_chord <= 0:
-        return 0.0
-    one, other = 2 * behind + before, behind + 2 * before
-    return (one + other) / (one / chord + other / next_chord)
+@lru_cache(maxsize=256)
+def _cubic(table: _Table) -> PchipInterpolator:
+    # Imported here: most scenes do without SciPy, which takes a while to load.
+    from scipy.interpolate import PchipInterpolator
 
-
-def _end_slope(width: float, next_width: float, chord: float, next_chord: float) -> float:
-    """Slope of the parabola through three points at the first of them, within what keeps the cubic monotone."""
-    slope = ((2 * width + next_width) * chord - width * next_chord) / (width + next_width)
-    if slope * chord <= 0:
-        return 0.0
-    return 3 * chord if chord * next_chord < 0 and abs(slope) > 3 * abs(chord) else slope
+    return PchipInterpolator(table.times, table.values)
 
 
 @dataclass(frozen=True, slots=True)

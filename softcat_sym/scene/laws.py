@@ -15,13 +15,13 @@ from softcat_sym.scene.units import Number, Quantity, consistency_unit
 LINEAR, POWER = "linear", "power"
 """Flow rules whose means over a section, or whose slope at zero stress, ``physics.laws`` has by hand."""
 
-STRESS, VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
+_STRESS, _VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
 CONSTANTS: Mapping[str, Timed | Quantity | Number] = MappingProxyType(
     {
-        "youngs_modulus": STRESS,
-        "second_modulus": STRESS,
-        "viscosity": VISCOSITY,
-        "yield_stress": STRESS,
+        "youngs_modulus": _STRESS,
+        "second_modulus": _STRESS,
+        "viscosity": _VISCOSITY,
+        "yield_stress": _STRESS,
         "relaxation_time": Quantity("time", "0.1 s"),
         "solvent_viscosity": Quantity("viscosity", "3 mPa*s", "non-negative"),
         "finite_extensibility": Number(above=3),
@@ -32,8 +32,8 @@ CONSTANTS: Mapping[str, Timed | Quantity | Number] = MappingProxyType(
 """All constants of laws, tensile, with unit and bounds."""
 
 _SHEAR = {
-    **dict.fromkeys(("storage_modulus", "shear_yield_stress"), STRESS),
-    "shear_viscosity": VISCOSITY,
+    **dict.fromkeys(("storage_modulus", "shear_yield_stress"), _STRESS),
+    "shear_viscosity": _VISCOSITY,
     "shear_solvent_viscosity": Quantity("viscosity", "1 mPa*s", "non-negative"),
 }
 

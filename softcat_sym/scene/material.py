@@ -23,13 +23,11 @@ from softcat_sym.scene.formula import (
     threshold,
 )
 from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
-from softcat_sym.scene.laws import CONSTANTS, LAWS, STRESS, VISCOSITY, LawSpec, kind_of_constant, laws_with, spec_of
+from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec, kind_of_constant, laws_with, spec_of
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.structure import Structure, StructureTable
 from softcat_sym.scene.units import (
-    STRESS as PASCAL,
-)
-from softcat_sym.scene.units import (
+    STRESS,
     Choice,
     Dimension,
     Kind,
@@ -311,7 +309,7 @@ def _ends_and_start(structure: Structure, limit: float | None) -> Iterator[Refus
 
 def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
     """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
-    sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, PASCAL)]
+    sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
     return tuple(size for size in (*sizes, youngs_modulus) if size)
 
 
@@ -338,8 +336,8 @@ def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_mo
         raise refusals("material", faults)
 
 
-Viscosity = Annotated[float | None, VISCOSITY]
-Stress = Annotated[float | None, STRESS]
+Viscosity = Annotated[float | None, CONSTANTS["viscosity"]]
+Stress = Annotated[float | None, CONSTANTS["yield_stress"]]
 POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
 
