@@ -421,26 +421,6 @@ def test_refused_by_name() -> None:
             CasadiPrinter({x: 1.0, y: 2.0}).value(expr)
 
 
-# One cell's expression, given vectors, is the expression of all cells; common parts are shared.
-x, y = sp.symbols("x y", real=True)
-AT_X = np.array([-1.5, -0.3, 0.0, 0.4, 2.0])
-AT_Y = np.array([0.7, -0.3, 1.0, 0.2, -1.0])
-
-
-def test_sharing_changes_no_value() -> None:
-    condition = x > y
-    several = {
-        "a": sp.Piecewise((x * y, condition), (0, True)) + sp.Abs(x * y),
-        "b": sp.Piecewise((x + y, condition), (x * y, True)),
-        "c": sp.Max(x * y, 0) * sp.Piecewise((1, condition), (-1, True)),
-    }
-    together = CellFunction(several, (x, y))
-    for a, b in zip(AT_X, AT_Y, strict=True):
-        values = together({x: float(a), y: float(b)})
-        for name, expr in several.items():
-            assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])
-
-
 def rhs_of(scene: sc.Scene) -> tuple[Graph, CSource]:
     filament = assembled(scene, choose_effects(scene))
     return filament.graph, rhs_source(filament.graph, model_for(filament.structure))

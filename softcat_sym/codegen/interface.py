@@ -220,8 +220,10 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
 
 
 _ANY = ("curvature", "twist", "drop", "left_angle", "right_angle", *TIP_FORCE, *TIP_TORQUE, *DIRECTION)
-_NOT_NEGATIVE = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS)
-_NOT_NEGATIVE += ("surface_tension", "bath_density", "bath_viscosity")
+_NOT_NEGATIVE = (
+    *("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS),
+    *("surface_tension", "bath_density", "bath_viscosity"),
+)
 _BOUNDS = {"poisson": "poisson", **dict.fromkeys((*_ANY, *itertools.chain(*END_TURNS)), "any")}
 _BOUNDS |= dict.fromkeys(_NOT_NEGATIVE, "not-negative")
 
@@ -244,17 +246,10 @@ _RANGES = {
 }
 _PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
 _PLACES |= set(NATURAL_PLACES)
-_KNOWN: tuple[str, ...] = (
-    "rest_length",
-    "time_scale",
-    "gravity",
-    "density",
-    "span",
-    "drop",
-    "left_angle",
-    "right_angle",
+_KNOWN = (
+    *("rest_length", "time_scale", "gravity", "density", "span", "drop", "left_angle", "right_angle"),
+    *("curvature", "twist"),
 )
-_KNOWN += ("curvature", "twist")
 
 
 def prefix_of(name: str) -> str:
