@@ -26,11 +26,16 @@ from proving import Erratum, check, prove_equal, record_errata, vanishes
 from softcat_sym.physics import beams as in_numbers
 from softcat_sym.physics import regimes
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
-from softcat_sym.physics.regimes import BEAMS, E_star, H, V, delta, psi_T, tau_star, u_L
+from softcat_sym.physics.regimes import E_star, H, V, delta, psi_T, tau_star, u_L
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, sigma_Y
+from softcat_sym.scene.ends import SUPPORTS
 
 G, eps_Y = sp.symbols("G eps_Y", positive=True)
+BEAMS = {
+    ends: in_numbers.beam_between(*(SUPPORTS[end] for end in ends))
+    for ends in (("clamped", "clamped"), ("clamped", "pinned"), ("pinned", "pinned"))
+}
 for one in (regimes.CATENARY_SAG, regimes.SHALLOW_STRESS):
     check(one)
 
@@ -99,12 +104,11 @@ def largest_moment(shape: sp.Expr) -> sp.Expr:
     return max(abs(moment.subs(xi, place)) for place in places)
 
 
-beams = {ends: bent(ends) for ends in (("clamped", "clamped"), ("clamped", "pinned"), ("pinned", "pinned"))}
-assert set(beams) == set(BEAMS)
+beams = {ends: bent(ends) for ends in BEAMS}
 for ends, shape in beams.items():
     assert sp.diff(shape, xi, 4) == 1
-    prove_equal(largest_moment(shape), BEAMS[ends].largest_moment)
-    prove_equal(shape.subs(xi, sp.Rational(1, 2)), BEAMS[ends].midspan_sag)
+    prove_equal(largest_moment(shape), sp.Rational(BEAMS[ends].largest_moment))
+    prove_equal(shape.subs(xi, sp.Rational(1, 2)), sp.Rational(BEAMS[ends].midspan_sag))
 
 # %% [markdown]
 # The section enters through $I = K A h_0^2$, and the most stressed fibre is at $h_0/2$:
@@ -134,7 +138,7 @@ for section, K in gyration.items():
     assert len(solved) == 1
     for ends, shape in beams.items():
         at_yield[section, ends] = solved[0].subs(m, largest_moment(shape))
-        held = in_numbers.first_yield(CROSS_SECTIONS[section.name], in_numbers.beam_between(*ends), 0.03)
+        held = in_numbers.first_yield(CROSS_SECTIONS[section.name], BEAMS[ends], 0.03)
         assert abs(at_yield[section, ends].subs(delta, 0.03) - held) < 1e-15
 
 clamped, pinned = ("clamped", "clamped"), ("pinned", "pinned")
@@ -261,7 +265,7 @@ total = sum(4 * (-1) ** j / ((2 * j - 1) * mp.pi) ** 3 for j in range(1, 400))
 assert abs(total + mp.mpf(1) / 8) < 1e-9
 # sum of 1/(2k - 1)^3 is all cubes less the even ones: (1 - 1/8) zeta(3)
 magnitudes = 4 / sp.pi**3 * (1 - sp.Rational(1, 8)) * sp.zeta(3)
-prove_equal((sp.Rational(1, 8) + magnitudes) / sp.Rational(1, 8), BEAMS[pinned].overshoot_bound)
+assert abs((sp.Rational(1, 8) + magnitudes) / sp.Rational(1, 8) - BEAMS[pinned].overshoot_bound) < 1e-15
 
 # %% [markdown]
 # At midspan the shares alternate, so that the bound is a little above two, 2.09; the fundamental alone gives
@@ -388,7 +392,7 @@ for ends in BEAMS:
     loads = [root for root in sp.solve(sp.numer(sp.together(worst - M_p)), weight) if sp.N(root / M_p) > 6]
     assert len(loads) == 1
     collapse_load[ends] = sp.simplify(loads[0] / M_p)
-    prove_equal(collapse_load[ends], BEAMS[ends].collapse)
+    assert abs(collapse_load[ends] - BEAMS[ends].collapse) < 1e-14
     # and the mechanism with hinges there dissipates what that load does: the same load from above
     hinge = sp.solve(sp.diff(moment, xi), xi)[0].subs(weight, loads[0])
     turns = {"clamped": 1, "pinned": 0}
@@ -405,7 +409,7 @@ for section, lever in mean_lever.items():
     for ends, load_at_collapse in collapse_load.items():
         # rho g A L^2 = load sigma_Y A (h0/2) <|zeta|>
         derived = load_at_collapse * lever * delta / 2
-        held = in_numbers.plastic_collapse(CROSS_SECTIONS[section.name], in_numbers.beam_between(*ends), 0.03)
+        held = in_numbers.plastic_collapse(CROSS_SECTIONS[section.name], BEAMS[ends], 0.03)
         assert abs(derived.subs(delta, 0.03) - held) < 1e-15
 
 # %% [markdown]
@@ -585,7 +589,7 @@ for section in gyration:
         )
         predicted = scaling_estimates.first_yield_gravity_number(scene)
         assert abs(predicted - at_yield[section, ends].subs(delta, sp.Rational(3, 100))) < 1e-14, (section.name, ends)
-        stiffness = gyration[section] * sp.Rational(9, 10**4) / BEAMS[ends].midspan_sag
+        stiffness = gyration[section] * sp.Rational(9, 10**4) / sp.Rational(BEAMS[ends].midspan_sag)
         assert abs(scaling_estimates.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
 for number in ("0.4", "1.0"):
     scene = load_scene("arrested-overdamped", {"groups.G": float(number), "groups.duration": 1e9})

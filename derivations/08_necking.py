@@ -110,8 +110,8 @@ for gain, b in ((both_ways, b_both), (one_way, b_sheet)):
     prove_equal(gain, -sp.diff(b * first, X) - b * first**2 / stretch)
 
 # %% [markdown]
-# The radii of gyration: a rectangle $h_0\times D_0$; plane stress, the limit of small width; a square; a circle of
-# *diameter* $h_0$; a sheet.
+# The radii of gyration: a rectangle $h_0\times D_0$, whose limit of small width is plane stress; a circle of *diameter*
+# $h_0$; a sheet.
 
 # %%
 z, r, angle = sp.symbols("z r angle", real=True)
@@ -122,8 +122,6 @@ gyration_rectangle = (
 gyration_circle = sp.integrate(r**3, (r, 0, h0 / 2), (angle, 0, 2 * sp.pi)) / (sp.pi * h0**2 / 4)
 derived_stiffness = {
     "rectangle": b_both.subs(gyration, gyration_rectangle),
-    "plane stress": b_both.subs(gyration, sp.limit(gyration_rectangle, necking.aspect, 0)),
-    "square": b_both.subs(gyration, gyration_rectangle.subs(necking.aspect, 1)),
     "circle": b_both.subs(gyration, gyration_circle),
     "sheet": b_sheet.subs(gyration, sp.integrate(y**2, (y, -h0 / 2, h0 / 2)) / h0),
 }

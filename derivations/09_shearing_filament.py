@@ -521,8 +521,8 @@ def by_energy(weight):
 for shape in (sections.RECTANGLE, sections.CIRCLE):
     carried = sp.diff(parabola * shape.weight, zeta) / (zeta * shape.weight)
     assert vanishes(sp.diff(carried, zeta))
-prove_equal(by_energy(sp.Rational(1, 2)), reissner.RECTANGLE_SHEAR)
-prove_equal(by_energy(2 * sp.sqrt(1 - zeta**2) / sp.pi), reissner.CIRCLE_SHEAR)
+prove_equal(by_energy(sp.Rational(1, 2)), sections.RECTANGLE.shear_correction)
+prove_equal(by_energy(2 * sp.sqrt(1 - zeta**2) / sp.pi), sections.CIRCLE.shear_correction)
 
 # %% [markdown]
 # The circle's 9/10 counts the vertical shear stress alone. Cowper's $6(1+\nu)/(7+6\nu)$, from three-dimensional
@@ -542,7 +542,7 @@ maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate.subs(gamma_p, 0)
 steady = sp.solve(maxwell.subs(tau_d, tau_f) - sp.sqrt(kappa_s) * sliding_rate, tau_f)[0]
 prove_equal(sp.sqrt(kappa_s) * A0 * steady, kappa_s * eta / 3 * A0 * sliding_rate)
 cowper_circle = 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu)
-prove_equal(cowper_circle.subs(bulk.nu, sp.Rational(1, 2)), reissner.CIRCLE_SHEAR)
+prove_equal(cowper_circle.subs(bulk.nu, sp.Rational(1, 2)), sections.CIRCLE.shear_correction)
 
 # %% [markdown]
 # ## What the package holds

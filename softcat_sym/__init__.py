@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.simulate import simulate
 
 if TYPE_CHECKING:
+    from softcat_sym.batch.ensemble import Ensemble, simulate_many
+    from softcat_sym.batch.sweep import Sweep, sweep
     from softcat_sym.effects.effect import Effect, EffectConstant, Estimate
     from softcat_sym.effects.registry import register_effect
-    from softcat_sym.ensemble.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
     from softcat_sym.fitting.fit import fit
     from softcat_sym.fitting.flow_curve import fit_flow_curve
@@ -31,9 +32,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
     from softcat_sym.studies.card import Card, card
+    from softcat_sym.studies.effect_importance import Pricing, price_effects
     from softcat_sym.studies.explanation import Explanation, explain
-    from softcat_sym.studies.pricing import Pricing, price_effects
-    from softcat_sym.studies.sweep import Sweep, sweep
     from softcat_sym.web.page import live_page
 
     __version__: str
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "effects.effect": ("Effect", "EffectConstant", "Estimate"),
     "effects.registry": ("register_effect",),
-    "ensemble.ensemble": ("Ensemble", "simulate_many"),
+    "batch.ensemble": ("Ensemble", "simulate_many"),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
     "fitting.fit": ("fit",),
     "fitting.result": ("Fit",),
@@ -55,8 +55,8 @@ _HOMES = {
     "solvers.outcome": ("Outcome",),
     "studies.card": ("Card", "card"),
     "studies.explanation": ("Explanation", "explain"),
-    "studies.pricing": ("Pricing", "price_effects"),
-    "studies.sweep": ("Sweep", "sweep"),
+    "studies.effect_importance": ("Pricing", "price_effects"),
+    "batch.sweep": ("Sweep", "sweep"),
     "web.page": ("live_page",),
 }
 

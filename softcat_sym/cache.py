@@ -52,9 +52,10 @@ def cache_folder() -> Path:
             return _without_links(Path(chosen).expanduser().absolute())
         except RuntimeError as error:
             raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
-    usual = Path(platformdirs.user_cache_dir("softcat_sym", appauthor=False))
-    if usual.parts[0] == "~":  # a user without a home, as in some containers
-        usual = Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
+    usual = Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
+    # A user without a home, as in some containers: platformdirs raises, or (before 4.4) leaves the tilde.
+    with contextlib.suppress(RuntimeError):
+        usual = Path(platformdirs.user_cache_dir("softcat_sym", appauthor=False)).expanduser()
     return _without_links(usual.absolute())
 
 

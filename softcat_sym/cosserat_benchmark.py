@@ -265,8 +265,9 @@ def in_its_words(rod: Rod, axes: Floats, run: Run, *, still: bool) -> tuple[Floa
     tangents = _unit(np.diff(places, axis=1))
     second = np.cross([0.0, 0.0, 1.0], tangents)
     if not flat:
-        turns = data.quaternion.values[:, 1:] + data.quaternion.values[:, :-1]
-        second = _second_axis(turns)
+        # d2 of the turns between two nodes, of any length.
+        w, x, y, z = np.moveaxis(data.quaternion.values[:, 1:] + data.quaternion.values[:, :-1], -1, 0)
+        second = np.stack([2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)], axis=-1)
         if still:
             second[0] = np.cross([0.0, 0.0, 1.0], tangents[0])
     second = _unit(second - np.sum(second * tangents, axis=-1, keepdims=True) * tangents)
@@ -275,9 +276,3 @@ def in_its_words(rod: Rod, axes: Floats, run: Run, *, still: bool) -> tuple[Floa
     lines = rod.directors(cells) @ axes.T
     along, across = (np.sum(lines * one[0], axis=-1)[:, None] for one in (second, third))
     return places @ axes + rod.centerline[0], (along * second + across * third) @ axes
-
-
-def _second_axis(q: Floats) -> Floats:
-    """d2 of a turn, of any length."""
-    w, x, y, z = np.moveaxis(q, -1, 0)
-    return np.stack([2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)], axis=-1)

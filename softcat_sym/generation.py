@@ -17,7 +17,7 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
-from softcat_sym.codegen.interface import Description, Steps, describe, rendered
+from softcat_sym.codegen.interface import Description, Steps, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
 from softcat_sym.codegen.structure import model_for
@@ -28,6 +28,7 @@ from softcat_sym.error_control.estimate import Resolution, resolution_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
 from softcat_sym.simulate import recalled
@@ -106,7 +107,7 @@ def contents_of(scene: Scene, name: str, *, rhs: bool, progress: Progress | None
     }
     if start is not None:
         files[START] = start_text(described, graph.grid.nodes, start)
-    return {**files, **(rhs_source(graph).files if rhs else {})}
+    return {**files, **(rhs_source(graph, described.model).files if rhs else {})}
 
 
 def _as_it_ends(scene: Scene, progress: Progress | None) -> tuple[Scene, str]:
@@ -154,12 +155,12 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())
     steps = Steps(float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0)
-    return describe(scene, effects, filament.graph, filament.structure, model, steps), filament
+    return Description(scene, effects, filament.graph, filament.structure, model, steps), filament
 
 
 def _newton(filament: Assembled) -> Newton | None:
     """Newton's method in C for a start in three dimensions, where there is a compiler: it is ten times as fast."""
-    if not filament.theory.is_spatial or find_compiler() is None:
+    if not filament.structure.recorded.theory.is_spatial or find_compiler() is None:
         return None
     code, settings = (
         compile_filament(filament.graph, filament.structure),
@@ -171,7 +172,7 @@ def _newton(filament: Assembled) -> Newton | None:
 def start_of(described: Description, filament: Assembled) -> Floats | None:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in; None of a filament that begins straight."""
     graph, scene = filament.graph, filament.scene
-    if is_straight(scene) and not (filament.theory.is_spatial and graph.positions_are_algebraic):
+    if is_straight(scene) and not (filament.structure.recorded.theory.is_spatial and graph.positions_are_algebraic):
         return None
     p = graph.vector(parameter_values(scene))
     start = starting_state(scene, graph, p, filament.at_rest, _newton(filament))
@@ -179,16 +180,15 @@ def start_of(described: Description, filament: Assembled) -> Floats | None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
     observed = graph.symbolic.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
-    names, ends, length = [slot.name for slot in described.model.slots], scene.ends, rest_length(scene)
+    names, length = [slot.name for slot in described.model.slots], rest_length(scene)
     for kind in {*PLACES, *TURN} & set(names):
         held, unit = observed[kind], length if kind in PLACES else 1.0
         state[[0, -1], names.index(kind)] = float(held[0]) / unit, float(held[-1]) / unit
     if "psi" in names:
-        slot, (first, last) = names.index("psi"), described.structure.ends
-        if first.holds_angle:
-            state[0, slot] = 0.0 if graph.grid.is_half else ends.left_angle
-        if last.holds_angle:
-            state[-1, slot] = ends.right_angle
+        holding = (graph.grid.first, graph.grid.last)
+        for place, support, (_, _, angle) in zip((0, -1), holding, scene.ends.sides, strict=True):
+            if support.holds_angle:
+                state[place, names.index("psi")] = 0.0 if support is SYMMETRY else angle
     return state
 
 

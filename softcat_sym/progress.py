@@ -140,6 +140,18 @@ class Display:
                 over = self._over.wait(LOOK)
 
 
+class MembersBar(Display):
+    """Shows on standard error how many members are done, and how long the rest takes."""
+
+    def __init__(self, description: str = "members", *, quiet: bool = False, console: Console | None = None) -> None:
+        super().__init__(quiet=quiet, console=console)
+        self.stage(description)
+
+    def update(self, done: int, members: int, left: float) -> None:
+        """Take note of how far it is."""
+        self.reach(done / members, f"{done} of {members}", left)
+
+
 class StudyDisplay(Display):
     """Shows the stages of a study; how far each of its integrations has come is not among them."""
 

@@ -67,8 +67,8 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
 def simulated(scene: Scene, progress: Progress | None = None, announce: Callable[[str], None] | None = None) -> Run:
     """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
     # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.consistent_run import run_until_consistent
     from softcat_sym.effects.choosing import choose_effects
+    from softcat_sym.error_control.consistency import run_until_consistent
     from softcat_sym.solvers.outcome import Outcome
     from softcat_sym.solvers.run_cost import run_cost
     from softcat_sym.solvers.solution import Interrupted, Silence, watched

@@ -108,7 +108,7 @@ def _thinned(solution: Solution, prepared: Prepared, stride: int) -> Solution:
     return solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), frames))
 
 
-def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
+def settling_time_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
     """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then."""
     coarse = scene.replace({"numerics.cells": max(_MIN_CELLS, choose_cells(scene, effects) // 2)})
     return settling_time(coarse, effects, build(coarse, effects), progress)

@@ -100,5 +100,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     if os.environ.get(PROMISED):
         raise pytest.UsageError(f"{PROMISED} is set, but there is no C compiler: install gcc, or set CC")
     for item in items:
-        if COMPILING.search(item.path.relative_to(Path(__file__).parent).as_posix()):
+        path = item.path.relative_to(Path(__file__).parent).as_posix()
+        if COMPILING.search(path) or item.get_closest_marker("compiled"):
             item.add_marker(pytest.mark.skip(reason=_NEEDS))

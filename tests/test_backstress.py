@@ -34,13 +34,19 @@ def bar(**changes: Any) -> sc.Scene:
     ).replace(changes)
 
 
-def stress_and_backstress(time: Any, rise: float = 0.0, build_up: float = 4.0, breakdown: float = 30.0) -> Any:
-    """Stress, backstress and structure of the bar, whose yield stress rises by `rise`, by another program."""
+def stress_and_backstress(
+    time: Any, rise: float = 0.0, build_up: float = 4.0, breakdown: float = 30.0, root: float = 1.0
+) -> Any:
+    """Stress, backstress and structure of the bar, whose yield stress rises by `rise`, by another program.
+
+    Stress^root less yield stress^root is (eta rate)^root: 1 of Bingham's law, 1/2 of Casson's.
+    """
 
     def rates(t: float, state: Any) -> list[float]:
         sigma, back, lam = state
         driving = sigma - back
-        flow = math.copysign(max(abs(driving) - 300.0 - rise * lam, 0.0) / 5e4, driving)
+        beyond = max(abs(driving) ** root - (300.0 + rise * lam) ** root, 0.0)
+        flow = math.copysign(beyond ** (1 / root) / 5e4, driving)
         kinetics = (1 - lam - lam * breakdown * abs(flow)) / build_up
         return [1e5 * (RATE / (L + RATE * t) - flow), C * flow - Q * back * abs(flow), kinetics]
 
@@ -48,14 +54,16 @@ def stress_and_backstress(time: Any, rise: float = 0.0, build_up: float = 4.0, b
 
 
 @pytest.mark.parametrize("backend", ["interpreted", "compiled"])
-@pytest.mark.parametrize("structured", [False, True])
-def test_a_bar_that_is_pulled_follows_the_law_of_a_point(backend: str, structured: bool) -> None:
+@pytest.mark.parametrize(("law", "structured"), [("bingham", False), ("bingham", True), ("casson", True)])
+def test_a_bar_that_is_pulled_follows_the_law_of_a_point(law: str, backend: str, structured: bool) -> None:
     """Alone, and beside structure as in the MIKH model."""
-    changes: dict[str, Any] = {"numerics.backend": backend}
+    changes: dict[str, Any] = {"numerics.backend": backend, "material.law": law}
     if structured:
         changes |= {"material.structure": STRUCTURE, "run.effects": [*EFFECTS, "structure"]}
     run = sc.simulate(bar(**changes))
-    sigma, back, _ = stress_and_backstress(run.data.time.values, 600.0 if structured else 0.0)
+    sigma, back, _ = stress_and_backstress(
+        run.data.time.values, 600.0 if structured else 0.0, root=0.5 if law == "casson" else 1.0
+    )
     assert run.outcome.is_success
     assert np.allclose(run.data.stress_mean.values, sigma[:, None], atol=2e-5 * np.max(sigma))
     assert np.allclose(run.data.backstress.values, back[:, None], atol=2e-5 * np.max(back))
@@ -81,7 +89,9 @@ def test_prager_bar_yields_sooner_the_other_way() -> None:
     unloading = np.maximum(top - E * turned, top - 2 * limit - tangent * (turned - 2 * limit / E))
     exact = np.where(time <= 1000, loading, unloading)
     assert np.max(np.abs(run.data.stress_mean.values[:, 0] - exact)) < 2e-3 * limit
-    assert run.summary["energy_residual"] < 1e-6
+    # A method of order p whose steps err by rtol errs by about rtol^(p/(p+1)) in all.
+    order = 5 if run.summary["solver"] == "rosenbrock" else 2
+    assert run.summary["energy_residual"] < 4 * run.summary["rtol"] ** (order / (order + 1))
 
 
 def test_backstress_saturates() -> None:

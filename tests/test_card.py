@@ -14,7 +14,7 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.physics import beams, closed_forms
 from softcat_sym.plotting.card import facts
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
@@ -117,7 +117,7 @@ def test_smay_asks_for_the_published_modulus() -> None:
     """G' >= 1.4 rho g s^4 D (Langmuir 18, 5429): 1.389 by the pinned beam, a fifth of it between clamps."""
     unit = 1000 * 9.81 * (100.0**4) * 1e-3
     assert smay_modulus_needed(filament(ELASTIC)) / unit == pytest.approx(25 / 18)
-    assert float(closed_forms.smay_modulus(regimes.CLAMPED) / closed_forms.smay_modulus()) == pytest.approx(1 / 5)
+    assert float(closed_forms.smay_modulus(beams.CLAMPED) / closed_forms.smay_modulus()) == pytest.approx(1 / 5)
 
 
 def test_stress_of_the_bent_beam_is_moment_over_section_modulus() -> None:

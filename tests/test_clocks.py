@@ -259,7 +259,9 @@ def test_a_constant_history_is_a_constant() -> None:
         )
         for limit, more in ((4e3, ()), ("4 kPa + 0 Pa/s*t", ("curing",)))
     )
-    assert named.data["midpoint"].values == pytest.approx(plain.data["midpoint"].values, rel=1e-12, abs=1e-15)
+    # In C the same steps are taken; BDF takes others, each with the time error of a tenth of the accuracy.
+    allowed = 1e-12 if plain.summary["backend"] == "compiled" else 0.1 * plain.summary["accuracy"]
+    assert named.data["midpoint"].values == pytest.approx(plain.data["midpoint"].values, rel=allowed, abs=1e-15)
 
 
 def test_auto_takes_a_change_in_where_it_matters() -> None:

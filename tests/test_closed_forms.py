@@ -16,14 +16,19 @@ from softcat_sym.physics import beams, regimes, rheometry
 from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
-from softcat_sym.physics.regimes import BEAMS, H, tau_star, u_L
+from softcat_sym.physics.regimes import H, tau_star, u_L
 from softcat_sym.physics.rheometry import B, R, alpha, d_R, t_high, t_star
 from softcat_sym.physics.symbols import L
+from softcat_sym.scene.ends import SUPPORTS
 from softcat_sym.scene.reading import load_scene
 
 # Regimes against numbers that share no formula with them: boundary-value solvers, quadrature, time integration.
 RECTANGLE, CIRCLE = (CROSS_SECTIONS[name] for name in ("rectangle", "circle"))
 SECTIONS = [RECTANGLE, CIRCLE]
+BEAMS = {
+    ends: beams.beam_between(*(SUPPORTS[end] for end in ends))
+    for ends in (("clamped", "clamped"), ("clamped", "pinned"), ("pinned", "pinned"))
+}
 MODULUS_OVER_WEIGHT = 4e6 / (1900 * 9.81 * 0.2)
 
 
@@ -62,7 +67,9 @@ def test_first_yield_and_what_scenes_predict() -> None:
         (RECTANGLE, ("clamped", "pinned"), 4 / 3),
         (CIRCLE, ("clamped", "pinned"), 1),
     ]:
-        assert beams.first_yield(section, beams.beam_between(*ends), 1.0) == pytest.approx(wanted)
+        assert beams.first_yield(section, beams.beam_between(*(SUPPORTS[end] for end in ends)), 1.0) == pytest.approx(
+            wanted
+        )
         change = {"filament.section": section.name, "ends.left": ends[0], "ends.right": ends[1]}
         scene = load_scene("arrested-overdamped", change)
         assert prediction.first_yield_gravity_number(scene) == pytest.approx(wanted * 0.03)

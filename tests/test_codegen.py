@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import ctypes as c
 import math
-import os
-import subprocess
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -17,18 +13,17 @@ import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
-from hypothesis import strategies as st
 
 import softcat_sym as sc
 from softcat_sym import cache
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
-from softcat_sym.codegen.c_text import number
+from softcat_sym.codegen.c_text import CSource, number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.codegen.library import about, compile_library, load
-from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
+from softcat_sym.codegen.right_hand_side import JACOBIAN, POWERS, RHS, rhs_source
 from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -74,22 +69,6 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     ),
 }
 QUICK = ("paper", "fibres, necking", "viscous stress, moving support")
-TEXTS = """
-import hashlib, sys
-from softcat_sym.codegen.right_hand_side import rhs_source
-from tests.common.assembled import graph_of, short_scene
-from tests.test_codegen import pair_of, scene_of
-print(rhs_source(graph_of(short_scene("elastic"))).digest)
-for kind in ("paper", "fibres, necking", "viscous stress, moving support"):
-    print(kind, hashlib.sha256(pair_of(scene_of(kind)).model.text.encode()).hexdigest())
-"""
-
-
-def printed(code: str, seed: str) -> str:
-    """What a new process prints."""
-    environment = {**os.environ, "PYTHONHASHSEED": seed}
-    command = [sys.executable, "-c", code]
-    return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
 
 
 def scene_of(kind: str, **changes: Any) -> sc.Scene:
@@ -139,12 +118,6 @@ def test_one_text_for_every_grid_and_every_number() -> None:
             {"run__duration": "3 s", "run__frames": 7, "run__accuracy": 0.01},
         ):
             assert pair_of(scene_of(kind, **changes)).model is base, changes
-
-
-@pytest.mark.slow
-def test_texts_are_the_same_whatever_the_hash_seed() -> None:
-    texts = {printed(TEXTS, seed) for seed in ("1", "2")}
-    assert len(texts) == 1 and texts.pop().count("\n") == 4
 
 
 def structure_in(name: str, **changes: Any) -> Structure:
@@ -335,12 +308,6 @@ def test_constants_are_the_nearest_double() -> None:
         assert number_sympy(expr) == wanted
 
 
-@given(st.integers(-(10**40), 10**40), st.integers(1, 10**40))
-def test_every_rational_is_rounded_once(above: int, below: int) -> None:
-    expr = sp.Rational(above, below)
-    assert number_sympy(expr) == float(Fraction(above, below))
-
-
 # The printer against twenty-digit SymPy, over a table of expressions at random admissible points.
 x, y, z = sp.symbols("x y z", real=True)
 Q = sp.Rational
@@ -355,31 +322,17 @@ SMALL = (1e-6, 1e-3)
 SMOOTH: dict[str, tuple[sp.Expr, tuple[float, float]]] = {
     "square": (x**2, ANY),
     "cube": (x**3, ANY),
-    "fifth": (x**5, ANY),
-    "seventh": (x**7, ANY),
-    "eighth": (x**8, ANY),
-    "ninth": (x**9, ANY),
     "large power": (x**31, ANY),
     "reciprocal": (1 / x, POSITIVE),
     "negative power": (x**-4, ANY),
-    "large negative power": (x**-17, POSITIVE),
     "root": (sp.sqrt(x), POSITIVE),
-    "root of a small number": (sp.sqrt(x), SMALL),
     "three halves": (x ** Q(3, 2), POSITIVE),
-    "seven halves": (x ** Q(7, 2), LARGE),
     "minus a half": (x ** Q(-1, 2), POSITIVE),
-    "minus five halves": (x ** Q(-5, 2), POSITIVE),
     "cube root": (x ** Q(1, 3), POSITIVE),
-    "two thirds of a large number": (x ** Q(2, 3), LARGE),
-    "minus two fifths": (x ** Q(-2, 5), POSITIVE),
     "float power": (x**1.25, POSITIVE),
     "symbolic power": (x**y, POSITIVE),
-    "negative symbolic power": (x ** (-y), POSITIVE),
-    "power of a number": (2**x, ANY),
     "exp": (sp.exp(x), ANY),
-    "exp of a negative": (sp.exp(-(x**2)), ANY),
     "log": (sp.log(x), (1.5, 20.0)),
-    "log of a large number": (sp.log(x), LARGE),
     "sin": (sp.sin(x), UNIT),
     "cos": (sp.cos(x), UNIT),
     "tan": (sp.tan(x), UNIT),
@@ -391,25 +344,16 @@ SMOOTH: dict[str, tuple[sp.Expr, tuple[float, float]]] = {
     "cosh": (sp.cosh(x), ANY),
     "tanh": (sp.tanh(x), ANY),
     "quotient": (x / y, POSITIVE),
-    "quotient of products": (2 * x**2 * y / (3 * z), POSITIVE),
     "several below": (x / (y * z**2 * sp.sqrt(x)), POSITIVE),
-    "sum": (x + 2 * y + 3 * z, POSITIVE),
-    "rational coefficients": (Q(1, 3) * x + Q(2, 7) * y, POSITIVE),
-    "minus": (-x / 3, ANY),
     "pi": (sp.pi * x / 4, ANY),
-    "e": (sp.E * x, ANY),
-    "golden": (sp.GoldenRatio * x, ANY),
     "nested": (sp.exp(sp.sin(x) / (1 + y**2)) * sp.sqrt(1 + z**2), ANY),
-    "horner": (x**3 * (10 + x * (6 * x - 15)), POSITIVE),
     "abs": (sp.Abs(x - 1), ANY),
     "sign": (sp.sign(x) * y, ANY),
     "max": (sp.Max(x, y), ANY),
     "max of three": (sp.Max(x, y, z), ANY),
-    "max with a number": (sp.Max(x, 0), ANY),
     "min": (sp.Min(x, y, Q(1, 2)), ANY),
     "clamp": (sp.Min(sp.Max(x, -1), 1) * y, ANY),
     "piecewise": (sp.Piecewise((x**2, x > 1), (y, x < -1), (z, True)), ANY),
-    "piecewise in a product": (2 * z * sp.Piecewise((1, x >= y), (-1, True)), ANY),
     "nested piecewise": (sp.Piecewise((sp.Piecewise((x, y > 0), (y, True)), z > 0), (z, True)), ANY),
     "piecewise of roots outside their domain": (sp.Piecewise((sp.sqrt(x), x > 0), (sp.sqrt(-x), True)), ANY),
     "piecewise of a quotient by zero": (sp.Piecewise((1 / sp.Max(x, 0), x > 0), (y, True)), ANY),
@@ -458,21 +402,13 @@ unknown = sp.Function("unknown")
 REFUSED = {
     "gamma": (sp.gamma(x), "gamma"),
     "erf": (sp.erf(x), "erf"),
-    "Heaviside": (sp.Heaviside(x), "Heaviside"),
-    "DiracDelta": (sp.DiracDelta(x), "DiracDelta"),
-    "floor": (sp.floor(x), "floor"),
     "user function": (unknown(x), "unknown"),
     "derivative": (sp.Derivative(unknown(x), x), "Derivative"),
     "integral": (sp.Integral(sp.exp(-(x**2)), (x, 0, y)), "Integral"),
-    "sum": (sp.Sum(x**y, (y, 1, 3)), "Sum"),
-    "limit": (sp.Limit(sp.sin(x) / x, x, 0), "Limit"),
     "imaginary unit": (sp.I * x, "ImaginaryUnit"),
     "infinity": (sp.oo, "Infinity"),
-    "minus infinity": (-sp.oo, "NegativeInfinity"),
     "nan": (sp.nan, "NaN"),
-    "zoo": (sp.zoo, "ComplexInfinity"),
     "piecewise without default": (sp.Piecewise((x, x > 0)), "says nothing about what remains"),
-    "piecewise with a last condition": (sp.Piecewise((x, x > 0), (y, x < -1)), "says nothing about what remains"),
     "matrix": (sp.Matrix([x, y]), "Matrix"),
     "hidden deep down": (sp.exp(1 + sp.sqrt(sp.gamma(x) + 2)), "gamma"),
 }
@@ -490,31 +426,6 @@ x, y = sp.symbols("x y", real=True)
 AT_X = np.array([-1.5, -0.3, 0.0, 0.4, 2.0])
 AT_Y = np.array([0.7, -0.3, 1.0, 0.2, -1.0])
 
-EXPRESSIONS = {
-    "smooth": sp.exp(x) * sp.sqrt(1 + y**2) / (2 + sp.cos(x)),
-    "piecewise": sp.Piecewise((x, x > y), (y**2, x < 0), (sp.Integer(3), True)),
-    "piecewise of numbers": sp.Piecewise((1, x >= 0), (-1, True)),
-    "max": sp.Max(x, y, sp.Rational(1, 4)),
-    "min": sp.Min(sp.Max(x, -1), 1),
-    "sign": sp.sign(x) + sp.Abs(y),
-    "atan2": sp.atan2(y, x),
-}
-
-
-def one_by_one(expr: sp.Expr) -> np.ndarray[Any, Any]:
-    function = CellFunction({"out": expr}, (x, y))
-    return np.array([float(function({x: float(a), y: float(b)})["out"]) for a, b in zip(AT_X, AT_Y, strict=True)])
-
-
-def test_symbolic_vectors_are_elementwise() -> None:
-    for name in EXPRESSIONS:
-        for kind in [ca.SX, ca.MX]:
-            expr = EXPRESSIONS[name]
-            a, b = kind.sym("a", 5), kind.sym("b", 5)
-            value = CellFunction({"out": expr}, (x, y))({x: a, y: b})["out"]
-            found = np.asarray(ca.Function("f", [a, b], [value])(AT_X, AT_Y)).ravel()
-            np.testing.assert_allclose(found, one_by_one(expr), rtol=1e-14)
-
 
 def test_sharing_changes_no_value() -> None:
     condition = x > y
@@ -530,29 +441,37 @@ def test_sharing_changes_no_value() -> None:
             assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])
 
 
+def rhs_of(scene: sc.Scene) -> tuple[Graph, CSource]:
+    filament = assembled(scene, choose_effects(scene))
+    return filament.graph, rhs_source(filament.graph, model_for(filament.structure))
+
+
 @pytest.mark.parametrize("kind", ["surface tension", "viscous stress, moving support", "point mass, no inertia"])
 def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph(kind: str) -> None:
-    scene = scene_of(kind)
-    graph, rng = assembled(scene, choose_effects(scene)).graph, np.random.default_rng(5)
-    dynamics, symbols = Dynamics(graph), [graph.t, graph.x, graph.z, graph.p]
+    (graph, source), rng = rhs_of(scene := scene_of(kind)), np.random.default_rng(5)
+    library = str(compile_library(source.files, flags=STRICT))
+    rhs, jacobian, powers = (ca.external(name, library) for name in (RHS, JACOBIAN, POWERS))
     states = [start + 0.01 * rng.standard_normal(len(start)) for start in (graph.start, graph.straight)]
     at = (0.3, *states, graph.vector(parameter_values(scene)))
+    symbols = [graph.t, graph.x, graph.z, graph.p]
+    of_rates = [[ca.jacobian(value, by) for by in symbols[:3]] for value in (graph.ode, graph.alg)]
+    of_powers = [ca.jacobian(graph.quad, by) for by in symbols[:3]]
+    # By parameters none is asked for.
+    none = [ca.SX(len(rows), len(graph.parameters)) for rows in (graph.start, graph.straight, graph.powers)]
     for function, of in [
-        (dynamics.rhs, [graph.ode, graph.alg]),
-        (dynamics.jacobian, [ca.jacobian(value, by) for value in (graph.ode, graph.alg) for by in symbols[:3]]),
-        (dynamics.powers, [graph.quad]),
-        (dynamics.powers.jacobian(), [ca.jacobian(graph.quad, by) for by in symbols[:3]]),
+        (rhs, [graph.ode, graph.alg]),
+        (jacobian, [*of_rates[0], *of_rates[1]]),
+        (rhs.jacobian(), [*of_rates[0], none[0], *of_rates[1], none[1]]),
+        (powers, [graph.quad]),
+        (powers.jacobian(), [*of_powers, none[2]]),
     ]:
-        given = at if function.n_in() == 4 else (*at, 0)
-        for one, other in zip(function.call(given), ca.Function("graph", symbols, of).call(at), strict=False):
+        given = [*at, *[0] * (function.n_in() - 4)]
+        for one, other in zip(function.call(given), ca.Function("graph", symbols, of).call(at), strict=True):
             found, expected = np.asarray(ca.densify(one)), np.asarray(ca.densify(other))
-            assert np.all(np.isfinite(expected))
+            assert found.shape == expected.shape and np.all(np.isfinite(expected))
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.max(np.abs(expected), initial=1e-300))
 
 
 def test_the_plain_right_hand_side_grows_by_tables_only() -> None:
-    few, many = (
-        rhs_source(assembled(s, choose_effects(s)).graph).size
-        for s in (scene_of("paper", numerics__cells=n) for n in (10, 20))
-    )
+    few, many = (rhs_of(scene_of("paper", numerics__cells=n))[1].size for n in (10, 20))
     assert many < 1.6 * few

@@ -35,7 +35,7 @@ from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.results.run import open_run
-from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
+from softcat_sym.scene.keys import TEMPLATES, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.store import keep
@@ -119,7 +119,7 @@ def test_faults_of_the_scene_come_before_those_of_the_folder(softcat: Softcat) -
 
 
 def test_new_writes_a_scene_of_every_law_with_comments(softcat: Softcat) -> None:
-    for law in LAWS:
+    for law in TEMPLATES:
         done = softcat("new", "my-ink.toml", "--law", law, "--span", "4 mm", "--force")
         assert (done.status, done.err) == (0, ""), law
         text, scene = Path("my-ink.toml").read_text(), sc.load_scene("my-ink.toml")

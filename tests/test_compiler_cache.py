@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import importlib.util
 import os
 import shlex
@@ -10,6 +9,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from pathlib import Path
@@ -19,7 +19,7 @@ import pytest
 from softcat_sym import cache
 from softcat_sym.codegen import compiler as asking
 from softcat_sym.codegen import library as cached
-from softcat_sym.codegen.compiler import beside, compiler_name, find_compiler
+from softcat_sym.codegen.compiler import beside, find_compiler
 from softcat_sym.codegen.library import OPTIMISED, cache_limit, compile_library, load
 from softcat_sym.errors import SoftcatError
 from tests.common.compilers import ANSWER, COMPILE, Counter, compiler, left_in
@@ -28,6 +28,8 @@ from tests.common.compilers import ANSWER, COMPILE, Counter, compiler, left_in
 @pytest.fixture(autouse=True)
 def native(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+    # A flag such as -march=native of whoever tests has each process ask the compiler for its processor.
+    monkeypatch.delenv("SOFTCAT_CFLAGS", raising=False)
     return tmp_path / "cache" / "native"
 
 
@@ -91,31 +93,23 @@ def test_a_compiler_is_asked_again_when_it_may_have_changed(tmp_path: Path, monk
     counter = Counter(tmp_path, monkeypatch)
     path, before = compile_library(ANSWER), len(counter.calls)
     counter.script.write_text(counter.script.read_text() + "# another\n")
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 1
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
     for text in cache.entries(cache.TEXTS):
         text.path.write_bytes(b"")
     asking._version.cache_clear()
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 4
 
 
-def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for version, name in [
-        ("cc (Debian 12.2.0-14+deb12u1) 12.2.0", "gcc 12.2.0"),
-        ("gcc-13 (Homebrew GCC 13.2.0) 13.2.0", "gcc 13.2.0"),
-        ("Apple clang version 15.0.0 (clang-1500.3.9.4)", "clang 15.0.0"),
-        ("tcc version 0.9.27 (x86_64 Linux)", "tcc 0.9.27"),
-        ("strange", "strange"),
-    ]:
-        assert asking.Compiler(("cc",), version).name == name
-    assert compiler_name().split()[0] in ("gcc", "clang")
-    monkeypatch.setattr(asking, "_PATIENCE", 0.5)
-    script = tmp_path / "odd-cc"
-    for prints, name in [("printf '\\n\\nodd 1.2\\n'", "odd 1.2"), ("sleep 60", "")]:
-        script.write_text(f"#!/bin/sh\n{prints}\n")
-        script.chmod(0o755)
-        asking._version.cache_clear()
-        monkeypatch.setenv("CC", str(script))
-        assert compiler_name() == name
+def test_a_compiler_without_its_linker_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = find_compiler()
+    assert found is not None
+    script = tmp_path / "cc"
+    script.write_text(
+        f'#!/bin/sh\nunset PATH\ncase "$*" in *-shared*) exit 1;; esac\nexec {shlex.join(found.command)} "$@"\n'
+    )
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    assert find_compiler() is None
 
 
 def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -126,6 +120,10 @@ def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> 
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     assert cache.cache_folder() == tmp_path / "home" / ".cache" / "softcat_sym"
+    if sys.platform == "linux":  # nor a home in the list of users, as of a container's --user 1234
+        monkeypatch.delenv("HOME")
+        monkeypatch.setattr("pwd.getpwuid", {}.__getitem__)
+        assert cache.cache_folder() == Path(tempfile.gettempdir()).resolve() / f"softcat_sym-{os.getuid()}"
     monkeypatch.setenv("SOFTCAT_CACHE", "~nobody-of-this-name/cache")
     refused("SOFTCAT_CACHE is '~nobody-of-this-name/cache'")
 
@@ -250,23 +248,6 @@ def test_a_disk_that_fills(limit: int, native: Path) -> None:
     assert any(one in done.stdout for one in said)
     assert left_in(native) == []
     assert load(compile_library(source)).answer() == 42
-
-
-def test_a_folder_without_space_is_no_reason_to_compile_elsewhere(
-    native: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    write = Path.write_text
-
-    def full(path: Path, data: str, encoding: str | None = None) -> int:
-        if path.name in ("about.txt", "answer.c"):
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        return write(path, data, encoding)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Path, "write_text", full)
-        refused("No space left on device; free some space")
-    assert left_in(native) == []
-    assert load(compile_library(ANSWER)).answer() == 42
 
 
 # Compilers that hang, and processes that are interrupted or killed.

@@ -12,10 +12,10 @@ from scipy.integrate import solve_ivp
 import softcat_sym as sc
 from softcat_sym.physics import conformation
 from softcat_sym.physics.conformation import ChainResponse, respond
-from softcat_sym.physics.laws import FIXED
+from softcat_sym.physics.laws import law_of
 from softcat_sym.physics.sections import CIRCLE, SHEET, Section
 from softcat_sym.physics.symbols import E
-from softcat_sym.scene.material import CONSTANTS, POLYMERS
+from softcat_sym.scene.laws import LAWS
 from tests.common.polymers import (
     LAMBDA,
     OWN,
@@ -30,15 +30,17 @@ from tests.common.polymers import (
 )
 from tests.marks import few
 
+POLYMERS = [one.name for one in LAWS.values() if one.has_chains]
+
 
 def law_numbers(law: str) -> dict[sp.Symbol, float]:
     """What the symbols of a law stand for."""
-    own = {one.symbol: OWN[law][one.name] for one in FIXED[law].constants if one.name in OWN[law]}
+    own = {one.symbol: OWN[law][one.name] for one in law_of(law).constants if one.name in OWN[law]}
     return {E: 3 * G, conformation.relaxation_time: LAMBDA, **own}
 
 
 def chains_of(law: str, section: Section = CIRCLE) -> ChainResponse:
-    chains = FIXED[law].chains
+    chains = law_of(law).chains
     assert chains is not None
     return respond(section, chains)
 
@@ -299,19 +301,9 @@ def test_a_storage_modulus_of_chains_is_a_third_of_youngs() -> None:
     assert any("solvent viscosity 2 Pa s in shear = 6 Pa s in tension" in note for note in material.notes)
 
 
-def test_explain_writes_the_chains() -> None:
-    for law, says in (("fene-p", "stiffening of the chains"), ("ptt", "relaxation along a fibre")):
-        explained = sc.explain(hanging(law))
-        names = [one.name for one in explained.equations]
-        assert {"conformation along a fibre", "conformation across a fibre", "stress of the chains", says} <= set(names)
-        kinds = {row["kind"]: row["number"] for row in explained.unknowns}
-        assert kinds["chains_along"] == kinds["chains_across"] == 5 * 4
-
-
 def test_without_chains_nothing_of_them_is_left() -> None:
     """No symbol and no state."""
-    assert FIXED["maxwell"].chains is None
-    assert set(POLYMERS) <= set(CONSTANTS)
+    assert law_of("maxwell").chains is None
     data = sc.simulate(
         sc.Scene.from_dict(
             {

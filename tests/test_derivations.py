@@ -256,10 +256,13 @@ def test_a_stiff_shear_leaves_the_force_of_the_thin_filament() -> None:
 
 
 def test_shear_correction_of_the_circle_agrees_with_elasticity_when_incompressible() -> None:
-    assert 6 * 1.5 / (7 + 6 * 0.5) == pytest.approx(float(reissner.CIRCLE_SHEAR))
+    assert 6 * 1.5 / (7 + 6 * 0.5) == pytest.approx(float(CIRCLE.shear_correction))
     height = np.linspace(-1, 1, 20001)
     parabola = 1 - height**2
-    for weight, held in ((np.ones_like(height), reissner.RECTANGLE_SHEAR), (np.sqrt(parabola), reissner.CIRCLE_SHEAR)):
+    for weight, held in (
+        (np.ones_like(height), RECTANGLE.shear_correction),
+        (np.sqrt(parabola), CIRCLE.shear_correction),
+    ):
         total = weight.sum()
         mean, square = (parabola * weight).sum() / total, (parabola**2 * weight).sum() / total
         assert mean**2 / square == pytest.approx(float(held), rel=1e-4)

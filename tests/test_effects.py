@@ -12,8 +12,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
+from softcat_sym.batch.phase_runs import refuse_scene
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
     damping,
@@ -40,11 +40,9 @@ from softcat_sym.reference.calculix import calculix_deck
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.dimensions import is_spatial
-from softcat_sym.scene.material import POLYMERS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import length_text
-from softcat_sym.studies.phase_runs import refuse_scene
 from tests.common.scenes import scene_of
 
 # Effects are well formed, independent of one another, and leave nothing behind when absent.
@@ -71,7 +69,7 @@ def without(*names: str) -> tuple[str, ...]:
 def test_paper_takes_the_published_effects_that_apply() -> None:
     for name in bundled_names():
         scene = load_scene(name, {"run.effects": "paper"})
-        if scene.material.law in POLYMERS:
+        if scene.material.spec.has_chains:
             # Its bending is not linear through the thickness, which the published list takes for granted.
             with pytest.raises(SceneError, match="fibres"):
                 choose_effects(scene)
@@ -162,20 +160,8 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {
-        "viscous-stress",
-        "gravity-shaking",
-        "surface-tension",
-        "solid-damping",
-        "buoyancy",
-        "drag",
-        "added-mass",
-        "curing",
-        "structure",
-        "backstress",
-        "natural-strain",
-        "temperature",
-    }
+    possible = {effect.name for effect in REGISTRY if effect.applies(scene)}
+    assert set(effects.left_out) == possible - set(effects.names)
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 
@@ -287,32 +273,6 @@ def test_an_effect_is_told_by_the_sag_without_it() -> None:
     for name in ("bending", "extensibility"):
         sag, without = (length_text(one, 2) for one in (found[name].sag, found[name].sag * found[name].without))
         assert reasons[name] == f"sag about {sag}; without it {without}"
-
-
-TOLD = {
-    "sag about 12 um; without it 61 um": Estimate(1.0, "", without=61 / 12, sag=12e-6),
-    "sag about 12 um; without it 0.61 um": Estimate(0.95, "", without=0.61 / 12, sag=12e-6),
-    "sag about 12 um; without it unbounded": Estimate(1.0, "", without=math.inf, sag=12e-6),
-    "without it the sag is about 3 % larger": Estimate(0.03, "", without=1.03, sag=12e-6),
-    "it changes how the midpoint swings; without it the sag is about 3 % smaller": Estimate(
-        0.4, "", without=0.97, sag=12e-6
-    ),
-    "it changes when the midpoint gets there and how it swings, by about 90 % of the sag on the way": Estimate(
-        0.9, "", late=True, sag=12e-6
-    ),
-    "it moves the midpoint by about 20 % of the sag": Estimate(0.2, "", sag=12e-6),
-    "it changes nothing": Estimate(0.0, "", without=1.0, sag=12e-6),
-}
-
-
-@pytest.mark.parametrize("words", TOLD)
-def test_words_of_an_estimate(words: str) -> None:
-    assert str(TOLD[words]) == words
-
-
-def test_of_a_run_that_lacks_an_effect_its_own_sag_is_the_one_without_it() -> None:
-    seen = Estimate(0.5, "", without=2.0).seen(60e-6, lacking=True)
-    assert str(seen) == "sag about 30 um; without it 60 um"
 
 
 def test_no_prediction_goes_beyond_free_fall() -> None:
@@ -583,12 +543,6 @@ def test_a_cantilever_of_a_paste_stops_where_it_can_hang() -> None:
     assert (lost.name, lost.arrest_exact) == ("descending", 1.0)
 
 
-def warned(name: str, *changes: str) -> str:
-    scene = sc.load_scene(name, list(changes))
-    effects = choose_effects(scene)
-    return " | ".join(theory_limits(scene, effects.names, effects.terms()))
-
-
 def test_rupture_is_foretold_where_runs_have_shown_it() -> None:
     for G, V, ruptures in [
         (0.25, 0.4, False),
@@ -602,23 +556,6 @@ def test_rupture_is_foretold_where_runs_have_shown_it() -> None:
         scene = sc.load_scene(PAPER, list(grouped(G, V)))
         told = " ".join(theory_limits(scene, PUBLISHED, terms_of(scene, PUBLISHED)))
         assert ("near rupture" in told) == ruptures
-
-
-def test_warnings_of_bundled_scenes() -> None:
-    assert "near rupture" in warned("edge-of-rupture")
-    assert "never stops" in warned("continual-descent")
-    assert warned("ink-bridge") == ""
-    assert "too thick" in warned("toothpaste")
-    for sound in ("arrested-overdamped", "arrested-underdamped", "no-yield", "maxwell-slow", "cold-honey", "glass-rod"):
-        assert warned(sound) == ""
-
-
-def test_surface_tension_left_out_by_name_is_told_with_its_worth() -> None:
-    assert "surface tension is left out by run.effects, but would take about" in warned(
-        "ink-bridge", "run.effects=paper"
-    )
-    assert "by run.closure = 'printed'" in warned("ink-bridge", "run.closure=printed")
-    assert warned("ink-bridge", "run.effects=paper", "surroundings.surface_tension=0.1 mN/m") == ""
 
 
 def test_surface_tension_adds_to_the_yield_stress_where_tension_holds() -> None:

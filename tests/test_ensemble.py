@@ -7,23 +7,19 @@ import signal
 import threading
 import time
 from collections.abc import Callable
-from io import StringIO
 from typing import Any
 
 import numpy as np
 import pytest
-from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym import progress
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.ensemble.ensemble import Ensemble, MembersBar, Workshop, tolerances
-from softcat_sym.ensemble.members import Choosing, Row, constants_of, members_of, rows_of, written
+from softcat_sym.batch.ensemble import Ensemble
+from softcat_sym.batch.members import Choosing, Row, constants_of, members_of, rows_of, written
+from softcat_sym.batch.worker import tolerances
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CModel
-from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import settings_for
 
 SHORT = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 11, "numerics.estimate": False}
@@ -223,26 +219,6 @@ def test_tolerances_are_those_of_a_single_run() -> None:
         assert tolerances(member) == settings_for(scene, member.effects, compiled=member.backend.compiled), name
 
 
-def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: pytest.MonkeyPatch) -> None:
-    made: list[int] = []
-
-    def counting(scene: sc.Scene, effects: Effects) -> Assembled:
-        made.append((found := assembled(scene, effects)).graph.grid.cells)
-        return found
-
-    monkeypatch.setattr("softcat_sym.ensemble.ensemble.assembled", counting)
-    scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
-    workshop = Workshop()
-    for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):
-        workshop.prepare(member)
-    assert made == [6]
-    rows: list[Row] = [{"ends.right": end, "numerics.cells": n} for end in ("clamped", "pinned") for n in (6, 8)]
-    for member in members_of(scene, rows, "once"):
-        workshop.prepare(member)
-    # Clamped at both ends, half a span is enough.
-    assert made == [6, 6, 8, 12, 16]
-
-
 def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
     listener = Listener()
     single = sc.simulate_many(SCENE, TABLE, workers=1)
@@ -338,16 +314,6 @@ def test_refusals_come_before_any_run(monkeypatch: pytest.MonkeyPatch) -> None:
         sc.simulate_many(elastic, {"numerics.backend": ["auto", "compiled"]})
 
 
-def test_the_bar_draws_at_once_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(progress, "_DELAY", 0.0)
-    drawn, plain = StringIO(), StringIO()
-    for stream, options in ((drawn, {"force_terminal": True, "width": 100}), (plain, {})):
-        with MembersBar("arrested", console=Console(file=stream, **options)) as bar:  # type: ignore[arg-type]
-            bar.update(4, 4, 0.0)
-    assert "arrested" in drawn.getvalue() and "4 of 4" in drawn.getvalue()
-    assert not plain.getvalue(), "plain lines come after two seconds"
-
-
 def test_ctrl_c_between_members_and_within_one() -> None:
     before = threading.active_count()
     listener = Listener(lambda: os.kill(os.getpid(), signal.SIGINT))
@@ -359,7 +325,7 @@ def test_ctrl_c_between_members_and_within_one() -> None:
         begun = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             sc.simulate_many(LONG, {"run.duration": durations}, workers=2, progress=progress_listener)
-        assert time.monotonic() - begun < 5
+        assert time.monotonic() - begun < 60, "all of them would take some ten minutes"
     press.join()
     assert threading.active_count() == before
     # And the next one runs as if nothing had been.

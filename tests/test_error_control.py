@@ -11,7 +11,6 @@ import pytest
 from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.error_control import control, refinement
@@ -102,14 +101,6 @@ def test_each_error_is_found_in_its_place() -> None:
 def test_the_error_of_the_steps_is_found_where_larger_ones_have_no_answer() -> None:
     found = Known(time=3.0, fails_above=FIRST.rtol).judged(LINEAR)
     assert found.time == pytest.approx(3.0 * FIRST.rtol, rel=1e-2) and found.failed == ()
-
-
-def test_another_order_is_missed_by_a_known_factor() -> None:
-    """True error over estimate, from 3/(2^p - 1): an estimate that supposes second order."""
-    for order, low, high in ((1.0, 2.5, 3.5), (1.5, 1.4, 1.9), (3.0, 0.35, 0.5)):
-        known = Known(space=2.0, order=order)
-        space = known.judged(FIRST).space
-        assert space is not None and low < known.parts(FIRST)[0] / space < high
 
 
 def test_what_steps_take_from_a_ringing_is_found_though_looser_ones_can_take_little_more() -> None:
@@ -328,6 +319,7 @@ def test_a_run_is_as_near_a_finer_one_as_its_estimate_says(accuracy: float) -> N
     assert best.summary["next_digit"] is None
 
 
+@pytest.mark.compiled
 def test_a_rod_pulled_along_its_axis_is_judged_and_told_by_its_extension() -> None:
     """A viscous thread under a dead force F, eta A_0/s d(log s)/dt = F: s = 1/(1 - F t/(eta A_0))."""
     run = simulate(CASES / "pulled-rod-newtonian.toml")
@@ -361,6 +353,7 @@ def test_a_hanging_fibre_is_judged_by_its_elongation() -> None:
     assert "moved 49.1 µm down ± 0." in dict(answer_rows(run.summary, run.scene))["right end"]
 
 
+@pytest.mark.compiled
 def test_what_is_only_pulled_straight_or_turned_about_itself_is_not_refined() -> None:
     """It is displaced by rounding, a thousandth of how far its end goes, or a hundredth of how far its surface does."""
     loaded = {"load.gravity": "0 m/s^2", "ends.right": "clamped"}
@@ -375,6 +368,15 @@ def test_what_is_only_pulled_straight_or_turned_about_itself_is_not_refined() ->
         assert rows["displacement"].startswith("as good as none: at most ") and "sag" not in rows
         assert run.summary["error_estimate"]["sideways"] is None
         assert ("right_twist" in str(changes)) == (run.summary["error_estimate"]["turn"] is not None)
+
+
+def test_a_support_that_stops_as_the_run_ends_moves_until_then() -> None:
+    """Else the last step of an interpreted run leaves the nodes beside it behind: 2e-3 of the energy."""
+    loaded = {"load.gravity": "0 m/s^2", "ends.right": "clamped", "ends.left_angle": "0 deg"}
+    loaded |= {"numerics.backend": "interpreted", "numerics.cells": "10", "numerics.estimate": "false"}
+    pulled = {"ends.motion": [["0 s", "0 m", "0 m"], ["5 s", "0.005 m", "0 m"]]}
+    run = simulate(load_scene(str(CASES / "hanging-fibre.toml"), loaded | pulled))
+    assert run.outcome.is_success and run.summary["energy_residual"] < 1e-6
 
 
 def test_displacement_counts_from_where_supports_hold_a_straight_filament() -> None:
@@ -428,7 +430,7 @@ def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
     assert "numerics.grading" in run.summary["message"]
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler: install gcc, or set CC")
+@pytest.mark.compiled
 @pytest.mark.parametrize(("most", "fewest"), [(20_000_000, 800), (10_000, 100)])
 def test_a_long_ringing_is_integrated_once_to_be_told_and_to_be_judged(
     most: int, fewest: int, monkeypatch: pytest.MonkeyPatch

@@ -19,7 +19,6 @@ import pytest
 import xarray as xr
 
 from softcat_sym import cache, store
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, made, replace_atomically, write_results, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
@@ -70,7 +69,7 @@ def test_whoever_puts_ctrl_c_off_puts_sigterm_off() -> None:
     assert heard == [signal.SIGINT]
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.compiled
 def test_what_casadi_swallows_is_heard_before_a_compiler_is_waited_for() -> None:
     def model() -> Any:
         with suppress(KeyboardInterrupt):  # as CasADi does while it looks at its arguments
@@ -137,7 +136,7 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
     assert not output.exists()
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.compiled
 @pytest.mark.parametrize("compiling", ["the runtime", "the model"])
 @pytest.mark.slow
 def test_sigterm_ends_the_compiler_and_removes_its_folder(

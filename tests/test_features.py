@@ -11,8 +11,6 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.features import SLACKEST, TAUTEST, Features, modulus_of, read_features, stiffness_number
-from softcat_sym.plotting.fit_figures import features_figure
-from softcat_sym.plotting.style import png
 from tests.common.draws import deviations, draws, errors_away, shares
 from tests.common.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
 
@@ -177,17 +175,6 @@ def test_a_midpoint_that_never_moves_has_no_features_and_says_why() -> None:
     for one in (found.t_low, found.t_high, found.frequency, found.decay, found.sag, found.prefactor):
         assert one.value is None
         assert one.reason
-
-
-@pytest.mark.parametrize("rings", [True, False])
-def test_features_are_drawn_on_the_film_and_named_below(rings: bool) -> None:
-    time, midpoint = film(200, 0.01, 7, rings=rings)
-    found = read(time, midpoint)
-    picture = features_figure(time, midpoint, found, "a film")
-    said = " ".join(text.get_text() for text in picture.texts)
-    assert ("rad/s" in said) == rings
-    assert rings or found.frequency.reason in said
-    assert png(picture).startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("mode", [3.3, 4.0, 6.0, 8.5])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import itertools
 import json
-import logging
 import math
 import time
 from collections.abc import Callable
@@ -17,13 +16,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
-from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import drawing, store
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting import fit as fit_module
@@ -34,28 +30,20 @@ from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
-from softcat_sym.plotting import style
 from softcat_sym.plotting.fit import fit_page, fitted_toml
 from softcat_sym.plotting.fit_figures import (
     JOINT,
-    correlation_figure,
-    curves_figure,
     model_bands,
-    profiles_figure,
     smooth,
-    starts_figure,
     unit_ellipse,
 )
 from softcat_sym.plotting.fit_words import (
     display_unit,
     parameter_texts,
-    rounded,
     with_error,
 )
-from softcat_sym.plotting.style import png
 from softcat_sym.results import run as run_module
 from softcat_sym.results import verdict
-from softcat_sym.scene.material import POLYMERS
 from softcat_sym.solvers.compiled import CModel
 from tests.common.draws import draws, misses, shares
 from tests.common.filmed import TRUTH, film, scene
@@ -95,6 +83,7 @@ def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "energy residual 0.5" in other.message
 
 
+@pytest.mark.compiled
 @pytest.mark.statistical
 @pytest.mark.parametrize("cells", [4, 16])
 def test_a_grid_that_is_fixed_too_coarsely_is_neither_the_law_nor_outliers(cells: int) -> None:
@@ -159,7 +148,7 @@ def test_every_scene_takes_every_law_and_reads_back(name: str, law: str) -> None
     if tensile.index is not None:
         assert material.index == pytest.approx(tensile.index, rel=1e-9)
     # Of chains the storage modulus is a third of Young's, of other laws by Poisson's ratio.
-    if base.material.youngs_modulus and base.material.law not in POLYMERS:
+    if base.material.youngs_modulus and not base.material.spec.has_chains:
         assert material.youngs_modulus == base.material.youngs_modulus
         assert fitted_scene(FIT, base, law) == scene
     assert (scene.filament, scene.run) == (base.filament, base.run)
@@ -184,14 +173,6 @@ def test_what_is_set_wins_over_the_fit() -> None:
         fitted_scene(FIT, "no-yield", "bingham", ["material.yield_stress"])
 
 
-FIGURES: dict[str, Callable[[sc.Fit], Figure]] = {
-    "curves": curves_figure,
-    "profiles": profiles_figure,
-    "starts": starts_figure,
-    "correlation": correlation_figure,
-}
-
-
 @pytest.fixture(scope="module")
 def two_fitted() -> sc.Fit:
     return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], starts=2)
@@ -201,48 +182,6 @@ def two_fitted() -> sc.Fit:
 def test_a_fit_gives_the_pictures_of_its_files(two_fitted: sc.Fit, tmp_path: Path) -> None:
     written = {path.stem for path in two_fitted.write(tmp_path) if path.suffix == ".png"}
     assert written == set(two_fitted.figures()) >= {"fit", "starts", "correlation"}
-
-
-@pytest.mark.parametrize("name", FIGURES)
-def test_every_word_is_on_the_paper_and_on_no_other(
-    name: str, two_fitted: sc.Fit, caplog: pytest.LogCaptureFixture
-) -> None:
-    title = {"title": "$x$ 世 " + 12 * "a very long title "}
-    long = replace(two_fitted, scene=two_fitted.scene.model_copy(update=title))
-    worst = replace(long, outcome=FitOutcome.not_identified, checks=replace(long.checks, verdict="cannot tell"))
-    figure = FIGURES[name](replace(worst, noise=9.99e-4, noise_known=False))
-    with caplog.at_level(logging.WARNING):
-        assert png(figure).startswith(b"\x89PNG")
-    # A font that is missing is said there, and so is mathtext, which asks for many.
-    assert not caplog.records
-    boxes = []
-    for text in figure.findobj(Text):
-        box = text.get_window_extent()
-        if not (text.get_visible() and text.get_text().strip()) or not _inside_limits(text, figure):
-            continue
-        assert box.x0 >= 0 and box.y0 >= 0, text
-        assert box.x1 <= figure.bbox.width and box.y1 <= figure.bbox.height, text
-        boxes.append((text.get_text(), box))
-    for (one, a), (other, b) in itertools.combinations(boxes, 2):
-        assert not a.overlaps(b), (one, other)
-    for axes in figure.axes:
-        assert not axes.xaxis.get_offset_text().get_text() and not axes.yaxis.get_offset_text().get_text()
-
-
-def _inside_limits(text: Text, figure: Figure) -> bool:
-    """Whether a label is one that is drawn: ticks beyond the limits are kept, but not shown."""
-    for axes in figure.axes:
-        for axis, low, high in ((axes.xaxis, *axes.get_xlim()), (axes.yaxis, *axes.get_ylim())):
-            for tick in axis.get_major_ticks():
-                if text is tick.label1 or text is tick.label2:
-                    return min(low, high) <= tick.get_loc() <= max(low, high)
-    return True
-
-
-def test_parameter_axes_have_two_ticks_at_least(two_fitted: sc.Fit) -> None:
-    for axes in (*profiles_figure(two_fitted).axes, *starts_figure(two_fitted).axes):
-        low, high = axes.get_xlim()
-        assert sum(low <= place <= high for place in axes.xaxis.get_majorticklocs()) >= 2
 
 
 def test_the_band_is_what_the_covariance_makes_of_the_model(two_fitted: sc.Fit) -> None:
@@ -284,14 +223,6 @@ def test_the_ellipse_is_that_of_the_correlation(r: float) -> None:
     assert least <= inside.mean() <= most
 
 
-def test_a_parameter_of_no_correlation_and_films_of_one_sort_are_drawn(two_fitted: sc.Fit) -> None:
-    unknown = replace(two_fitted, correlation=np.full((2, 2), np.nan), profiles=())
-    words = [text.get_text() for text in correlation_figure(unknown).findobj(Text)]
-    assert "–" in words
-    with style.styled():
-        correlation_figure(unknown).draw_without_rendering()
-
-
 @pytest.mark.parametrize(
     ("value", "error", "text"),
     [
@@ -306,10 +237,6 @@ def test_a_parameter_of_no_correlation_and_films_of_one_sort_are_drawn(two_fitte
 )
 def test_as_many_digits_as_the_error_has_meaning(value: float, error: float, text: str) -> None:
     assert with_error(value, error) == text
-
-
-def test_without_an_error_three_digits() -> None:
-    assert rounded(1957.417, None) == rounded(1957.417, math.nan) == rounded(1957.417, 0.0) == "1957"
 
 
 def test_units_have_prefixes_where_they_are_known() -> None:
@@ -413,7 +340,7 @@ def test_a_time_limit_ends_in_an_answer_or_in_words(seconds: float) -> None:
         assert found.late
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+@pytest.mark.compiled
 @pytest.mark.parametrize("evaluations", [0, 9])
 def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """After some evaluations one takes a minute unless it is stopped: the fit has its result so far, or says why."""
@@ -441,8 +368,8 @@ def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: 
         assert evaluations == 0 and "the time limit passed before the first start" in str(error)
     else:
         assert evaluations and found.late
-    # Within a tenth, and what a busy machine takes to notice it.
-    assert time.monotonic() - start < 3.3 + 2
+    # What is not stopped takes a minute; half of it is what a busy machine may take to notice the limit.
+    assert time.monotonic() - start < 33
 
 
 def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from pathlib import Path
@@ -10,17 +9,15 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from rich.console import Console
 from scipy.optimize import least_squares
 from scipy.stats import chi2
 from scipy.stats import t as student
 
 import softcat_sym as sc
-from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import json_bytes
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.flow_curve import (
+    FITTED,
     INDEX_BOUNDS,
     Candidate,
     FlowCurve,
@@ -30,28 +27,21 @@ from softcat_sym.fitting.flow_curve import (
     read_flow_curve,
 )
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
-from softcat_sym.plotting.flow_curve import flow_curve_figure
+from softcat_sym.scene.laws import LAWS as SPECS
 from tests.common.draws import draws, shares
 from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
 from tests.common.in_process import Softcat, sets
 
-LAWS = ("newtonian", "bingham", "power-law", "herschel-bulkley")
+LAWS = [law.name for law in FITTED]
 ROWS = "1,14\n10,20\n100,40\n1000,90\n"
 HEADER = "shear_rate_1_s,shear_stress_Pa\n"
 
+# What every reader of tables takes and refuses stands in test_measurements.py.
 READ = {
-    "BOM": "\ufeff" + HEADER + ROWS,
-    "comments": "# sample 7, 23 C\n\n  # cup and bob\n" + HEADER + ROWS.replace("100,", "# pause\n\n100,"),
-    "spaces": " shear_rate_1_s , shear_stress_Pa \n" + ROWS.replace(",", " ,  "),
-    "CRLF": (HEADER + ROWS).replace("\n", "\r\n"),
-    "quotes": '"shear_rate_1_s","shear_stress_Pa"\n' + ROWS.replace("14", '"14"'),
     "other columns": "note,shear_stress_Pa,shear_rate_1_s\nslow,14,1\n,20,1e1\nnan,40,100\n,90,1000,,\n",
-    "Excel": "sep=;\n" + (HEADER + ROWS.replace("20", "20,0")).replace(",", ";").replace("20;0", "20,0"),
-    "tabs": (HEADER + ROWS).replace(",", "\t"),
     "decimal commas": "Shear rate [1/s];Shear Stress (kPa)\n1,0;0,014\n10;2e-2\n100;,04\n1000,;0.090\n",
     "units": "shear_rate_1/min,shear_stress_mPa\n60,14000\n600,2e4\n6e3,4e4\n60000,9e4\n",
-    "s^-1": "shear rate (s^-1),shear_stress_Pa\n" + ROWS,
-    "s-1": "shear rate [s-1],shear stress [Pa]\n" + ROWS,
+    "s-1": "shear rate [s-1],shear stress (Pa)\n" + ROWS,
     "slashes": "Shear rate / 1/s,Stress / Pa\n" + ROWS,
     "one sample": "sample_id,shear_rate_1/s,stress_Pa\n" + "".join(f"ink,{row}\n" for row in ROWS.split()),
 }
@@ -63,21 +53,12 @@ REFUSED = [
     ("shear_rate_1_s,shear_stress_Pa,Stress (Pa)\n" + ROWS, r"2 columns for one quantity: shear_stress_Pa, Stress"),
     ("shear_rate_rpm,shear_stress_Pa\n" + ROWS, "rpm is a rotational speed"),
     ("Sample,shear_rate_1_s,shear_stress_Pa\nink,1,2\nclay,1,3\n", "2 samples; accepted: --sample with .* ink, clay"),
-    ("shear_rate_1_s shear_stress_Pa\n", "separated by commas, semicolons or tabs"),
-    ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns for one quantity: shear_rate_1_s, shear"),
-    ("shear_rate_1_s,shear stress [kbananas]\n" + ROWS, r"column 'shear stress \[kbananas\]': unknown unit"),
     ("shear_rate_s,shear_stress\n" + ROWS, "2 faults.*'s' is a time, not a shear rate.*no unit in its name"),
-    (HEADER + "1,14,5\n" + ROWS, "line 2: 3 cells under 2 names.*decimal commas need semicolons"),
     (HEADER + ROWS.replace("20", "twenty"), "line 3, shear_stress_Pa: 'twenty' is not a number"),
     (HEADER + ROWS.replace("20", "").replace("40", "n/a"), r"2 of 4 rows without a number \(line 3, line 4\)"),
-    (HEADER + ROWS.replace("20", "1_000"), "'1_000' is not a number"),
-    (HEADER + ROWS.replace("20", "1e999"), "inf is not finite"),
     (HEADER + ROWS.replace("20", "-20"), "line 3, shear_stress_Pa: -20 is not positive"),
-    (HEADER + ROWS.replace("\n10,", "\n0,"), "line 3, shear_rate_1_s: 0 is not positive"),
     (HEADER + ROWS.replace("20", "2e20"), "outside of the range of a rheometer"),
     (HEADER + ROWS.replace("1000,", "100.00000001,") + "1,15\n10,21\n", "3 distinct shear rates"),
-    (HEADER + "a,b\n" * 9, "18 faults.*and 10 more"),
-    (HEADER + ROWS + "\0", "not text"),
 ]
 
 
@@ -111,17 +92,6 @@ def test_bad_files_and_points_are_one_clear_refusal(tmp_path: Path) -> None:
         path.write_text(text)
         with pytest.raises(SoftcatError, match=rf"(?s)flow curve {path}: .*{message}"):
             fit_flow_curve(str(path))
-    contents = (
-        (HEADER.encode() + "1,14\n# 20 °C\n".encode("latin-1"), "line 3: not UTF-8"),
-        (b"1" * ((1 << 24) + 1), "longer than 16 MiB"),
-    )
-    for content, message in contents:
-        path.write_bytes(content)
-        with pytest.raises(SoftcatError, match=message):
-            fit_flow_curve(path)
-    for absent, message in ((tmp_path / "nowhere.csv", "no such file"), (tmp_path, "a directory")):
-        with pytest.raises(SoftcatError, match=message):
-            fit_flow_curve(absent)
     points = [
         ([1, 2, 3, 4], [1, 2, 3], r"shape \(4,\).*shape \(3,\)"),
         ([[1, 2], [3, 4]], [[1, 2], [3, 4]], "lists of the same length"),
@@ -143,7 +113,7 @@ def constants(one: Candidate) -> list[float]:
 def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
     """Constants and sum of squares from SciPy's trust region, the best of many starts; k is fitted by its logarithm."""
     rate, stress = curve.shear_rate, curve.shear_stress
-    has_yield, has_index = law in ("bingham", "herschel-bulkley"), law in ("power-law", "herschel-bulkley")
+    has_yield, has_index, p = SPECS[law].yields, SPECS[law].has_index, SPECS[law].shear_exponent
 
     def unpack(x: np.ndarray) -> tuple[float, float, float]:
         rest = list(x)
@@ -152,7 +122,7 @@ def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
 
     def residual(x: np.ndarray) -> np.ndarray:
         tau_Y, k, n = unpack(x)
-        return (tau_Y + k * rate**n) / stress - 1
+        return (tau_Y**p + (k * rate**n) ** p) ** (1 / p) / stress - 1
 
     low = [0.0] * has_yield + [-60.0] + [INDEX_BOUNDS[0]] * has_index
     high = [np.inf] * has_yield + [60.0] + [INDEX_BOUNDS[1]] * has_index
@@ -371,25 +341,3 @@ def test_bad_input_is_one_message_and_leaves_nothing(paste: Path, softcat: Softc
         done = softcat("flow-curve", *arguments, "-o", str(tmp_path / "out"))
         assert done.status == 2 and message in done.err, arguments
         assert not (tmp_path / "out").exists()
-
-
-def test_picture_table_and_document_of_every_case() -> None:
-    narrow, wide = np.geomspace(1, 1.02, 5), np.geomspace(1e-9, 1e9, 19)
-    cases = {
-        "exact": curve_of(12.0, 3.4, 0.43),
-        "noisy": curve_of(0.0, 3.4, 1.6, noise=0.4, seed=2),
-        "falling": FlowCurve(RATE, 10 * RATE**-0.2),
-        "narrow": FlowCurve(narrow, 5 + narrow),
-        "wide": FlowCurve(wide, 1e3 * wide**0.5),
-        "plateau": FlowCurve(RATE, 0 * RATE + 7),
-    }
-    for name, curve in cases.items():
-        fit = fit_flow_curve(curve)
-        above, below = flow_curve_figure(fit).axes
-        assert above.get_xlim() == below.get_xlim(), name
-        low, high = above.get_ylim()
-        assert all(low < one.fitted.min() and one.fitted.max() < high for one in fit.candidates), name
-        screen = Console(file=io.StringIO(), width=80, color_system=None)
-        drawing.report(fit).print(screen)
-        assert "…" not in screen.file.getvalue(), name  # type: ignore[attr-defined]
-        assert set(json.loads(json_bytes(fit.to_dict()))["candidates"]) == set(LAWS), name

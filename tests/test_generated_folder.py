@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-import json
 import math
 import os
 import re
@@ -164,35 +163,6 @@ def test_the_folder_holds_all_that_a_build_needs(tmp_path: Path) -> None:
     assert "Your own integrator" in (tmp_path / "again" / "README.md").read_text()
 
 
-def test_the_manifest_and_the_parameters_say_what_they_are(tmp_path: Path) -> None:
-    sc.generate(once("transient-gel"), tmp_path)
-    manifest = json.loads((tmp_path / "manifest.json").read_text(encoding="utf-8"))
-    structure, units = manifest["structure"], {one["name"]: one["unit"] for one in manifest["parameters"]}
-    assert (structure["law"], structure["section"], structure["theory"]) == ("custom", "circle", "reissner")
-    assert structure["ends"] == ["plane of symmetry", "clamped"] and "shear" in structure["effects"]
-    # Those of the user's own law, too.
-    assert (units["t0"], units["youngs_modulus"]) == ("s", "Pa") and units["s0"] in ("Pa", "kg/m/s^2")
-    assert manifest["sizes"]["bytes_of_text"] < 200_000
-    assert [one["kind"] for one in manifest["unknowns"]][:2] == ["differential", "differential"]
-    lines = (tmp_path / "parameters.txt").read_text().splitlines()
-    listed = [line.split(" ")[0] for line in lines if " = " in line and not line.startswith("#")]
-    assert listed[: len(units)] == list(units)
-    sc.generate(once("oobleck"), tmp_path / "power")
-    assert "Pa*s^n" in (tmp_path / "power" / "parameters.txt").read_text(), "a consistency has its own unit"
-
-
-def test_a_bent_scene_has_its_start(tmp_path: Path) -> None:
-    scene = once("slime-slope", ["numerics.cells=6"])
-    sc.generate(scene, tmp_path)
-    heading, first, *_, last = (tmp_path / "start.csv").read_text().splitlines()
-    assert heading.startswith("X,x,y,u,v,psi,omega,axial_0")
-    assert first.startswith("-0.5,") and last.startswith("0.5,")
-    lines = (tmp_path / "parameters.txt").read_text().splitlines()
-    length = next(float(line.split()[2]) for line in lines if line.startswith("rest_length"))
-    # What the supports hold stands there, too.
-    assert float(last.split(",")[2]) == pytest.approx(-scene.ends.drop / length, rel=1e-12)
-
-
 def test_a_name_goes_through_all_files(tmp_path: Path) -> None:
     rod = once("glass-rod")
     sc.generate(rod, tmp_path, name="rod")
@@ -323,15 +293,6 @@ def test_a_filament_in_three_dimensions_is_generated_too(name: str, workshop: Wo
         places = np.stack([np.asarray(fields[axis]) for axis in "xyz"], axis=-1)
         moved = np.max(np.abs(places - places[0]))
         assert np.max(np.abs(table[:, 2:].reshape(places.shape) - places)) < 2e-5 * moved, name
-    if (tmp_path / "start.csv").exists():
-        own = program.table(parameters)[:, 1]
-        text = parameters.read_text()
-        parameters.write_text(text.replace(f"cells = {first.numerics.cells}", "cells = 30"))
-        carried = program.table(parameters)[:, 1]
-        assert np.max(np.abs(carried - own)) < 1e-2 * np.max(np.abs(own - own[0])), name
-        parameters.write_text(text.replace("start = start.csv", ""))
-        refused = program(parameters)
-        assert refused.returncode == 2 and "does not begin straight" in refused.stderr
 
 
 @pytest.mark.slow
@@ -387,18 +348,13 @@ BAD = [
     ("gravity =", "gravitas =", "unknown name 'gravitas'; known: rest_length"),
     ("density =", "# density =", "missing: density"),
     ("density = ", "density = heavy ", "density 'heavy"),
-    ("density = ", "density = inf # ", "density 'inf'"),
     ("density = ", "density = nan # ", "density 'nan'"),
     ("kg/m^3", "g/cm^3", "accepted: kg/m^3"),
     ("density = ", "density = -", "out of range: density = -1900 kg/m^3"),
-    ("thickness = ", "thickness = 0 m # ", "out of range: thickness = 0 m"),
     ("frames =", "frames = 5\nframes =", "said twice: 'frames'"),
     ("cells = ", "cells = 3 # ", "cells = 3, the least is 4"),
-    ("cells = ", "cells = 3.5 # ", "a whole number above 0"),
     ("cells = ", "cells = 99999999999 # ", "a whole number above 0"),
-    ("frames = ", "frames = 0 # ", "a whole number above 0"),
     ("gravity =", "gravity", "accepted: name = number unit"),
-    ("duration = ", "duration = -", "a number above 0"),
     ("frames =", f"# {'x' * 5000}\nframes =", "too long"),
     ("frames =", "start = nowhere.csv\nframes =", "nowhere.csv: No such file"),
     ("frames =", "start = start.csv\nframes =", "its heading is X,x,y,u,v"),

@@ -16,7 +16,6 @@ import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
-from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import undeformed_area
 from softcat_sym.simulate import without_estimate
 from softcat_sym.single_run import build
@@ -56,7 +55,7 @@ def _open_balance(run: Run) -> str:
 
 def _work_given_back(run: Run) -> str:
     """Plastic work never decreases: what dissipates never gives back. Up to the integrator's own error."""
-    if run.scene.run.closure != "material" or run.scene.material.law in SOLIDS:
+    if run.scene.run.closure != "material" or run.scene.material.spec.is_solid:
         return ""
     work = np.asarray(run.data["energy_dissipated"])
     largest = float(np.max(np.abs(work)))

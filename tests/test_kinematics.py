@@ -14,10 +14,11 @@ from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.equation import Stated
 from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.in_force import equations_in_force, plain_rate
-from softcat_sym.physics.laws import FIXED, K, n
+from softcat_sym.physics.laws import K, law_of, n
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.terms import Rheology, Terms
+from softcat_sym.scene.laws import LAWS
 
 
 @cache
@@ -206,11 +207,11 @@ def test_an_absent_effect_leaves_no_symbol() -> None:
 
 def test_latex_is_well_formed() -> None:
     for shape in SECTIONS:
-        for law in [*FIXED, "multimode-maxwell"] if shape == "rectangle" else ["bingham"]:
+        for law in [name for name in LAWS if name != "custom"] if shape == "rectangle" else ["bingham"]:
             made = Rheology(law, modes=3 if law == "multimode-maxwell" else 0)
             # Polymer chains do not shear, and bend in a resolved section alone.
-            for resolved in [True] if made.has_chains else [False, True]:
-                shear = resolved and not made.has_chains
+            for resolved in [True] if made.spec.has_chains else [False, True]:
+                shear = resolved and not made.spec.has_chains
                 terms = replace(LARGE, law=made, yields=True, viscous=True, shear=shear, resolved=resolved)
                 for equation in written(terms, shape):
                     tex = equation.latex
@@ -262,7 +263,7 @@ def test_every_symbol_stands_in_the_table_once_with_its_latex() -> None:
 def test_the_rule_shown_is_the_rule_integrated() -> None:
     for law in ["power-law", "herschel-bulkley"]:
         for stress in [-3.0, 0.4, 2.5]:
-            (branch,) = FIXED[law].branches
+            (branch,) = law_of(law).branches
             flow = branch.flow_beyond_yield or branch.flow
             assert flow is not None
             values = {sy.sigma: stress, K: 2.0, n: 0.5, sy.sigma_Y: 1.0, sy.E: 10.0}

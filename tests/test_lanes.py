@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.batch import executor, lane_pool
+from softcat_sym.batch.members import members_of, rows_of
+from softcat_sym.batch.worker import StructureCache
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.ensemble import executor, lane_pool
-from softcat_sym.ensemble.ensemble import Workshop
-from softcat_sym.ensemble.members import members_of, rows_of
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import (
     BEYOND,
@@ -54,11 +54,11 @@ class Caught(Silence):
 
 def runs_of(settings: dict[str, object], stresses: Sequence[float]) -> tuple[CModel, list[RunInput]]:
     """The runs of filaments that differ in yield stress (relative to the scene's) and in how long they last."""
-    scene, caught, workshop = sc.load_scene("arrested-overdamped", settings), Caught(), Workshop()
+    scene, caught, structures = sc.load_scene("arrested-overdamped", settings), Caught(), StructureCache()
     table = {"material.yield_stress": [scene.material.yield_stress * one for one in stresses]}
     table["run.duration"] = [scene.run.duration * (0.5 + 0.25 * (k % 3)) for k in range(len(stresses))]
     for member in members_of(scene, rows_of(table), "once"):
-        workshop.prepare(member).solve(caught)
+        structures.prepare(member).solve(caught)
     return caught.found[0][0], [run for _, run in caught.found]
 
 

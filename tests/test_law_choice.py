@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,9 +17,7 @@ from softcat_sym.fitting.least_squares import Loss
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes
 from softcat_sym.fitting.model_selection import (
     FITTED,
-    LIMITS,
     FittedLaw,
-    LawComparison,
     ModelChoice,
     choose_model,
     fit_law,
@@ -29,8 +26,7 @@ from softcat_sym.fitting.model_selection import (
     scene_of_law,
     widened,
 )
-from softcat_sym.fitting.result import FitOutcome
-from softcat_sym.scene.material import CONSTANTS
+from softcat_sym.scene.laws import LAWS
 from tests.common.draws import draws, gain
 from tests.marks import few
 
@@ -138,7 +134,7 @@ FILM = Measurements.of(TIME, -0.012 * np.cbrt(TIME))
 def _scene(law: str, **more: object) -> sc.Scene:
     own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "9 kPa*s", "yield_stress": "8 kPa"}
     changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
-    changes |= {f"material.{name}": own[name] for name in CONSTANTS[law]}
+    changes |= {f"material.{name}": own[name] for name in LAWS[law].constants}
     if law in ("power-law", "herschel-bulkley"):
         changes |= {"material.index": 0.6, "material.viscosity": "9 kPa*s^0.6"}
     return sc.load_scene("continual-descent", PLAIN).replace({**changes, **more})
@@ -156,12 +152,12 @@ def test_every_law_can_take_the_place_of_every_other(former: str, law: str) -> N
         before.ends,
         before.run,
     )
-    names = [*CONSTANTS[law], *(["index"] if law in ("power-law", "herschel-bulkley") else [])]
+    names = [*LAWS[law].constants, *(["index"] if LAWS[law].has_index else [])]
     # What a fit frees exists, and is positive; what the law does not use is gone.
     assert [one.name for one in free_parameters(after, names)] == names
-    unused = {"youngs_modulus", "second_modulus", "viscosity", "yield_stress"} - {*CONSTANTS[law]}
+    unused = {"youngs_modulus", "second_modulus", "viscosity", "yield_stress"} - {*LAWS[law].constants}
     assert all(getattr(after.material, name) is None for name in unused)
-    for name in CONSTANTS[law]:
+    for name in LAWS[law].constants:
         own = getattr(before.material, name)
         if own is not None and (name != "viscosity" or before.material.index == after.material.index):
             assert getattr(after.material, name) == pytest.approx(own)
@@ -183,7 +179,7 @@ def test_rough_constants_are_of_the_right_order() -> None:
         run = sc.simulate(scene).data
         film = Measurements.of(run.time.values[1:], run.midpoint.values[1:])
         rough = rough_constants(scene, film, law)
-        for constant in CONSTANTS[law]:
+        for constant in LAWS[law].constants:
             assert 1 / 100 < rough[constant] / getattr(scene.material, constant) < 100, (name, constant)
     # The viscosity of what nothing else holds is within a factor of two.
     assert 0.5 < rough_constants(scene, film, "newtonian")["viscosity"] / scene.material.viscosity < 2
@@ -229,41 +225,9 @@ def test_laws_that_cannot_be_compared(laws: list[str], said: str) -> None:
         fit_laws(FILM, _scene("bingham"), laws)
 
 
-def test_what_is_wrong_with_the_films_is_said_once() -> None:
-    far = Measurements.of(TIME, 1e3 * FILM.series[0].midpoint)
-    with pytest.raises(SoftcatError, match="wrong unit") as caught:
-        fit_laws(far, _scene("bingham"), ["newtonian", "maxwell"])
-    assert str(caught.value).count("wrong unit") == 1
-
-
 def test_what_also_is_free_must_be_a_name() -> None:
     with pytest.raises(SoftcatError, match=r"(?s)none of the laws.*newtonian: .*free tmie_offset: unknown.*maxwell: "):
         fit_laws(FILM, _scene("bingham"), ["newtonian", "maxwell"], also_free=["tmie_offset"])
-
-
-def test_the_sentence() -> None:
-    def said(*rows: FittedLaw, points: int = 50) -> str:
-        failures = {row.name: row.failure for row in rows if row.failure}
-        fits = {
-            row.name: SimpleNamespace(checks=SimpleNamespace(verdict="white"), outcome=FitOutcome.solved)
-            for row in rows
-            if not row.failure
-        }
-        choice = choose_model(rows, points, noise_known=False)
-        return LawComparison(fits, failures, choice).sentence  # type: ignore[arg-type]
-
-    maxwell, newtonian = FittedLaw("maxwell", 2, 1.0), FittedLaw("newtonian", 1, 1.0)
-    assert said(maxwell, replace(newtonian, squares=2.0)) == "the films speak for maxwell"
-    assert (
-        said(maxwell, replace(newtonian, squares=1.04))
-        == "cannot tell: newtonian ranks first, but maxwell not ruled out"
-    )
-    alike = "the films speak for newtonian; nothing gained by the further constants of maxwell"
-    assert said(maxwell, replace(newtonian, squares=1.001)) == alike
-    assert "2 data are too few for maxwell" in said(maxwell, newtonian, points=2)
-    assert (
-        said(maxwell, replace(newtonian, failure="no")) == "cannot tell: maxwell ranks first, but no fit of newtonian"
-    )
 
 
 @pytest.mark.parametrize("law", FITTED)
@@ -334,23 +298,14 @@ def test_a_robust_comparison_does_not_follow_outliers() -> None:
     assert robust.choice.table[0].law.squares < 0.5 * plain.squares
 
 
-def test_corrections_are_noted_once() -> None:
-    scene, film = _fallen("newtonian", 0.01)
-    turned = Measurements.of(film.series[0].time, -film.series[0].midpoint)
-    found = fit_laws(turned, scene, ["newtonian", "kelvin-voigt"], starts=0)
-    for one in found.fits.values():
-        assert len(one.notes) == 1
-        assert "Turned the sign" in one.notes[0]
-
-
-PAIRS = [(wider, narrower) for wider in FITTED for narrower in LIMITS.get(wider, {})]
+PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]
 
 
 def _oil(law: str) -> sc.Scene:
     """A filament that sags by a good tenth of its span and does not ring."""
     own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "60 kPa*s", "yield_stress": "2 kPa"}
     changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
-    changes |= {f"material.{name}": own[name] for name in CONSTANTS[law]}
+    changes |= {f"material.{name}": own[name] for name in LAWS[law].constants}
     if law in ("power-law", "herschel-bulkley"):
         changes |= {"material.index": 0.8, "material.viscosity": "60 kPa*s^0.8"}
     plain = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 41}
@@ -398,4 +353,4 @@ def test_a_wider_law_starts_again_from_the_one_inside() -> None:
 def test_the_narrower_comes_first() -> None:
     """Laws are fitted in the order of how many others they contain."""
     for law in FITTED:
-        assert all(len(LIMITS.get(inside, {})) < len(LIMITS[law]) for inside in LIMITS.get(law, {}))
+        assert all(len(LAWS[inside].limits) < len(LAWS[law].limits) for inside in LAWS[law].limits)

@@ -7,7 +7,7 @@ import signal
 
 import numpy as np
 import pytest
-from scipy.optimize import approx_fprime, least_squares
+from scipy.optimize import least_squares
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.least_squares import REACHED, Loss, minimise, multi_start
@@ -203,12 +203,6 @@ def test_a_fit_that_is_cut_short_is_no_success_and_all_are_quiet(capfd: pytest.C
         assert not found.converged
         assert found.status == "Maximum_Evaluations_Exceeded" and found.evaluations <= 4
     assert capfd.readouterr() == ("", "")
-
-
-def test_derivatives_of_these_problems_are_differences() -> None:
-    for names, model, truth, std in PROBLEMS:
-        p, q = problem(names, model, truth, std), np.array([0.3, -0.4])
-        np.testing.assert_allclose(p.linearised(q)[1], approx_fprime(q, p.residuals), rtol=1e-5, atol=1e-4 / std)
 
 
 def test_a_start_outside_the_box_and_unknown_losses_are_refused() -> None:

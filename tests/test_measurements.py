@@ -22,7 +22,6 @@ from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from tests.common.draws import draws, errors_away
-from tests.common.in_process import Softcat
 from tests.common.written_films import FALL, TIME, rows_of, written
 
 Floats = NDArray[np.float64]
@@ -370,44 +369,3 @@ def test_a_fit_is_the_same_from_what_was_mended(filmed: tuple[Scene, Floats, Flo
         # Three frames fewer are not the same answer; everything else is, to the digits of the file.
         allowed = theirs.std if "Left out" in note else 1e-4 * theirs.value
         assert value is not None and abs(value - theirs.value) < allowed, note
-
-
-def test_a_fit_and_its_command_refuse_bad_films(
-    filmed: tuple[Scene, Floats, Floats],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    scene, time, height = filmed
-    softcat, output = Softcat(monkeypatch, capsys), tmp_path / "out"
-    cases = [
-        (HEADER + rounded(time[[9, 59]], height[[9, 59]]), "2 distinct times; accepted: at least 5"),
-        (HEADER + rounded(time, 1e3 * height), "wrong unit? "),
-        (HEADER + rounded(time, 100 * height), "times the 0.2 m that the filament is long"),
-        (HEADER + rounded(1e3 * time, height), "ms in a column named for s"),
-        (HEADER + rounded(time, 0.3 + height), "above the supports' level and falling"),
-        ("time_s,x_m,y_m\n" + rounded(time, 0.2 * (np.arange(60) % 5), height), "counted from halfway between"),
-        ("# material.viscosity = 9 kPa*s\n" + HEADER + rounded(time, height), "free viscosity: set by"),
-    ]
-    asked = ("--scene", "continual-descent", "--set", "run.effects=paper", "-o", str(output))
-    for text, message in cases:
-        path = written(tmp_path, text)
-        with pytest.raises(SoftcatError) as caught:
-            fit(path, scene, ["viscosity"], starts=0, profiles=False)
-        # What is wrong, where, and what would be accepted.
-        assert all(part in str(caught.value) for part in (message, str(path), "accepted: "))
-        done = softcat("fit", str(path), "--free", "viscosity", *asked)
-        assert (done.status, done.out, output.exists()) == (2, "", False)
-        assert message.strip() in " ".join(done.err.split())
-    path = written(tmp_path, HEADER + rounded(time, height))
-    free = ("--free", "viscosity")
-    for arguments, message in (
-        (("--free", "viscosty"), "viscosty"),
-        ((*free, *free), "named twice"),
-        ((*free, "--bounds", "viscosity=9e4:1 Pa*s"), "the lower one first"),
-        ((*free, "--bounds", "density=1:2 kg/m^3"), "not free"),
-        ((*free, "--loss", "huber"), "huber"),
-    ):
-        done = softcat("fit", str(path), *arguments, *asked)
-        assert (done.status, done.out, output.exists()) == (2, "", False)
-        assert message in " ".join(done.err.split()), arguments

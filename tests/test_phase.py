@@ -13,12 +13,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym import store
-from softcat_sym.effects.forecast import overshoot, rebound
-from softcat_sym.ensemble.executor import Executor, executor
-from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
-from softcat_sym.studies.phase_runs import (
+from softcat_sym.batch.executor import RunPool, Where
+from softcat_sym.batch.phase_runs import (
     CLAMPS_ONLY,
     PASSED,
     PLANES,
@@ -26,12 +22,13 @@ from softcat_sym.studies.phase_runs import (
     Place,
     coarse_width,
     duration_at,
-    place_at,
     refined,
     refuse_scene,
-    row_of,
     run_places,
 )
+from softcat_sym.effects.forecast import overshoot, rebound
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
 from tests.common.in_process import Softcat
 
 LAPLACE = 0.6627434193491816
@@ -147,8 +144,8 @@ def test_refinement_labels_as_without_it_each_node_once() -> None:
 
 
 @pytest.fixture(scope="module")
-def pool() -> Iterator[Executor]:
-    with executor(2) as threads:
+def pool() -> Iterator[RunPool]:
+    with Where(2).pool() as threads:
         yield threads
 
 
@@ -166,7 +163,7 @@ def by_hand(place: Place, duration: float) -> sc.Scene:
     )
 
 
-def test_runs_are_those_of_simulate(pool: Executor) -> None:
+def test_runs_are_those_of_simulate(pool: RunPool) -> None:
     answers = (
         (Place(0.02, 26.0, 0.03), "no-yield"),
         (Place(0.1, 3.0, 0.03), "arrested-underdamped"),
@@ -179,18 +176,22 @@ def test_runs_are_those_of_simulate(pool: Executor) -> None:
         assert run.regime == single.summary["regime"] == regime
         assert run.sag == pytest.approx(-single.summary["midpoint_final_m"] / 0.2, rel=2e-3, abs=1e-4)
         last = single.data.isel(time=-1)
-        for found, cell in ((run.clamp, 0), (run.midspan, last.sizes["cell"] // 2)):
+        for place, cell in (("clamp", 0), ("midspan", last.sizes["cell"] // 2)):
             at = last.isel(cell=cell)
             bending = abs(float(at.curvature)) * float(at.thickness) / 2
-            assert found.centreline == pytest.approx(np.log(float(at.stretch)), rel=5e-3, abs=1e-4)
-            assert found.largest == pytest.approx(np.log(float(at.stretch)) + bending, rel=5e-3, abs=1e-4)
+            assert getattr(run, f"{place}_strain_centreline") == pytest.approx(
+                np.log(float(at.stretch)), rel=5e-3, abs=1e-4
+            )
+            assert getattr(run, f"{place}_strain") == pytest.approx(
+                np.log(float(at.stretch)) + bending, rel=5e-3, abs=1e-4
+            )
 
 
-def test_a_run_that_is_no_answer_has_no_regime(pool: Executor) -> None:
+def test_a_run_that_is_no_answer_has_no_regime(pool: RunPool) -> None:
     """The paper's ringing filament at G = 0.4, whose clamps are drawn out; and one that falls as a whole before."""
     places = [Place(0.4, 0.3, 0.03), Place(3.0, 1.0, 0.03), Place(1.0, 26.0, 0.03)]
     necked, fallen, creeping = run_places(SCENE, places, pool)
-    assert (necked.regime, necked.mark, necked.runs) == (None, "localised", 1)
+    assert (necked.regime, necked.mark, necked.runs) == ("", "localised", 1)
     assert necked.message
     assert (fallen.regime, fallen.runs) == ("descending", 2)
     assert fallen.drawn_out == duration_at(SCENE, fallen.place) > fallen.duration
@@ -199,48 +200,12 @@ def test_a_run_that_is_no_answer_has_no_regime(pool: Executor) -> None:
     assert creeping.rate > 0.5 > creeping.span_rate
 
 
-def test_papers_continual_descent(pool: Executor) -> None:
+def test_papers_continual_descent(pool: RunPool) -> None:
     run = descent_run(SCENE, pool)
     assert run.regime == "descending"
     assert run.sag == pytest.approx(0.245, abs=0.005)  # "about a quarter of its original length"
-    assert run.clamp.largest > run.clamp.centreline > 0.23  # "local strains over 23 % near the clamp"
-    assert run.midspan.largest < 0.23
-
-
-def test_rows_give_the_groups_back() -> None:
-    place = place_at(SCENE, PLANES["G-V"], 0.7, 2.0)
-    assert (place.G, place.V) == (0.7, 2.0)
-    assert place.delta == pytest.approx(0.03)
-    row = {"groups.delta": 0.05, "groups.G": 0.7, "groups.V": 2.0, "run.duration": 1.5}
-    assert row_of(SCENE, Place(0.7, 2.0, 0.05), 1.5) == row
-
-
-class Listener:
-    """Notes the members done; after so many it stops."""
-
-    def __init__(self, stop: int = 10**9) -> None:
-        self.done, self._stop = list[int](), stop
-
-    def update(self, done: int, members: int, left: float) -> None:
-        self.done.append(done)
-        if done >= self._stop:
-            raise KeyboardInterrupt
-
-
-@pytest.mark.slow
-def test_a_phase_diagram_resumes_from_its_finished_runs(results_of_studies: Path) -> None:
-    scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
-    with pytest.raises(KeyboardInterrupt):
-        phase_diagram(scene, ["G-V"], 4, workers=1, progress=Listener(20))
-    assert len(list(results_of_studies.iterdir())) == 19
-    listener = Listener()
-    resumed = phase_diagram(scene.replace({"title": "the same"}), ["G-V"], 4, workers=1, progress=listener)
-    assert listener.done[0] == 20
-    with store.fresh():
-        fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
-    assert {(point.i, point.j): point for point in resumed.sheets[0].points} == {
-        (point.i, point.j): point for point in fresh.sheets[0].points
-    }
+    assert run.clamp_strain > run.clamp_strain_centreline > 0.23  # "local strains over 23 % near the clamp"
+    assert run.midspan_strain < 0.23
 
 
 @pytest.fixture

@@ -242,18 +242,40 @@ def test_what_is_no_effect_is_refused():
             sc.register_effect(wrong)
 
 
+def installed(folder: Path, module: str, value: str) -> subprocess.CompletedProcess[str]:
+    """What `explain` says where a package `winkler` of this module and entry point is installed."""
+    (folder / "winkler.py").write_text(module)
+    described = folder / "winkler-1.0.dist-info"
+    described.mkdir()
+    (described / "METADATA").write_text("Metadata-Version: 2.1\nName: winkler\nVersion: 1.0\n")
+    (described / "entry_points.txt").write_text(f"[softcat_sym.effects]\nelastic-foundation = {value}\n")
+    (folder / "bed.toml").write_text(sc.Scene.from_dict(SCENE).to_toml())
+    path = os.pathsep.join(filter(None, [str(folder), str(ROOT), os.environ.get("PYTHONPATH")]))
+    command = [sys.executable, "-c", "from softcat_sym.cli import main; main()", "explain", "bed.toml"]
+    given = {"cwd": folder, "env": {**os.environ, "PYTHONPATH": path}, "capture_output": True, "text": True}
+    return subprocess.run(command, **given, check=False)
+
+
 def test_an_installed_package_brings_its_effect(tmp_path):
     """By its entry point, on the command line, and in the C that is written."""
     (text,) = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text(), re.DOTALL)
-    (tmp_path / "winkler.py").write_text(text.replace("sc.register_effect(FOUNDATION)\n", ""))
-    described = tmp_path / "winkler-1.0.dist-info"
-    described.mkdir()
-    (described / "METADATA").write_text("Metadata-Version: 2.1\nName: winkler\nVersion: 1.0\n")
-    (described / "entry_points.txt").write_text("[softcat_sym.effects]\nelastic-foundation = winkler:FOUNDATION\n")
-    (tmp_path / "bed.toml").write_text(sc.Scene.from_dict(SCENE).to_toml())
-    path = os.pathsep.join(filter(None, [str(tmp_path), str(ROOT), os.environ.get("PYTHONPATH")]))
-    command = [sys.executable, "-c", "from softcat_sym.cli import main; main()", "explain", "bed.toml"]
-    given = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": path}, "capture_output": True, "text": True}
-    done = subprocess.run(command, **given, check=False)
+    done = installed(tmp_path, text.replace("sc.register_effect(FOUNDATION)\n", ""), "winkler:FOUNDATION")
     assert done.returncode == 0, done.stderr
     assert "elastic-foundation" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("module", "value", "reason"),
+    [
+        ("1 / 0", "winkler:FOUNDATION", "ZeroDivisionError: division by zero"),
+        ("import sys; sys.exit(3)", "winkler:FOUNDATION", "SystemExit: 3"),
+        ("FOUNDATION = 7", "winkler:FOUNDATION", "TypeError: it is no softcat_sym.Effect but of type int"),
+        ("", "winkler:FOUNDATION", "AttributeError: module 'winkler' has no attribute 'FOUNDATION'"),
+        ("", "wrinkler:FOUNDATION", "ModuleNotFoundError: No module named 'wrinkler'"),
+    ],
+)
+def test_a_package_whose_effect_cannot_be_used_is_named(tmp_path, module, value, reason):
+    done = installed(tmp_path, module, value)
+    assert done.returncode == 2 and not done.stdout
+    (line,) = done.stderr.splitlines()
+    assert line.startswith(f"softcat: package winkler, entry point elastic-foundation = {value} of") and reason in line

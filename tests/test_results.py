@@ -249,7 +249,7 @@ def test_a_wider_filament_of_the_same_material_only_carries_more() -> None:
 def test_a_run_is_recalled_to_the_last_bit_under_any_title(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = sc.load_scene("cold-honey", ["numerics.cells=4", "run.frames=4", "run.duration=0.02 s"])
     first = recalled(scene)
-    monkeypatch.setattr("softcat_sym.consistent_run.run_until_consistent", None)
+    monkeypatch.setattr("softcat_sym.error_control.consistency.run_until_consistent", None)
     again = recalled(scene.replace({"title": "another"}))
     assert again.summary == first.summary | {"title": "another"}
     assert (again.data.attrs["title"], again.scene.title) == ("another", "another")

@@ -1,4 +1,4 @@
-"""The rivals are what they are said to be: the same scheme as the graph of the package."""
+"""SciPy's rival is what it is said to be: the same scheme as the graph of the package."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
 from tests.common.rivals import scenes
-from tests.common.rivals.kirchhoff_c import HandWritten, places_of
-from tests.common.rivals.radau import RadauRival
+from tests.common.rivals.radau import RadauRival, places_of
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 NAMES = ("continual-descent", "arrested-overdamped")
@@ -42,7 +41,7 @@ def worst(prepared: Prepared, rates: list[Floats], exact: list[Floats]) -> float
     )
 
 
-def test_right_hand_sides_and_the_jacobian_are_those_of_the_graph() -> None:
+def test_the_right_hand_side_is_that_of_the_graph() -> None:
     for name in NAMES:
         prepared = scenes.prepare(name, frames=41)
         graph, states = prepared.graph, admissible_states(prepared, 20)
@@ -50,21 +49,9 @@ def test_right_hand_sides_and_the_jacobian_are_those_of_the_graph() -> None:
         exact = [np.asarray(interpreted(t, x, prepared.p)).ravel() for t, x in states]
         kinds = np.array(graph.x_kinds)
         assert all(0 < np.count_nonzero(rate[kinds == "a_1"]) for rate in exact), "some sections yield"
-        hand, rival = HandWritten(graph, prepared.p), RadauRival(prepared)
+        rival = RadauRival(prepared)
         places = rival.filament.places(places_of(graph))
         full = np.tile(rival.start, (len(states), 1))
         full[:, places] = [x for _, x in states]
         vectorised = [rival.filament.rates(t, state)[places] for (t, _), state in zip(states, full, strict=True)]
-        errors = {
-            "hand-written C": worst(prepared, [hand.rates(t, x) for t, x in states], exact),
-            "vectorised NumPy": worst(prepared, vectorised, exact),
-        }
-        print(name, {label: f"{error:.1e}" for label, error in errors.items()})
-        assert all(error < 1e-12 for error in errors.values()), name
-        jacobian = ca.Function("jacobian", [graph.t, graph.x, graph.p], [ca.jacobian(graph.ode, graph.x)])
-        for (t, x), state in list(zip(states, full, strict=True))[:3]:
-            found = rival.jacobian(t, state).toarray()[np.ix_(places, places)]
-            exact_slopes = np.asarray(jacobian(t, x, prepared.p))
-            for kind in set(graph.x_kinds):
-                scale = np.abs(exact_slopes[kinds == kind]).max()
-                assert np.abs(found - exact_slopes)[kinds == kind].max() < 1e-2 * scale, (name, kind)
+        assert worst(prepared, vectorised, exact) < 1e-12, name

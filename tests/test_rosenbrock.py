@@ -47,78 +47,11 @@ from tests.common.rosenbrock import (
 ORDER = {RODAS5P: 5, RODAS4: 4, RODAS3P: 3}
 DENSE = {RODAS5P: 4, RODAS4: 3, RODAS3P: 3}
 TIGHT = Settings(relative=1e-11, absolute=1e-13)
-CHAINS = {"reach 1": masses_on_relaxing_springs(40), "reach 2": beam(60)}
 
 HIRES = [0.7371312573325668e-3, 0.1442485726316185e-3, 0.5888729740967575e-4, 0.1175651343283149e-2]
 HIRES += [0.2386356198831331e-2, 0.6238968252742796e-2, 0.2849998395185769e-2, 0.2850001604814231e-2]
 ROBERTSON = {40.0: [0.7158270688, 0.9185534764e-5, 0.2841637457], 1e11: [0.2083340149701255e-7, 0.8333360770334713e-13]}
 OSCILLATOR = [0.1706167732170483e1, -0.8928097010247975]
-
-
-class Tableau:
-    """alpha, gamma and weights of Hairer & Wanner (1996, section IV.7), from the form without products J k."""
-
-    def __init__(self, method: int) -> None:
-        raw = library().softcat_method_of(method).contents
-        stages = raw.stages
-        self.raw, self.order = raw, ORDER[method]
-        self.a, form = (np.array(table)[:stages, :stages] for table in (raw.a, raw.c))
-        self.gammas = np.linalg.inv(np.eye(stages) / raw.gamma - form)
-        self.alphas = self.a @ self.gammas
-        self.betas = self.alphas + self.gammas
-        last = np.eye(stages)[-1]
-        ends = self.a[-1] + last
-        self.weights = ends @ self.gammas
-        error = last if raw.embedded < 0 else last - np.eye(stages)[raw.embedded]
-        self.embedded = (ends - error) @ self.gammas
-
-    def defects(self, weights: np.ndarray, order: int) -> list[float]:
-        """What is left of the 1, 1, 2, 4, 9 conditions of each order (Hairer & Wanner 1996, section IV.7)."""
-        alpha, beta = self.alphas.sum(axis=1), self.betas.sum(axis=1)
-        by_order = {
-            1: [weights.sum() - 1],
-            2: [weights @ beta - 1 / 2],
-            3: [weights @ alpha**2 - 1 / 3, weights @ self.betas @ beta - 1 / 6],
-            4: [
-                weights @ alpha**3 - 1 / 4,
-                weights @ (alpha * (self.alphas @ beta)) - 1 / 8,
-                weights @ self.betas @ alpha**2 - 1 / 12,
-                weights @ self.betas @ self.betas @ beta - 1 / 24,
-            ],
-            5: [
-                weights @ alpha**4 - 1 / 5,
-                weights @ (alpha**2 * (self.alphas @ beta)) - 1 / 10,
-                weights @ (self.alphas @ beta) ** 2 - 1 / 20,
-                weights @ (alpha * (self.alphas @ alpha**2)) - 1 / 15,
-                weights @ (alpha * (self.alphas @ self.betas @ beta)) - 1 / 30,
-                weights @ self.betas @ alpha**3 - 1 / 20,
-                weights @ self.betas @ (alpha * (self.alphas @ beta)) - 1 / 40,
-                weights @ self.betas @ self.betas @ alpha**2 - 1 / 60,
-                weights @ self.betas @ self.betas @ self.betas @ beta - 1 / 120,
-            ],
-        }
-        return [defect for at in range(1, order + 1) for defect in by_order[at]]
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_coefficients_fulfil_their_conditions(method: int) -> None:
-    """Row sums, order, and an L-stable end (ibid., section IV.15); A-stability by the maximum principle."""
-    tableau = Tableau(method)
-    raw, stages, betas = tableau.raw, tableau.raw.stages, tableau.betas
-    np.testing.assert_allclose(tableau.alphas.sum(axis=1), raw.time[:stages], atol=3e-14)
-    np.testing.assert_allclose(tableau.gammas.sum(axis=1), raw.slope[:stages], atol=3e-14)
-    assert raw.error_order == tableau.order
-    assert np.abs(tableau.defects(tableau.weights, tableau.order)).max() < 1e-13
-    assert np.abs(tableau.defects(tableau.embedded, tableau.order - 1)).max() < 1e-13
-    assert np.abs(tableau.defects(tableau.embedded, tableau.order)).max() > 1e-4, "the embedded one has no higher order"
-    np.testing.assert_allclose(tableau.weights, betas[-1], atol=1e-13)
-    ones, unit = np.ones(stages), np.eye(stages)
-    assert raw.time[stages - 1] == 1.0 and raw.gamma > 0.0
-    assert abs(1.0 - tableau.weights @ np.linalg.solve(betas, ones)) < 1e-11
-    for y in np.geomspace(1e-2, 1e6, 400):
-        amplification = 1.0 + 1j * y * tableau.weights @ np.linalg.solve(unit - 1j * y * betas, ones)
-        assert abs(amplification) <= 1.0 + 1e-13
-    assert not library().softcat_method_of(len(METHODS) + 1)
 
 
 @pytest.fixture(scope="module")
@@ -258,23 +191,6 @@ def test_elimination_of_random_chains() -> None:
             assert error <= 1e-14 * np.linalg.cond(matrix) * max(np.abs(exact).max(), 1e-300)
 
 
-def test_elimination_of_filaments() -> None:
-    """To 1e-10, also with rows in units that differ by 1e12, and steps from short to long."""
-    for chain in CHAINS.values():
-        right = np.random.default_rng(1).normal(size=chain.free.size)
-        rows = np.array([row for row, _, _ in chain.pattern])
-        for shift in (1e-3, 1.0, 1e4):
-            exact = np.linalg.solve(dense(chain, shift, chain.free), np.where(chain.free, right, 0.0))
-            size = np.abs(exact).max()
-            np.testing.assert_allclose(solve(chain, shift, right), exact, rtol=1e-10, atol=1e-10 * size)
-            for slot in (slot for slot, differential in enumerate(chain.differential) if not differential):
-                entries, scaled = chain.entries.copy(), right.copy()
-                entries[:, rows == slot] *= 1e12
-                scaled[slot :: chain.slots] *= 1e12
-                found = solve(dataclasses.replace(chain, entries=entries), shift, scaled)
-                np.testing.assert_allclose(found, exact, rtol=1e-9, atol=1e-9 * size)
-
-
 def test_runs_of_filaments_are_their_normal_modes() -> None:
     """Unknowns at three times against the modes, integrated powers against quadrature of them."""
     for method in (RODAS5P, RODAS4):
@@ -296,17 +212,6 @@ def test_runs_of_filaments_are_their_normal_modes() -> None:
             np.testing.assert_allclose(run.states, exact[:3], atol=3e-8)
             powers = np.stack([exact[3:].sum(axis=1), (exact[3:] ** 2).sum(axis=1)])
             np.testing.assert_allclose(run.work[2], powers @ weights / 2.0, atol=1e-7)
-
-
-def test_held_values_act_on_their_neighbours() -> None:
-    """Heat conduction between held ends 1 and 0 ends in a straight line, exactly; the ends never change."""
-    pattern, values = [(0, -1, 0), (0, 0, 0), (0, 1, 0)], [1.0, -2.0, 1.0]
-    chain = Chain(11, 0, [-1], [1], [1], [1], pattern, np.tile(values, (11, 1)))
-    start = np.zeros(11)
-    start[0] = 1.0
-    run = integrate(chain.problem(), start, [0.0, 1e6], Settings(relative=1e-8, absolute=1e-12))
-    np.testing.assert_allclose(run.state, np.linspace(1.0, 0.0, 11), atol=1e-10)
-    assert (run.state[0], run.state[-1]) == (1.0, 0.0)
 
 
 def test_derivatives_of_a_linear_decay() -> None:

@@ -30,7 +30,6 @@ from softcat_sym.scene.scene import (
     is_symmetric,
     rest_length,
     stress_free_length,
-    undeformed_area,
 )
 from softcat_sym.scene.tables import farthest, nearest
 from softcat_sym.scene.units import COMMON, measured_by_pint
@@ -468,7 +467,6 @@ GOOD: list[tuple[str, dict[str, Any]]] = [
     ("kelvin-voigt", {"filament__profile": [1, 2, 0.5], "filament__curvature": "-3 1/m"}),
     ("newtonian", {"ends__drop": "0.2 m", "ends__left_angle": "-45 deg", "ends__right_angle": "-45 deg"}),
     ("newtonian", {"ends__right": "free", "ends__left_angle": "-45 deg"}),
-    ("bingham", {"model": "small-deflection"}),
     ("maxwell", {"model": "small-deflection", "load__point_mass": "1 g", "ends__left": "pinned"}),
     ("maxwell", {"filament__section": "sheet", "filament__width": "10 cm"}),
 ]
@@ -527,13 +525,6 @@ def test_symmetry() -> None:
         (SLACK, True),
     ]:
         assert is_symmetric(scene_of(**changes)) is symmetric
-
-
-def test_the_undeformed_area() -> None:
-    assert undeformed_area(scene_of()) == pytest.approx(0.006**2)
-    assert undeformed_area(scene_of(filament__width="2 mm")) == pytest.approx(0.006 * 0.002)
-    assert undeformed_area(scene_of(filament__section="sheet", filament__width="1 m")) == pytest.approx(0.006)
-    assert undeformed_area(scene_of(filament__section="circle")) == pytest.approx(math.pi * 0.006**2 / 4)
 
 
 # The units that are known without pint are pint's, to the last bit; scenes written in them never load it.

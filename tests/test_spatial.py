@@ -12,9 +12,9 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_theory
+from softcat_sym.discretization.assembly import Theory, choose_body, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, whole_span
+from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.spatial import cell_strains
@@ -28,8 +28,10 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.run import run_form
 from softcat_sym.results.sideways import _Cells, _Matrix, sideways
+from softcat_sym.scene.ends import CLAMPED
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import load_scene
+from tests.common.assembled import assemble
 from tests.common.pairs import differences, pair_of
 
 EFFECTS = ["inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres"]
@@ -72,7 +74,7 @@ def pair(law: str, section: str) -> tuple[Graph, Graph, int, Floats, Floats]:
     scene = strand(law, section)
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[section], "material")
-    grid = whole_span(6, End.CLAMPED, End.CLAMPED, 1.0)
+    grid = whole_span(6, CLAMPED, CLAMPED, 1.0)
     theory, body = choose_theory(scene, equations.terms), choose_body(scene, grid)
     planar_rule = theory.rule
     assert planar_rule is not None and not isinstance(planar_rule, PointRule)

@@ -14,7 +14,6 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import progress
-from softcat_sym.ensemble.ensemble import MembersBar
 from softcat_sym.plotting.terminal import (
     REFUSED,
     IntegrationProgress,
@@ -23,6 +22,7 @@ from softcat_sym.plotting.terminal import (
     detail_rows,
     print_summary,
 )
+from softcat_sym.progress import MembersBar
 from softcat_sym.solvers.solution import counting
 from tests.common.catenary import make_scene, scene, summary
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from typing import get_args
 
 import numpy as np
 import pytest
@@ -14,21 +13,20 @@ from sympy import chebyshevu, legendre
 from softcat_sym.discretization.point_rule import POINT_TABLES
 from softcat_sym.discretization.section_rule import polynomials
 from softcat_sym.effects.temperature import cylinder_in_air
-from softcat_sym.physics import beams, heat, regimes
+from softcat_sym.physics import heat
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import clocks_of, derive, law_named
 from softcat_sym.physics.loads import SURFACES, surface_tension
-from softcat_sym.physics.necking import NECKS, aspect
-from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.section_response import stiffness
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.spatial import POINT
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import c, g, h0, s
 from softcat_sym.physics.terms import Course, Rheology, Terms
-from softcat_sym.scene.material import CONSTANTS, Law
+from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.simulate import simulated
 
@@ -88,17 +86,17 @@ def test_a_run_whose_library_is_cached_loads_neither_sympy_nor_casadi() -> None:
 
 def test_a_law_is_what_its_equations_are() -> None:
     own = {"custom": {"flow": "sigma/t0", "threshold": True}, "multimode-maxwell": {"modes": 2}}
-    for name in get_args(Law):
+    for name in LAWS:
         for solvent in (True, False):
             rheology = Rheology(name, solvent=solvent, **own.get(name, {}))
-            law = law_named(rheology)
+            law, spec = law_named(rheology), rheology.spec
             flows = [branch.flow for branch in law.branches if branch.flow is not None]
-            said = (rheology.flows, rheology.yields, rheology.is_viscous, rheology.has_chains, rheology.has_springs)
+            said = (spec.flows, rheology.yields, rheology.is_viscous, spec.has_chains, spec.has_springs)
             found = (law.flows, law.yields, law.viscosity is not None, law.chains is not None, bool(law.branches))
             assert said == found, name
-            assert rheology.has_closed_means is all(flow.closed_means for flow in flows), name
+            assert spec.has_closed_means is all(flow.closed_means for flow in flows), name
         for constant in (
-            ("mode_1_youngs_modulus", "mode_2_viscosity") if name == "multimode-maxwell" else CONSTANTS[name]
+            ("mode_1_youngs_modulus", "mode_2_viscosity") if name == "multimode-maxwell" else LAWS[name].constants
         ):
             if constant in ("youngs_modulus", "second_modulus", "viscosity", "yield_stress"):
                 terms = Terms(law=rheology, curing=(Course(constant, rows=2),))
@@ -130,27 +128,15 @@ def test_numbers_of_sections_are_those_of_their_expressions() -> None:
     assert (*(symbol.name for symbol in POINT), "weight") == POINT_TABLES
     for name, section in SECTIONS.items():
         plain = CROSS_SECTIONS[name]
-        found = 2 * section.overstress_mean.subs(c, 0), regimes.gyration(section), SHEAR_CORRECTION[name]
-        assert (plain.mean_lever, plain.gyration, plain.shear_correction) == tuple(map(float, found))
-        assert plain.area_power == section.area_power
-        assert plain.plane_strain is section.plane_strain is not SURFACES[name].shrinks
+        assert plain.mean_lever == float(2 * section.overstress_mean.subs(c, 0))
+        assert plain.plane_strain is not SURFACES[name].shrinks
         assert plain.stiffness(7.0, 0.4) == pytest.approx(float(stiffness(section, sp.Float(7)).subs(nu, 0.4)))
-        assert plain.neck(wide) == pytest.approx(float(NECKS[name].beta.subs(aspect, wide)))
         pull = SURFACES[name].pressure.subs({surface_tension: 1, h0: 0.2, aspect: wide})
         assert plain.pull(0.2, 0.6) == pytest.approx(float(pull))
         at = (-0.3, 0.8)
         family = chebyshevu if name == "circle" else legendre
         wanted = [[float(family(n, place) / family(n, 1)) for n in range(4)] for place in at]
         np.testing.assert_allclose(polynomials(name, np.array(at), 3), wanted, rtol=1e-13)
-
-
-def test_numbers_of_beams_are_those_of_their_expressions() -> None:
-    for name, beam in regimes.NAMED.items():
-        plain = getattr(beams, name.upper())
-        for field in ("largest_moment", "midspan_sag", "overshoot_bound", "collapse"):
-            assert getattr(plain, field) == pytest.approx(float(getattr(beam, field)), rel=1e-15), (name, field)
-        for psi in (0.3, 4.0):
-            assert float(plain.relief(psi)) == pytest.approx(float(beam.relief.subs(regimes.psi_T, psi)), rel=1e-13)
 
 
 def test_the_correlation_of_a_cylinder_in_air_is_that_of_its_expression() -> None:

@@ -86,8 +86,8 @@ def _compare_varied(
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.theory_end import read_variation, where_theory_ends
 
-    variation = read_variation(vary)
     asked, output = cli.scene_and_directory(name, changes, output, "compare")
+    variation = read_variation(asked, vary)
 
     def listening(value: str, scene: Scene) -> Listening:
         return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)

@@ -84,7 +84,7 @@ def _findings(*, quiet: bool) -> Iterator[Finding]:
 def _python() -> Finding:
     import platform
 
-    from softcat_sym.ensemble.executor import worker_count
+    from softcat_sym.batch.executor import worker_count
 
     cores = f"{worker_count(None)} of {os.cpu_count()} processors"
     system = f"{platform.system()} {platform.machine()}"

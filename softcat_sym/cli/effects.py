@@ -12,7 +12,7 @@ from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
-    from softcat_sym.studies.pricing import Pricing
+    from softcat_sym.studies.effect_importance import Pricing
 
 
 @cli.commands.command()
@@ -37,7 +37,7 @@ def effects(
         return
     asked, output = cli.scene_and_directory(scene, changes, output, "effects")
     from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.pricing import price_effects
+    from softcat_sym.studies.effect_importance import price_effects
 
     with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         pricing = price_effects(asked, progress, scene)
@@ -55,7 +55,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
     from softcat_sym.plotting.pricing import pricing_table
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.scene.bundled import bundled_names
-    from softcat_sym.studies.pricing import price_effects
+    from softcat_sym.studies.effect_importance import price_effects
 
     done: dict[str, Pricing | str] = {}
     errors: list[SoftcatError] = []

@@ -59,9 +59,9 @@ def figures(
 
 def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> Report:
     """A figure with its data and its caption; scenes are filmed once for all figures."""
-    from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting import paper_figures as drawing
     from softcat_sym.plotting.terminal import IntegrationProgress, StepProgress
+    from softcat_sym.progress import MembersBar
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.studies import paper_figures as study
     from softcat_sym.studies.phase import SETTINGS, phase_diagram

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -16,6 +16,7 @@ from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
     from softcat_sym.fitting.collapse_test import CollapseTest, Contour
+    from softcat_sym.fitting.fit import FitOptions
     from softcat_sym.fitting.least_squares import Loss
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.fitting.model_selection import LawComparison
@@ -134,10 +135,18 @@ def fit(
     films = read_contour(data[0]) if test else read_measurements(data)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
-        how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
-        how["profiles"] = not no_profiles
-        how |= {"calibrated": calibrated, "discrepancy": not no_discrepancy, "time_limit": time_limit}
-        how |= {"flow_curve": flow_curve} if flow_curve else {}
+        how: FitOptions = {
+            "bounds": limits,
+            "loss": robust,
+            "starts": starts,
+            "seed": seed,
+            "progress": progress,
+            "profiles": not no_profiles,
+            "calibrated": calibrated,
+            "discrepancy": not no_discrepancy,
+            "time_limit": time_limit,
+            "flow_curve": flow_curve,
+        }
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
         drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
@@ -180,7 +189,7 @@ def _check(
 
 
 def _fitted(
-    films: Measurements | Contour, known: Scene, also: list[str], law: list[str], how: dict[str, Any]
+    films: Measurements | Contour, known: Scene, also: list[str], law: list[str], how: FitOptions
 ) -> tuple[Fit, LawComparison | None, CollapseTest | None]:
     """The fit, or, of several laws, the best fit with the comparison; of a contour with what its gaps show."""
     from softcat_sym.fitting.collapse_test import Contour, collapse_test

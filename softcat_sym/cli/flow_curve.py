@@ -19,10 +19,7 @@ def flow_curve(
     scene: Annotated[
         cli.Text, cli.option("SCENE", "Scene to write with the fitted material.", autocompletion=complete_scene)
     ] = None,
-    law: Annotated[
-        cli.Text,
-        cli.option("LAW", "Take this law instead of the best: newtonian, bingham, power-law, herschel-bulkley."),
-    ] = None,
+    law: Annotated[cli.Text, cli.option("LAW", "Take this law instead of the best, such as herschel-bulkley.")] = None,
     sample: Annotated[cli.Text, cli.option("NAME", "Sample to fit, where a column sample_id names several.")] = None,
     output: cli.OutputOption = None,
     changes: cli.SetOption = None,

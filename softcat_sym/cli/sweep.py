@@ -61,13 +61,12 @@ def sweep(
     others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster: --set
     run.frames=41. After Ctrl-C the same command resumes from the finished members.
     """
-    from softcat_sym.ensemble.ensemble import MembersBar
-    from softcat_sym.ensemble.executor import check_executor
-    from softcat_sym.studies.sweep import run_sweep
-    from softcat_sym.studies.sweep_table import plan_sweep
+    from softcat_sym.batch.executor import Where
+    from softcat_sym.batch.plan import plan_sweep
+    from softcat_sym.batch.sweep import run_sweep
+    from softcat_sym.progress import MembersBar
 
-    where = (workers, scheduler, local_cluster)
-    check_executor(*where)
+    where = Where(workers, scheduler, local_cluster)
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")

@@ -23,30 +23,12 @@ _LONGEST = 60
 
 _INFIX = {"ADD": "+", "SUB": "-", "MUL": "*", "DIV": "/", "LT": "<", "LE": "<=", "EQ": "==", "NE": "!="}
 _CALLS = {
-    "EXP": "exp",
-    "LOG": "log",
-    "POW": "pow",
-    "CONSTPOW": "pow",
-    "SQRT": "sqrt",
-    "SIN": "sin",
-    "COS": "cos",
-    "TAN": "tan",
-    "ASIN": "asin",
-    "ACOS": "acos",
-    "ATAN": "atan",
-    "ATAN2": "angle_of",
-    "SINH": "sinh",
-    "COSH": "cosh",
-    "TANH": "tanh",
-    "FABS": "fabs",
-    "COPYSIGN": "copysign",
-    "LOG1P": "log1p",
-    "EXPM1": "expm1",
-    "HYPOT": "hypot",
-    "FMIN": "smaller",
-    "FMAX": "larger",
-    "SIGN": "sign_of",
-}
+    name.upper(): name
+    for name in (
+        *("exp", "log", "pow", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
+        *("fabs", "copysign", "log1p", "expm1", "hypot"),
+    )
+} | {"CONSTPOW": "pow", "ATAN2": "angle_of", "FMIN": "smaller", "FMAX": "larger", "SIGN": "sign_of"}
 
 _HELPERS = {
     "smaller": "static inline double smaller(double a, double b) { return a < b ? a : b; }\n",

@@ -22,11 +22,10 @@ from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 
 from softcat_sym import cache, store
 from softcat_sym.errors import SoftcatError
-from softcat_sym.interrupts import interrupts_go_to
+from softcat_sym.interrupts import Interrupts, interrupts_go_to
 
 
 def run(
@@ -37,9 +36,10 @@ def run(
     Zig compiles the libraries of C for itself, once; where `zig` does not say where it keeps them, the folder has them.
     """
     kept = os.environ.get("ZIG_GLOBAL_CACHE_DIR") or str(zig or folder / "zig")
-    interrupt = _Interrupt()
+    # Held back while the process is being started: raised then, it would leave one that nobody knows of.
+    interrupts = Interrupts(held_back=True)
     with (
-        interrupts_go_to(interrupt.note),
+        interrupts_go_to(interrupts.note),
         subprocess.Popen(
             command,
             cwd=folder,
@@ -56,7 +56,7 @@ def run(
     ):
         began, stop = time.monotonic(), _stop.get()
         try:
-            interrupt.pass_on()
+            interrupts.check()
             while process.returncode is None:
                 try:
                     out, err = process.communicate(timeout=_LOOK)
@@ -75,25 +75,6 @@ _LOOK = 0.1  # s, between two looks at whether to go on waiting for a process
 
 _stop: ContextVar[threading.Event | None] = ContextVar("stop", default=None)
 """Set by another thread where what :func:`run` runs in this one is to end."""
-
-
-class _Interrupt:
-    """Ctrl-C, held back while a process is being started: raised then, it would leave one that nobody knows of."""
-
-    def __init__(self) -> None:
-        self._pending = self._passed_on = False
-
-    def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle SIGINT."""
-        self._pending = True
-        if self._passed_on:
-            signal.default_int_handler(number, frame)
-
-    def pass_on(self) -> None:
-        """Raise what was held back, and from now on whatever comes."""
-        self._passed_on = True
-        if self._pending:
-            raise KeyboardInterrupt
 
 
 def _kill_group(process: subprocess.Popen[str]) -> None:
@@ -192,7 +173,9 @@ def split_variable(name: str) -> list[str]:
 
 @functools.lru_cache(maxsize=8)
 def _version(command: tuple[str, ...], files: tuple[tuple[str, int, int], ...]) -> str:
-    """The version that a compiler says it has; empty where it does not run. It is asked again if its files change.
+    """The version that a compiler says it has; empty where it does not run, or has no linker.
+
+    It is asked again if its files change.
 
     A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
     """
@@ -200,7 +183,9 @@ def _version(command: tuple[str, ...], files: tuple[tuple[str, int, int], ...]) 
     if (known := store.recall(key, cache.TEXTS)) is not None:
         return known.decode()
     said = (_output(*command, "--version") or "").strip()
-    version = said.splitlines()[0].strip() if said else ""
+    # One without its linker (gcc where there is no PATH) says its version, too. Apple's linker knows -v alone.
+    asks_linker = ((*command, "-nostdlib", "-shared", f"-Wl,{version}") for version in ("--version", "-v"))
+    version = said.splitlines()[0].strip() if said and any(_output(*one) is not None for one in asks_linker) else ""
     if version:
         store.keep(key, version.encode(), cache.TEXTS)
     return version

@@ -21,6 +21,7 @@ from softcat_sym.codegen.interface import (
 )
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
+from softcat_sym.scene.ends import SYMMETRY
 
 START = "start.csv"
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
@@ -90,18 +91,19 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
 def _structure(described: Description) -> dict[str, Any]:
     """What one build cannot change."""
     scene, structure = described.scene, described.structure
-    supports = structure.body.supports
+    recorded = structure.recorded
+    supports, ends = recorded.body.supports, (recorded.grid.first, recorded.grid.last)
     return {
         "digest": described.digest,
         "effects": list(described.effects.names),
         "law": scene.material.law,
         "section": scene.filament.section,
         "closure": scene.run.closure,
-        "theory": structure.theory.name,
-        "ends": [end.name.lower().replace("symmetry", "plane of symmetry") for end in structure.ends],
+        "theory": recorded.theory.name,
+        "ends": ["plane of symmetry" if end is SYMMETRY else end.name for end in ends],
         "supports": {"points_of_path": supports.rows, "parameters": list(supports.parameters)},
-        "profile": structure.body.profile.nodes is not None,
-        "point_mass": structure.body.weighted,
+        "profile": recorded.body.profile.nodes is not None,
+        "point_mass": recorded.body.weighted,
     }
 
 

@@ -7,7 +7,7 @@ import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from importlib import resources
 from typing import Any, NamedTuple
 
@@ -19,7 +19,7 @@ from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, choose_grading, towards_middle
+from softcat_sym.discretization.grid import choose_grading, towards_middle
 from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
@@ -28,7 +28,6 @@ from softcat_sym.discretization.supports import (
     TIP_FORCE,
     TIP_MASS,
     TIP_TORQUE,
-    Body,
 )
 from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.choosing import Effects
@@ -58,7 +57,7 @@ _UNITS = {
     "index": "1",
 }
 _ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_dz": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
-_ENDINGS |= {"_angle": "rad"}
+_ENDINGS |= {"_angle": "rad", "_rotational_stiffness": "N*m/rad", "_stiffness": "N/m"}
 
 _MEANINGS = {
     "area": "undeformed, of the section",
@@ -87,6 +86,8 @@ _MEANINGS = {
     **dict.fromkeys(TIP_TORQUE, "torque at the free end over the undeformed section"),
     **dict.fromkeys(DIRECTION, "of gravity; the three make a vector of length one"),
     **{name: "of the quaternion of a clamp, of length one" for turn in END_TURNS for name in turn},
+    **dict.fromkeys(("left_stiffness", "right_stiffness"), "of the spring between an end and its support"),
+    **dict.fromkeys(("left_rotational_stiffness", "right_rotational_stiffness"), "of the spring that turns it back"),
     "time_scale": "unit of time in which the computation works; 0: sqrt(rest_length / gravity)",
 }
 
@@ -118,85 +119,83 @@ class Description:
 
     scene: Scene  # What was asked
     effects: Effects  # The physics in force
+    graph: Graph  # On the scene's grid
     structure: Structure  # What its text depends on
     model: Model  # Its physics as C text
-    parameters: tuple[Given, ...]  # In the order of the model
-    on_cells: tuple[bool, ...]  # Whether each slot belongs to the cell of its site
-    # What each slot is of a plastic strain that is linear through the thickness; of a fibre what its coordinate is
-    # multiplied by.
-    profiles: tuple[tuple[float, float], ...]
-    cells: int  # Per half span
-    fibres: int  # Asked of the section; 0 where it is not resolved by them
-    section: str  # How they are placed, as softcat_solve.h names it
-    grading: float  # Ratio of the longest cell to the shortest
     steps: Steps
-    towards_middle: bool  # Whether cells are short at midspan, too
-    natural: tuple[float, ...]  # Of cells from left to right: X, twist and curvatures of a shape [1/m]
 
     @property
     def title(self) -> str:
         """Of the scene."""
         return self.scene.title or "a filament"
 
-    @property
+    @cached_property
     def digest(self) -> str:
         """Of the text of the physics: two filaments share a structure if theirs are the same, whatever their fibres."""
         return CSource({"model.c": self.model.of_any_fibres}).digest
 
+    @cached_property
+    def parameters(self) -> tuple[Given, ...]:
+        """In the order of the model."""
+        values, names = parameter_values(self.scene), self.model.parameters
+        units = {name: _unit(self.scene, name, names) for name in names}
+        return tuple(
+            Given(
+                name,
+                unit,
+                "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, ""),
+                _bound(self.scene, name),
+                float(values[name]),
+            )
+            for name, unit in units.items()
+        )
 
-def describe(
-    scene: Scene, effects: Effects, graph: Graph, structure: Structure, model: Model, steps: Steps
-) -> Description:
-    """Gather what is known of a scene's filament."""
-    values = parameter_values(scene)
-    units = {name: _unit(scene, name, model.parameters) for name in model.parameters}
-    given = tuple(
-        Given(name, units[name], _meaning(name, units[name]), _bound(scene, name), float(values[name]))
-        for name in model.parameters
-    )
-    profiles = model.template.signature.profiles
-    kinds = [slot.name for slot in model.template.signature.slots]
-    cells = graph.grid.cells if graph.grid.is_half else graph.grid.cells // 2
-    each = range(model.fibres)
-    names = [one for one in kinds for _ in (each if PER_FIBRE in one else (0,))]
-    grading = scene.numerics.grading or choose_grading(scene, cells, effects)
-    return Description(
-        scene=scene,
-        effects=effects,
-        structure=structure,
-        model=model,
-        parameters=given,
-        on_cells=tuple(slot.on == "cell" for slot in model.slots),
-        profiles=tuple(profiles.get(name, (0.0, 0.0)) for name in names),
-        cells=cells,
-        fibres=_fibres(scene, effects, structure),
-        section=_section(scene, effects, structure),
-        grading=float(grading),
-        steps=steps,
-        towards_middle=towards_middle(scene, effects),
-        natural=_natural(graph, structure.body),
-    )
+    @property
+    def on_cells(self) -> tuple[bool, ...]:
+        """Whether each slot belongs to the cell of its site."""
+        return tuple(slot.on == "cell" for slot in self.model.slots)
 
+    @property
+    def profiles(self) -> list[tuple[float, float]]:
+        """What each slot is of a plastic strain that is linear through the thickness.
 
-def _fibres(scene: Scene, effects: Effects, structure: Structure) -> int:
-    theory = structure.theory
-    if theory.fibres is None:
-        return 0
-    return asked_points(scene, effects.terms()) if theory.is_spatial else theory.fibres.points
+        Of a fibre it is what its coordinate is multiplied by.
+        """
+        signature, each = self.model.template.signature, range(self.model.fibres)
+        kinds = [slot.name for slot in signature.slots for _ in (each if PER_FIBRE in slot.name else (0,))]
+        return [signature.profiles.get(kind, (0.0, 0.0)) for kind in kinds]
 
+    @property
+    def cells(self) -> int:
+        """Per half span."""
+        return self.graph.grid.cells if self.graph.grid.is_half else self.graph.grid.cells // 2
 
-def _section(scene: Scene, effects: Effects, structure: Structure) -> str:
-    circle = scene.filament.section == "circle"
-    if structure.theory.is_spatial:
-        return "RINGS" if circle else "WARPING"
-    return ("CIRCLE" if circle else "RECTANGLE") + "_IN_HALVES" * in_halves(scene, effects.terms())
+    @property
+    def fibres(self) -> int:
+        """Asked of the section; 0 where it is not resolved by them."""
+        theory = self.structure.recorded.theory
+        if theory.fibres is None:
+            return 0
+        return asked_points(self.scene, self.effects.terms()) if theory.is_spatial else theory.fibres.points
 
+    @property
+    def section(self) -> str:
+        """How fibres are placed, as softcat_solve.h names it."""
+        circle = self.scene.filament.section == "circle"
+        if self.structure.recorded.theory.is_spatial:
+            return "RINGS" if circle else "WARPING"
+        return ("CIRCLE" if circle else "RECTANGLE") + "_IN_HALVES" * in_halves(self.scene, self.effects.terms())
 
-def _natural(graph: Graph, body: Body) -> tuple[float, ...]:
-    if body.natural is None:
-        return ()
-    rows = np.column_stack([graph.grid.centres, body.natural])
-    return tuple(rows.ravel().tolist())
+    @property
+    def grading(self) -> float:
+        """Ratio of the longest cell to the shortest."""
+        return float(self.scene.numerics.grading or choose_grading(self.scene, self.cells, self.effects))
+
+    @property
+    def natural(self) -> tuple[float, ...]:
+        """Of cells from left to right: X, twist and curvatures of a shape [1/m]."""
+        natural = self.structure.recorded.body.natural
+        return () if natural is None else tuple(np.column_stack([self.graph.grid.centres, natural]).ravel().tolist())
 
 
 def _named_by_user(scene: Scene) -> dict[str, Parameter]:
@@ -220,36 +219,19 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
 
 
-def _meaning(name: str, unit: str) -> str:
-    return "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, "")
+_ANY = ("curvature", "twist", "drop", "left_angle", "right_angle", *TIP_FORCE, *TIP_TORQUE, *DIRECTION)
+_NOT_NEGATIVE = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS)
+_NOT_NEGATIVE += ("surface_tension", "bath_density", "bath_viscosity")
+_BOUNDS = {"poisson": "poisson", **dict.fromkeys((*_ANY, *itertools.chain(*END_TURNS)), "any")}
+_BOUNDS |= dict.fromkeys(_NOT_NEGATIVE, "not-negative")
 
 
 def _bound(scene: Scene, name: str) -> str:
-    if name == "poisson":
-        return "poisson"
-    own = _named_by_user(scene)
-    free = (
-        "curvature",
-        "twist",
-        "drop",
-        "left_angle",
-        "right_angle",
-        *TIP_FORCE,
-        *TIP_TORQUE,
-        *DIRECTION,
-        *itertools.chain(*END_TURNS),
-    )
-    if (
-        name in own
-        or name in free
-        or name in history_values(scene.material)
-        or name.startswith(PREFIX)
-        or (name.startswith(("motion_", "turn_")) and not name.endswith("_time"))
-    ):
+    if name.startswith(PREFIX) or name in {*_named_by_user(scene), *history_values(scene.material)}:
         return "any"
-    zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
-    zero |= {"surface_tension", "bath_density", "bath_viscosity", TIP_MASS}
-    return "not-negative" if name in zero or name.startswith(("motion_", "turn_")) else "positive"
+    if name.startswith(("motion_", "turn_")):
+        return "not-negative" if name.endswith("_time") else "any"
+    return _BOUNDS.get(name, "positive")
 
 
 DEFAULT_NAME = "filament"
@@ -262,20 +244,17 @@ _RANGES = {
 }
 _PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
 _PLACES |= set(NATURAL_PLACES)
-_KNOWN = (
-    *(
-        "rest_length",
-        "time_scale",
-        "gravity",
-        "density",
-        "span",
-        "drop",
-        "left_angle",
-        "right_angle",
-        "curvature",
-        "twist",
-    ),
+_KNOWN: tuple[str, ...] = (
+    "rest_length",
+    "time_scale",
+    "gravity",
+    "density",
+    "span",
+    "drop",
+    "left_angle",
+    "right_angle",
 )
+_KNOWN += ("curvature", "twist")
 
 
 def prefix_of(name: str) -> str:
@@ -393,10 +372,10 @@ def source_text(described: Description, name: str, command: str) -> str:
 
 def _fields(described: Description, name: str) -> dict[str, str]:
     """Of the structure."""
-    scene, structure = described.scene, described.structure
-    supports = structure.body.supports
+    scene, model, recorded = described.scene, described.model, described.structure.recorded
+    supports = recorded.body.supports
     parameters = [one.name for one in described.parameters]
-    slots = [slot.name for slot in described.model.slots]
+    slots = [slot.name for slot in model.slots]
 
     def place(names: list[str], name: str) -> str:
         return str(names.index(name) if name in names else -1)
@@ -412,11 +391,11 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "on_cells": "described_on_cells",
         "mean": "described_mean",
         "bending": "described_bending",
-        "first": f"SOFTCAT_{structure.ends[0].name}",
-        "last": f"SOFTCAT_{structure.ends[1].name}",
+        "first": f"SOFTCAT_{recorded.grid.first.kind.upper()}",
+        "last": f"SOFTCAT_{recorded.grid.last.kind.upper()}",
         "least_cells": str(MIN_CELLS),
-        "area_power": str(structure.formulation.area_power),
-        "profiled": str(int(structure.body.profile.nodes is not None)),
+        "area_power": str(recorded.formulation.area_power),
+        "profiled": str(int(recorded.body.profile.nodes is not None)),
         "places": "described_places",
         **{slot: place(slots, slot) for slot in ("x", "y", "z", "psi")},
         "q": place(slots, TURN[0]),
@@ -427,7 +406,14 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         "turn": place(parameters, "turn_0_time"),
         "turn_rows": str(supports.turns),
         "stretch": number(force_free_stretch(scene)),
-        **_section_fields(described, parameters),
+        "aspect": place(parameters, "aspect"),
+        "width": number(scene.filament.width / scene.filament.thickness),
+        "section": f"SOFTCAT_{described.section}",
+        "fibres": str(described.fibres),
+        "points": str(model.fibres),
+        "plain_slots": str(model.plain_slots),
+        "plain_entries": str(model.plain_entries),
+        "plain_scratch": str(model.template.scratch[0]),
     }
     for key, values in _lists(described).items():
         if values:
@@ -437,23 +423,9 @@ def _fields(described: Description, name: str) -> dict[str, str]:
     fields |= {"grading": number(described.grading), "relative": number(steps.relative)}
     fields |= {"absolute": number(steps.absolute), "absolutes": "described_absolutes"}
     fields |= {"largest_step": number(steps.largest_step), "method": str(steps.method)}
-    fields |= {"towards_middle": str(int(described.towards_middle)), "duration": number(scene.run.duration)}
+    middle = towards_middle(scene, described.effects)
+    fields |= {"towards_middle": str(int(middle)), "duration": number(scene.run.duration)}
     return fields | {"cells": str(described.cells), "frames": str(scene.run.frames)}
-
-
-def _section_fields(described: Description, parameters: list[str]) -> dict[str, str]:
-    """How its section is resolved."""
-    filament, model = described.scene.filament, described.model
-    return {
-        "aspect": str(parameters.index("aspect") if "aspect" in parameters else -1),
-        "width": number(filament.width / filament.thickness),
-        "section": f"SOFTCAT_{described.section}",
-        "fibres": str(described.fibres),
-        "points": str(model.fibres),
-        "plain_slots": str(model.plain_slots),
-        "plain_entries": str(model.plain_entries),
-        "plain_scratch": str(model.template.scratch[0]),
-    }
 
 
 def header_text(described: Description, name: str, command: str) -> str:
@@ -472,7 +444,7 @@ def header_text(described: Description, name: str, command: str) -> str:
         big=big,
         prefix=prefix_of(name),
         structure=symbol_of(name, "structure"),
-        half=described.structure.ends[0] is End.SYMMETRY,
+        half=described.structure.recorded.grid.is_half,
         min_cells=MIN_CELLS,
         axes=3 if "z" in [slot.name for slot in slots] else 2,
         parameters=list(zip(parameters, words, strict=True)),

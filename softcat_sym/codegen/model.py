@@ -44,8 +44,9 @@ def template_of(program: Program, made_of: Callable[..., Template]) -> Template:
     moves = writer.moves_in_time
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, program, chain, levels)
-    in_time = Chain(leaves, by_time=True, by_unknowns=False)
-    forced = _in_time(writer, in_time, "rates_in_time", levels, rate) if moves else []
+    in_time, forced = Chain(leaves, by_time=True, by_unknowns=False), list[str]()
+    if moves:
+        forced = _derivatives(writer, in_time, levels, "rates_in_time", lambda name, _: rate(name), alone=True)
     powers, work, slopes, changing = _work(writer, program, chain, fields, in_time if moves else None)
     size, found = writer.slots.count, Row("entries", [entry_label(entry) for entry in entries])
     text = "\n\n".join(
@@ -121,9 +122,15 @@ def entry_label(entry: tuple[str, str, int]) -> str:
 
 
 def _derivatives(
-    writer: Writer, chain: Chain, levels: Sequence[Sequence[Loop]], label: str, entry: Callable[[str, Entry], Target]
+    writer: Writer,
+    chain: Chain,
+    levels: Sequence[Sequence[Loop]],
+    label: str,
+    entry: Callable[[str, Entry], Target],
+    *,
+    alone: bool = False,
 ) -> list[str]:
-    """Calls of functions that compute fields and their derivatives together.
+    """Calls of functions that compute derivatives of fields, and the fields with them unless these are there already.
 
     Derivatives of fields go to the scratch, those of all others where `entry` says.
     """
@@ -136,29 +143,13 @@ def _derivatives(
             made = slopes[name]
             if writer.is_field(name):
                 stored = chain.stored(name)
-                targets += [writer.field(name), *(writer.field(entry_name(name, one)) for one in stored)]
-                values += [value, *(made.get(one, ca.SX(0)) for one in stored)]
+                targets += [] if alone else [writer.field(name)]
+                values += [] if alone else [value]
+                targets += [writer.field(entry_name(name, one)) for one in stored]
+                values += [made.get(one, ca.SX(0)) for one in stored]
             else:
                 targets += [entry(name, one) for one in made]
                 values += made.values()
-        if values:
-            calls.append(writer.function(f"{label}_{k}", loop.where, values, targets))
-    return calls
-
-
-def _in_time(
-    writer: Writer, chain: Chain, label: str, levels: Sequence[Sequence[Loop]], target: Callable[[str], Target]
-) -> list[str]:
-    """Calls of functions that compute derivatives in time at constant unknowns, of fields that are in the scratch."""
-    calls = []
-    for k, (loop, slopes) in enumerate(pair for level in levels for pair in differentiated(chain, level)):
-        targets: list[Target] = []
-        values: list[ca.SX] = []
-        for name in loop.names:
-            made = slopes[name]
-            entries = chain.stored(name) if writer.is_field(name) else list(made)
-            targets += [writer.field(entry_name(name, e)) if writer.is_field(name) else target(name) for e in entries]
-            values += [made.get(e, ca.SX(0)) for e in entries]
         if values:
             calls.append(writer.function(f"{label}_{k}", loop.where, values, targets))
     return calls
@@ -218,7 +209,9 @@ def _work(
         return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
     changes = _derivatives(writer, chain, levels, "work_slope", entry)
-    forced = _in_time(writer, in_time, "work_in_time", levels, power) if in_time else []
+    if in_time is None:
+        return tuple(program.powers), calls, changes, []
+    forced = _derivatives(writer, in_time, levels, "work_in_time", lambda name, _: power(name), alone=True)
     return tuple(program.powers), calls, changes, forced
 
 

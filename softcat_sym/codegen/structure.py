@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import TypeVar
 
+from pydantic import TypeAdapter
+
 from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
-from softcat_sym.discretization.assembly import Theory
-from softcat_sym.discretization.grid import End, Grid
+from softcat_sym.discretization.assembly import Recorded
 from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule
-from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Signature, Slot
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.physics.terms import Formulation
 
 
 @dataclass(frozen=True)
@@ -233,15 +231,12 @@ def _recalled(key: str) -> Template:
     text = store.recall(store.key_of("template", key), cache.TEXTS)
     if text is None:
         raise LookupError(key)
-    parts = json.loads(text)
-    parts |= {name: tuple(parts[name]) for name in ("powers", "scratch", "scratch_shown")}
-    parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    given = parts["signature"]
-    given |= {name: tuple(given[name]) for name in ("parameters", "places", "powers")}
-    given["slots"] = tuple(Slot(**{**slot, "held": tuple(slot["held"])}) for slot in given["slots"])
-    given["shown"] = tuple(Shown(**one) for one in given["shown"])
-    given["profiles"] = {name: tuple(parts_of) for name, parts_of in given["profiles"].items()}
-    return Template(**{**parts, "signature": Signature(**given)})
+    return _form().validate_json(text)
+
+
+@lru_cache(maxsize=1)
+def _form() -> TypeAdapter[Template]:
+    return TypeAdapter(Template)
 
 
 @dataclass(frozen=True)
@@ -251,15 +246,13 @@ class Structure:
     key: str  # Hash of all that the text depends on but the program and the fibres
     rule: str  # Where the fibres are; empty without. Two structures are equal if these two are
     effects: tuple[str, ...]  # Names of the effects in force
-    formulation: Formulation = field(compare=False)  # What the filament is recorded from
-    theory: Theory = field(compare=False)
-    ends: tuple[End, End] = field(compare=False)
-    body: Body = field(compare=False)
+    recorded: Recorded = field(compare=False)  # One of them
 
 
-def structure_of(effects: Effects, grid: Grid, formulation: Formulation, theory: Theory, body: Body) -> Structure:
+def structure_of(effects: Effects, recorded: Recorded) -> Structure:
     """The structure of a filament."""
-    ends, fibres, terms = (grid.first, grid.last), theory.fibres, formulation.terms
+    formulation, theory, body = recorded.formulation, recorded.theory, recorded.body
+    fibres, terms = theory.fibres, formulation.terms
     key = store.key_of(
         "structure",
         replace(terms, densities=()),
@@ -267,7 +260,7 @@ def structure_of(effects: Effects, grid: Grid, formulation: Formulation, theory:
         formulation.section,
         formulation.closure,
         theory.label,
-        [end.name for end in ends],
+        [end.holds for end in (recorded.grid.first, recorded.grid.last)],
         body.supports,
         body.profile.nodes is not None,
         body.weighted,
@@ -276,13 +269,13 @@ def structure_of(effects: Effects, grid: Grid, formulation: Formulation, theory:
         body.tip_torque,
         body.natural is not None,
     )
-    return Structure(key, fibres.label if fibres else "", effects.names, formulation, theory, ends, body)
+    return Structure(key, fibres.label if fibres else "", effects.names, recorded)
 
 
 def signature_of(structure: Structure) -> Signature | None:
     """What a filament computes, by name; None where its C text is not kept."""
     try:
-        return _recalled(structure.key).with_fibres(structure.theory.fibres).signature
+        return _recalled(structure.key).with_fibres(structure.recorded.theory.fibres).signature
     except LookupError:
         return None
 
@@ -293,20 +286,12 @@ def model_for(structure: Structure) -> Model:
     try:
         template = _recalled(structure.key)
     except LookupError:
-        template = _made(structure)
-        content = json.dumps(asdict(template)).encode()
-        store.keep(store.key_of("template", structure.key), content, cache.TEXTS)
-    return template.with_fibres(structure.theory.fibres)
+        # Imported here: what is kept is read without CasADi and SymPy.
+        from softcat_sym.codegen.model import template_of
+        from softcat_sym.discretization.sampling import one_of
 
-
-def _made(structure: Structure) -> Template:
-    # Imported here: what is kept is read without CasADi and SymPy.
-    from softcat_sym.codegen.model import template_of
-    from softcat_sym.discretization.filament import build
-    from softcat_sym.discretization.sampling import one_of
-    from softcat_sym.physics.filament import equations_of
-
-    theory = structure.theory
-    rule = one_of(theory.fibres) if theory.fibres else theory.rule
-    program = build(equations_of(structure.formulation), theory.model, structure.ends, structure.body, rule)
-    return template_of(program, Template)
+        theory = structure.recorded.theory
+        rule = one_of(theory.fibres) if theory.fibres else theory.rule
+        template = template_of(structure.recorded.sampled_by(rule), Template)
+        store.keep(store.key_of("template", structure.key), _form().dump_json(template), cache.TEXTS)
+    return template.with_fibres(structure.recorded.theory.fibres)

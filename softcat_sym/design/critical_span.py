@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from numbers import Real
@@ -19,7 +20,7 @@ from softcat_sym.design.information import (
     FRAME_RATE,
     SPAN,
     THICKNESS,
-    Noise,
+    ReadingNoise,
     Trial,
     read_positive,
     read_share,
@@ -91,8 +92,11 @@ class FrozenSag:
         frames = 2 if at_end else max(scene.run.frames, _MIN_FRAMES)
         self._times = np.linspace(0.0, duration, frames)[1:]
         self._paths = tuple(paths)
-        self.idle: tuple[str, ...] = ()
-        self._model = self._made()
+        free = free_parameters(self._scene, [SPAN, *self._paths])
+        self._model: ForwardModel | None = None
+        # A row of equilibria has no forward model.
+        with suppress(SceneError):
+            self._model = ForwardModel(self._scene, free, self._times, without_idle=True)
 
     def at(self, span: float) -> tuple[float, float, dict[str, float]]:
         """Sag [m], d log sag/d log span, and d log sag/d log parameter of each parameter that matters.
@@ -112,18 +116,6 @@ class FrozenSag:
         by_log = (weights @ slopes) / height
         rest = zip(model.free[1:], by_log[1:].tolist(), strict=True)
         return abs(height), float(by_log[0]), {one.path: slope for one, slope in rest}
-
-    def _made(self) -> ForwardModel | None:
-        """The forward model without what makes no difference; None if nothing is integrated, or nothing with slopes."""
-        free = free_parameters(self._scene, [SPAN, *self._paths])
-        try:
-            model = ForwardModel(self._scene, free, self._times, without_idle=True)
-        except SceneError:
-            return None
-        own = [one.path for one in model.free]
-        self.idle = tuple(path for path in self._paths if path not in own)
-        self._paths = tuple(own[1:])
-        return model
 
     def _by_runs(self, span: float) -> tuple[float, float, dict[str, float]]:
         """The same by central differences of runs, for a row of equilibria, which has no forward model."""
@@ -281,7 +273,7 @@ def sentences(
     best: Trial,
     given: Trial,
     at_bounds: Mapping[str, str],
-    noise: Noise,
+    noise: ReadingNoise,
     counted: tuple[str, ...],
     rough: float,
     max_sag: Limit | None,
@@ -450,46 +442,33 @@ def _closed_in(
         # Of an infinite sag the sign is enough.
         return float(np.clip(allowed.excess(math.exp(x), run(math.exp(x)).value), -_CLEAR, _CLEAR))
 
+    def critical(root: Root, effects: tuple[str, ...], *, breaks: bool = False) -> CriticalSpan:
+        many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
+        return CriticalSpan(
+            span=root.span,
+            sag=root.sag,
+            gradient={} if breaks else {path: root.gradient.get(path, 0.0) for path in paths},
+            crossings=tuple((spans[i], spans[i + 1]) for i in found),
+            scan=tuple((span, one.value) for span, one in zip(spans, scanned, strict=True)),
+            effects=effects,
+            notes=(*root.notes, many) if len(found) > 1 else root.notes,
+            breaks=breaks,
+        )
+
     near = brentq(left, math.log(spans[first]), math.log(spans[first + 1]), xtol=_COARSE, rtol=_COARSE)
     margin = 2 * _COARSE * (1 + abs(near))  # What the root finder leaves open
     shorter, longer = (run(math.exp(near + way * margin)) for way in (-1, 1))
     if longer.note == Outcome.broken.name and math.isfinite(shorter.value):
-        root = Root(math.exp(near - margin), shorter.value, {}, ())
-        return _critical(root, found, spans, scanned, shorter.effects, (), breaks=True)
+        return critical(Root(math.exp(near - margin), shorter.value, {}, ()), shorter.effects, breaks=True)
     if not abs(left(near)) < _JUMP:
         found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
     closed = run(math.exp(near))
-    effects, root = closed.effects, Root(math.exp(near), closed.value, {}, ())
+    root = Root(math.exp(near), closed.value, {}, ())
     if paths:
-        frozen = FrozenSag(with_span(scene, root.span), effects, paths, at_end=at_end)
+        frozen = FrozenSag(with_span(scene, root.span), closed.effects, paths, at_end=at_end)
         root = polished(frozen, allowed, root.span)
-    return _critical(root, found, spans, scanned, effects, paths)
-
-
-def _critical(
-    root: Root,
-    found: tuple[int, ...],
-    spans: list[float],
-    scanned: list[Sag],
-    effects: tuple[str, ...],
-    paths: tuple[str, ...],
-    *,
-    breaks: bool = False,
-) -> CriticalSpan:
-    notes = root.notes
-    if len(found) > 1:
-        notes = (*notes, f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span.")
-    return CriticalSpan(
-        span=root.span,
-        sag=root.sag,
-        gradient={path: root.gradient.get(path, 0.0) for path in paths},
-        crossings=tuple((spans[i], spans[i + 1]) for i in found),
-        scan=tuple((span, one.value) for span, one in zip(spans, scanned, strict=True)),
-        effects=effects,
-        notes=notes,
-        breaks=breaks,
-    )
+    return critical(root, closed.effects)
 
 
 def _read(

@@ -19,10 +19,9 @@ from softcat_sym.design.information import (
     SPAN,
     THICKNESS,
     Films,
-    Noise,
     Range,
+    ReadingNoise,
     Trial,
-    Unknowns,
     Within,
     as_given,
     exact_film,
@@ -30,7 +29,6 @@ from softcat_sym.design.information import (
     read_noise,
     read_ranges,
     relative_errors,
-    strongest,
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
@@ -46,6 +44,7 @@ _FINEST = math.log(1.05)
 _DIGITS = 9
 
 Point = tuple[float, ...]
+Free = tuple[FreeParameter, ...]
 
 
 def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats, most: int) -> Point | None:
@@ -92,7 +91,7 @@ class Judge:
     scene: Scene  # With rough values
     names: tuple[str, ...]  # All that is estimated, nuisance included
     counted: tuple[bool, ...]  # What of it counts
-    noise: Noise  # Of one reading
+    noise: ReadingNoise  # Of one reading
     ranges: dict[str, Range]  # Of every design variable
     max_frames: int | None  # That the camera keeps
     rough: float  # Factor by which the rough values may be wrong either way; one: not at all
@@ -108,10 +107,7 @@ class Judge:
         duration = self.ranges[DURATION]
         try:
             scene = self._filament(span, thickness)
-            films = [
-                (films_of(one, free, duration.low, duration.high), unknowns)
-                for one, free, unknowns in self._corners(scene)
-            ]
+            films = [(films_of(one, free, duration.low, duration.high), free) for one, free in self._corners(scene)]
         except SceneError as error:
             return self._nothing(span, thickness, str(error))
         return self._best_of(span, thickness, films)
@@ -122,16 +118,13 @@ class Judge:
             return trial, []
         try:
             scene = self.scene.replace(trial.changes)
-            found = [
-                (exact_film(one, free, trial.frames, self.noise), unknowns)
-                for one, free, unknowns in self._corners(scene)
-            ]
+            found = [(exact_film(one, free, trial.frames, self.noise), free) for one, free in self._corners(scene)]
         except SceneError as error:
             return self._nothing(trial.span, trial.thickness, str(error)), []
         sag = max(film.sag for film, _ in found)
         if sag > self._allowed(trial.span):
             return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), []
-        errors = np.array([relative_errors(film.information, unknowns) for film, unknowns in found])
+        errors = np.array([relative_errors(film.information, free) for film, free in found])
         note = next((film.message for film, _ in found if film.message), "")
         return self._trial(trial.values, trial.frames, errors, sag, note), [film.information for film, _ in found]
 
@@ -154,16 +147,16 @@ class Judge:
         enough = (frames >= 2) & (frames + 1 >= rate.low * durations * (1 - _ROUNDING) + 1)
         return np.where(enough, frames, np.nan)
 
-    def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Unknowns]]) -> Trial:
+    def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Free]]) -> Trial:
         durations = films[0][0].durations
         frames = self.frames(durations)
-        rows = [(one.information(frames, self.noise.of_each(one.sag)), unknowns) for one, unknowns in films]
-        errors = np.array([relative_errors(information, unknowns) for information, unknowns in rows])
+        errors = np.array(
+            [relative_errors(one.information(frames, self.noise.of(one.sag)), free) for one, free in films]
+        )
         sag = np.max([one.sag for one, _ in films], axis=0)
         # An experiment is judged again by its own frames and tolerances, which must not find it too deep.
         shallow = ~(sag > (1 - _MARGIN) * self._allowed(span))
-        worst = np.array([unknowns.worst(row) for row, (_, unknowns) in zip(errors, films, strict=True)]).max(axis=0)
-        worst = np.where(shallow, worst, np.inf)
+        worst = np.where(shallow, errors[..., np.array(self.counted)].max(axis=(0, -1)), np.inf)
         # Where nothing determines everything, the film that is best without the gate would be as good as any.
         number = (
             int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, np.where(shallow, frames, np.nan))
@@ -179,7 +172,7 @@ class Judge:
         return self._trial(values, count, errors[:, number], float(sag[number]), note)
 
     @staticmethod
-    def _last(films: list[tuple[Films, Unknowns]], frames: Floats) -> int:
+    def _last(films: list[tuple[Films, Free]], frames: Floats) -> int:
         """Number of the longest film that there is; -1 if there is none."""
         held = np.isfinite(frames) & np.all([np.isfinite(one.mean).all(axis=(1, 2)) for one, _ in films], axis=0)
         return int(np.flatnonzero(held)[-1]) if held.any() else -1
@@ -213,7 +206,7 @@ class Judge:
     def _filament(self, span: float, thickness: float) -> Scene:
         return self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})
 
-    def _corners(self, scene: Scene) -> list[tuple[Scene, tuple[FreeParameter, ...], Unknowns]]:
+    def _corners(self, scene: Scene) -> list[tuple[Scene, Free]]:
         """The scene with its rough values, and with each of them too small or too large by the factor."""
         rough = free_parameters(scene, self.names)
         scenes = [scene]
@@ -224,11 +217,7 @@ class Judge:
                 for one, sign in zip(wrong, signs, strict=True)
             ]
             scenes.append(with_values(scene, wrong, values))
-        found = []
-        for one in scenes:
-            free = free_parameters(one, self.names)
-            found.append((one, free, Unknowns(free, np.array(self.counted))))
-        return found
+        return [(one, free_parameters(one, self.names)) for one in scenes]
 
 
 _MOST = 200
@@ -243,7 +232,7 @@ class Experiment:
     best: Trial  # Of least worst error, judged by its own frames
     as_given: Trial  # The scene as it is, with as many frames as the camera keeps
     at_bounds: Mapping[str, str]  # Design variables whose bound binds, ``"lower"`` or ``"upper"``
-    noise: Noise  # Of one reading
+    noise: ReadingNoise  # Of one reading
     counted: tuple[str, ...]  # The parameters whose worst error counts
     rough: float  # Factor by which the rough values were allowed to be wrong
     # In the order of the search, each filament with its best film: what beats all before it is judged by its own
@@ -407,7 +396,7 @@ def _judge(
     rough: float,
     max_sag: object,
 ) -> Judge:
-    ranges, faults, reading, allowed = read_ranges(scene, within), [], Noise(math.nan), None
+    ranges, faults, reading, allowed = read_ranges(scene, within), [], ReadingNoise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
     counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))
     if not any(counted):
@@ -458,7 +447,9 @@ def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
     pairs = [pair for pair in (judge.exactly(one) for one in seen) if pair[1] and np.isfinite(pair[1][0]).all()]
     if not pairs:
         return f"{head}: no filament within them holds as long as its film"
-    trial, matrices = pairs[strongest([pair[1][0] for pair in pairs])]
+    # The information whose smallest eigenvalue is the largest, relative to its largest.
+    values = [np.linalg.eigvalsh(matrices[0]) for _, matrices in pairs]
+    trial, matrices = pairs[int(np.argmax([row[0] / row[-1] if row[-1] > 0 else -1.0 for row in values]))]
     what = _information(judge, trial, matrices[0]).combinations
     if not what:
         return f"{head}, nor any combination of them: more frames, less noise, or wider bounds are needed"
@@ -470,10 +461,10 @@ def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
 def _information(judge: Judge, trial: Trial, matrix: Floats) -> Information:
     """The information as a fit would judge it."""
     free = free_parameters(judge.scene.replace(trial.changes), judge.names)
-    unknowns = Unknowns(free, np.array(judge.counted))
     values, directions = np.linalg.eigh(matrix)
     root = np.sqrt(np.maximum(values, 0.0))[:, None] * directions.T
     box = np.array([one.lower for one in free]), np.array([one.upper for one in free])
     flags = tuple(one.logarithmic for one in free)
     start = np.array([one.scaled(one.typical) for one in free])
-    return information(unknowns.names, start, np.zeros(len(free)), root, box, noise_known=True, logarithmic=flags)
+    names = tuple(one.name for one in free)
+    return information(names, start, np.zeros(len(free)), root, box, noise_known=True, logarithmic=flags)

@@ -8,10 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from numbers import Real
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.forward_model import ForwardModel
@@ -131,57 +130,34 @@ def _range(path: str, bounds: object) -> Range:
     return Range(path, low, high)
 
 
+Sags = TypeVar("Sags", float, Floats)
+
+
 @dataclass(frozen=True, slots=True)
-class Noise:
+class ReadingNoise:
     """Standard deviation of one reading."""
 
     value: float  # [m], or a share of the largest sag within the film
     of_sag: bool = False  # Which of them
 
-    def of(self, sag: float) -> float:
-        """Standard deviation [m] in a film in which the filament sags so far [m]."""
-        return self.value * sag if self.of_sag else self.value
-
-    def of_each(self, sags: Floats) -> Floats:
-        """The same for several films, shape (m,)."""
-        return np.array([self.of(sag) for sag in sags.tolist()])
+    def of(self, sag: Sags) -> Sags:
+        """Standard deviation [m] in a film in which the filament sags so far [m]; one for each of several films."""
+        return self.value * sag if self.of_sag else self.value + 0 * sag
 
 
-def read_noise(value: object) -> Noise:
+def read_noise(value: object) -> ReadingNoise:
     """Read a length such as ``"10 um"``, a number in m, or a share of the sag such as ``"1 %"``."""
     share = read_share(value)
-    return Noise(read_positive(value, "length", "m")) if share is None else Noise(share, of_sag=True)
+    return ReadingNoise(read_positive(value, "length", "m")) if share is None else ReadingNoise(share, of_sag=True)
 
 
 # Components of a direction that no experiment sees, below which an unknown does not take part in it.
 _TAKES_PART = 1e-4
 
 
-@dataclass(frozen=True, eq=False)
-class Unknowns:
-    """What a film is to tell."""
-
-    free: tuple[FreeParameter, ...]  # All that is estimated together
-    counted: NDArray[np.bool_]  # shape (k,); Which count: not the camera's own, nor other nuisance
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Of all that is estimated."""
-        return tuple(one.name for one in self.free)
-
-    @property
-    def scales(self) -> Floats:
-        """Relative error over the error of q, shape (k,); of what is typically zero, the error itself in SI."""
-        scales = [1.0 if one.logarithmic else one.scale / (abs(one.typical) or 1.0) for one in self.free]
-        return np.array(scales)
-
-    def worst(self, errors: Floats) -> Floats:
-        """Largest error of what counts; shape (..., k) to (...)."""
-        return np.asarray(errors[..., self.counted].max(axis=-1), dtype=float)
-
-
-def relative_errors(matrices: Floats, unknowns: Unknowns) -> Floats:
-    """Relative standard errors by the Cramer-Rao bound, sqrt((F^-1)_ii)."""
+def relative_errors(matrices: Floats, free: Sequence[FreeParameter]) -> Floats:
+    """Relative standard errors by the Cramer-Rao bound, sqrt((F^-1)_ii); in SI of what is typically zero."""
+    scales = np.array([1.0 if one.logarithmic else one.scale / (abs(one.typical) or 1.0) for one in free])
     present = np.asarray(np.isfinite(matrices).all(axis=(-1, -2), keepdims=True))
     values, directions = np.linalg.eigh(np.where(present, matrices, 0.0))
     floor = np.maximum(DERIVATIVE_ACCURACY**2 * values[..., -1:], np.finfo(float).tiny)
@@ -189,14 +165,7 @@ def relative_errors(matrices: Floats, unknowns: Unknowns) -> Floats:
     variance = 1 / np.maximum(values, floor)[..., None, :]
     parts = directions**2 * np.where(seen, variance, 0.0)
     hidden = (~seen & (np.abs(directions) > _TAKES_PART)).any(axis=-1)
-    errors = np.sqrt(parts.sum(axis=-1)) * unknowns.scales
-    return np.where(hidden | ~present[..., 0], np.inf, errors)
-
-
-def strongest(matrices: Sequence[Floats]) -> int:
-    """Number of the information with the largest smallest eigenvalue relative to its largest."""
-    values = [np.linalg.eigvalsh(np.nan_to_num(matrix)) for matrix in matrices]
-    return int(np.argmax([row[0] / row[-1] if row[-1] > 0 else -1.0 for row in values]))
+    return np.where(hidden | ~present[..., 0], np.inf, np.sqrt(parts.sum(axis=-1)) * scales)
 
 
 # Frames that are integrated; more are counted, as what lies between frames is seen by both.
@@ -260,8 +229,7 @@ def films_of(scene: Scene, free: tuple[FreeParameter, ...], shortest: float, lon
     return Films(durations, area[-len(durations) :] / durations[:, None, None], sag, model.message)
 
 
-@dataclass(frozen=True, eq=False)
-class ExactFilm:
+class ExactFilm(NamedTuple):
     """One film by its own frames."""
 
     information: Floats  # shape (k, k); Fisher's, of q
@@ -269,7 +237,7 @@ class ExactFilm:
     message: str  # Why the filament does not hold; empty if it does
 
 
-def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: Noise) -> ExactFilm:
+def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: ReadingNoise) -> ExactFilm:
     """Follow a filament through the frames of one film."""
     integrated = min(frames, _MAX_FRAMES)
     model = ForwardModel(scene, free, np.linspace(0.0, scene.run.duration, integrated))

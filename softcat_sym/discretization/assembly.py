@@ -11,7 +11,6 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import (
-    End,
     Grid,
     choose_grading,
     half_span,
@@ -29,13 +28,11 @@ from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
-from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
+from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
-    from softcat_sym.physics.filament import FilamentEquations
-
-_ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
+    from softcat_sym.discretization.sampling import Sampling, SpatialSampling
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -79,7 +76,7 @@ def choose_cells(scene: Scene, effects: Effects | None = None) -> int:
     if scene.numerics.cells is not None:
         return scene.numerics.cells
     terms = (effects or choose_effects(scene)).terms()
-    bent_ends = terms.bending and "clamped" in (scene.ends.left, scene.ends.right)
+    bent_ends = terms.bending and carries_moment(scene)
     if terms.turns or not bent_ends:
         return DEFAULT_CELLS
     fewer = CLAMPED_CELLS * math.sqrt(_THOUSANDTH / scene.run.accuracy)
@@ -103,14 +100,14 @@ def _hinges_carry(scene: Scene) -> bool:
     """Whether much of the load is carried by hinges that yield in bending: not far beyond collapse."""
     gravity_number = gravity_number_of(scene)
     near = gravity_number is not None and gravity_number < _MAX_OF_FIRST_YIELD * first_yield_gravity_number(scene)
-    return near and "clamped" in (scene.ends.left, scene.ends.right) and may_yield(scene)
+    return near and carries_moment(scene) and may_yield(scene)
 
 
 def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric."""
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
-    left, right = _ENDS[scene.ends.left], End.SLIDING if scene.ends.right_slides else _ENDS[scene.ends.right]
+    left, right = scene.ends.supports
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
     if is_symmetric(scene) and all(one.symmetric for one in densities):
@@ -120,18 +117,20 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
 
 def choose_body(scene: Scene, grid: Grid) -> Body:
     """Supports, profile and point mass, as far as they are not plain."""
-    ends = scene.ends
+    ends, shaped = scene.ends, has_shape(scene)
+    left, right = (support.carries_moment for support in ends.supports)
     supports = Supports(
         apart=not math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-14),
         lowered=ends.drop != 0,
         # A clamp across the chord is turned into its place from there.
-        left_turned=ends.left_angle != 0 or (ends.left == "clamped" and ends.drop != 0),
-        right_turned=ends.right_angle != 0 or (ends.right == "clamped" and ends.drop != 0),
+        left_turned=ends.left_angle != 0 or (left and ends.drop != 0),
+        right_turned=ends.right_angle != 0 or (right and ends.drop != 0),
         rows=len(ends.motion),
         sideways=any(len(row) > _IN_THE_PLANE for row in ends.motion),
         turns=len(ends.right_twist),
         directed=scene.load.direction != DOWN,
-        curved=(has_shape(scene) and ends.left == "clamped", has_shape(scene) and ends.right == "clamped"),
+        springs=tuple(ends.springs),
+        curved=(shaped and left, shaped and right),
     )
     return Body(
         supports,
@@ -156,7 +155,7 @@ def _natural(scene: Scene, grid: Grid) -> Floats | None:
 def choose_theory(scene: Scene, terms: Terms) -> Theory:
     """The theory of the scene's model and effects."""
     if is_spatial(scene):
-        return Theory(scene.model, choose_points(scene, terms))
+        return Theory(scene.model, _points(scene, asked_points(scene, terms)))
     return Theory(scene.model, choose_rule(scene, terms) if terms.turns else None)
 
 
@@ -165,20 +164,16 @@ def elastic_theory(scene: Scene) -> Theory:
     return Theory(scene.model, _points(scene, 0))
 
 
-def choose_points(scene: Scene, terms: Terms) -> PointRule:
-    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
-
-    What counts is how many different heights the angles of a circle give (THEORY3D 6).
-    """
-    return _points(scene, asked_points(scene, terms))
-
-
 def asked_points(scene: Scene, terms: Terms) -> int:
     """Number of points from which those of a section in three dimensions are chosen."""
     return choose_fibres(scene) if terms.flows else 0
 
 
 def _points(scene: Scene, points: int) -> PointRule:
+    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
+
+    What counts is how many different heights the angles of a circle give (THEORY3D 6).
+    """
     if scene.filament.section == "circle":
         rings = max(1, round(math.sqrt(_RINGS * points)))
         return ring_rule(rings, max(3, math.ceil(points / rings)))
@@ -235,9 +230,6 @@ class Theory:
         return self.rule if self.rule is not None and self.rule.is_of_fibres else None
 
 
-KIRCHHOFF = Theory("filament", None)
-
-
 @dataclass(frozen=True)
 class Recorded:
     """A filament whose program is written down when somebody asks for it."""
@@ -250,29 +242,16 @@ class Recorded:
     @cached_property
     def program(self) -> Program:
         """What its sites compute."""
+        return self.sampled_by(self.theory.rule)
+
+    def sampled_by(self, rule: Sampling | SpatialSampling | None) -> Program:
+        """What its sites compute with other points of the section, or one that stands for all."""
         # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
         from softcat_sym.physics.filament import equations_of
 
-        return build(
-            equations_of(self.formulation),
-            self.theory.model,
-            (self.grid.first, self.grid.last),
-            self.body,
-            self.theory.rule,
-        )
-
-
-def assemble(
-    equations: FilamentEquations,
-    grid: Grid,
-    effects: tuple[str, ...],
-    theory: Theory = KIRCHHOFF,
-    body: Body | None = None,
-) -> Graph:
-    """Evaluate the filament of one cell's equations on a grid."""
-    recorded = Recorded(equations.formulation, grid, theory, body or Body())
-    return graph_of(recorded, effects, recorded.program.signature)
+        ends = self.grid.first, self.grid.last
+        return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
 
 
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:

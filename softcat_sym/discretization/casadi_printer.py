@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import Any
 
 import casadi as ca
@@ -15,29 +16,17 @@ from sympy.printing.printer import Printer
 from softcat_sym.errors import PrintingError
 
 _ELEMENTARY: dict[str, Callable[..., Any]] = {
-    "exp": ca.exp,
-    "log": ca.log,
-    "sin": ca.sin,
-    "cos": ca.cos,
-    "tan": ca.tan,
-    "asin": ca.asin,
-    "acos": ca.acos,
-    "atan": ca.atan,
-    "atan2": ca.atan2,
-    "sinh": ca.sinh,
-    "cosh": ca.cosh,
-    "tanh": ca.tanh,
-    "Abs": ca.fabs,
-    "sign": ca.sign,
-}
+    name: getattr(ca, name)
+    for name in ("exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "sign")
+} | {"Abs": ca.fabs}
 
 _RELATIONS: dict[type, Callable[[Any, Any], Any]] = {
-    sp.StrictGreaterThan: lambda a, b: a > b,
-    sp.GreaterThan: lambda a, b: a >= b,
-    sp.StrictLessThan: lambda a, b: a < b,
-    sp.LessThan: lambda a, b: a <= b,
-    sp.Equality: lambda a, b: a == b,
-    sp.Unequality: lambda a, b: a != b,
+    sp.StrictGreaterThan: operator.gt,
+    sp.GreaterThan: operator.ge,
+    sp.StrictLessThan: operator.lt,
+    sp.LessThan: operator.le,
+    sp.Equality: operator.eq,
+    sp.Unequality: operator.ne,
 }
 
 
@@ -85,17 +74,11 @@ class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
         return float(expr.evalf(20))
 
     def _print_Add(self, expr: sp.Add) -> Any:
-        first, *rest = [self._print(a) for a in expr.args]
-        for term in rest:
-            first = first + term
-        return first
+        return reduce(operator.add, map(self._print, expr.args))
 
     def _print_Mul(self, expr: sp.Mul) -> Any:
         # Factor by factor, numbers before vectors: what holds for all cells is then computed once and shared.
-        first, *rest = sorted((self._print(a) for a in expr.args), key=_size)
-        for factor in rest:
-            first = first * factor
-        return first
+        return reduce(operator.mul, sorted(map(self._print, expr.args), key=_size))
 
     def _print_Pow(self, expr: sp.Pow) -> Any:
         base, exponent = expr.args
@@ -116,16 +99,10 @@ class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
         return _ELEMENTARY[name](*(self._print(a) for a in expr.args))
 
     def _print_Max(self, expr: sp.Max) -> Any:
-        return self._fold(ca.fmax, expr)
+        return reduce(ca.fmax, map(self._print, sorted(expr.args, key=sp.default_sort_key)))
 
     def _print_Min(self, expr: sp.Min) -> Any:
-        return self._fold(ca.fmin, expr)
-
-    def _fold(self, operation: Callable[[Any, Any], Any], expr: sp.Expr) -> Any:
-        first, *rest = [self._print(a) for a in sorted(expr.args, key=sp.default_sort_key)]
-        for other in rest:
-            first = operation(first, other)
-        return first
+        return reduce(ca.fmin, map(self._print, sorted(expr.args, key=sp.default_sort_key)))
 
     def _print_Relational(self, expr: sp.core.relational.Relational) -> Any:
         return _RELATIONS[type(expr)](self._print(expr.lhs), self._print(expr.rhs))

@@ -15,7 +15,6 @@ import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
@@ -31,7 +30,7 @@ from softcat_sym.discretization.stencil import (
     Neighbours,
     Same,
 )
-from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.supports import NATURAL_PLACES, Body
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
@@ -52,6 +51,7 @@ from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
+from softcat_sym.scene.ends import SYMMETRY, Support
 
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
@@ -118,9 +118,9 @@ Sided = Callable[[int | None, int | None], ca.SX]
 class Builder:
     """Collects the fields of a filament between two ends."""
 
-    def __init__(self, equations: FilamentEquations, ends: tuple[End, End], body: Body) -> None:
+    def __init__(self, equations: FilamentEquations, ends: tuple[Support, Support], body: Body) -> None:
         self.equations, self.first, self.last, self.body = equations, *ends, body
-        self.half = self.first is End.SYMMETRY
+        self.half = self.first is SYMMETRY
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
         self.leaves, self.fields = Leaves(), list[Field]()
         self.named = _Parameters(self.leaves)
@@ -233,13 +233,11 @@ class Builder:
 
     def aged(self, one: Field) -> Field:
         """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
-        ends = {at: self.rate(value) for at, value in one.ends.items()}
-        return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+        return one.mapped(f"{one.name}_aged", self.rate)
 
     def softened(self, one: Field) -> Field:
         """What an energy gains by a kelvin at strains and plastic states that are held [1/K]."""
-        ends = {at: self.by_temperature(value) for at, value in one.ends.items()}
-        return Field(f"{one.name}_softened", one.where, self.by_temperature(one.value), ends)
+        return one.mapped(f"{one.name}_softened", self.by_temperature)
 
     def by_temperature(self, value: ca.SX) -> ca.SX:
         """Derivative of an expression by the temperature of its cell or node [1/K]."""
@@ -310,8 +308,9 @@ class Mechanics:
     energies: dict[str, list[Field]]  # Stored energies, each a sum over sites
     dissipation: list[Field]  # Plastic power, weighted with the length of each place
     shown: dict[str, ca.SX]  # What a run stores of the cells
+    psi: Neighbours | None = None  # The section angle where it is independent, its rate, and what turns it [Pa m]
     omega: Neighbours = field(default_factory=Same)
-    torque: Sided | None = None  # What turns the section angle of a node [Pa m], where it is independent
+    torque: Sided | None = None
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
@@ -376,9 +375,9 @@ def branch_name(kind: str, branch: int) -> str:
     return kind if branch == 0 else f"{kind}_mode{branch + 1}"
 
 
-def chain_state(direction: Direction, label: str = "") -> str:
-    """Name of what relaxation took of the conformation in a direction, of one cell or of one point of its section."""
-    return f"chains_{direction.name}{label}"
+def chain_state(direction: Direction) -> str:
+    """Name of what relaxation took of the conformation in a direction."""
+    return f"chains_{direction.name}"
 
 
 def shown_chains(extensions: Sequence[ca.SX]) -> dict[str, ca.SX]:
@@ -454,21 +453,53 @@ def ordered(slots: Mapping[str, Slot]) -> tuple[Slot, ...]:
     return (*(s for s in plain if s.differential), *(s for s in plain if not s.differential), *plastic)
 
 
-def place_names(body: Body) -> tuple[str, ...]:
-    """The geometry of a site that a body needs."""
-    profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
-    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
+def necking_power(
+    b: Builder,
+    double_force: Neighbours,
+    places: Sequence[Neighbours],
+    speeds: Sequence[Neighbours],
+    stretch: Neighbours,
+) -> ca.SX:
+    """Double force times the rate at which the stretch changes from one cell beside a node to the next."""
+    rates = []
+    for i in (-1, 0):
+        slopes, moving = ([(r[i + 1] - r[i]) / b.length[i] for r in part] for part in (places, speeds))
+        rates.append(sum((a * c for a, c in zip(slopes, moving, strict=True)), ca.SX(0)) / stretch[i])
+    return ca.SX(double_force[0] * (rates[1] - rates[0]))
 
 
-def parameters_of(b: Builder, everything: Sequence[Field]) -> tuple[str, ...]:
-    """Names of the numbers that fields need, in the order of the catalogue."""
-    used = {
-        leaf.name
-        for one in everything
-        for value in one.values
-        for leaf in b.leaves.within(value)
-        if leaf.kind == PARAMETER
+def program_of(
+    b: Builder,
+    rates: tuple[Field, ...],
+    powers: Mapping[str, Sequence[Field]],
+    shown: Mapping[str, Field | tuple[Field, ...]],
+    profiles: Mapping[str, tuple[float, float]],
+    support: tuple[Field, ...] = (),
+) -> Program:
+    """All that was collected; what is zero everywhere has no power."""
+    at_work = {
+        name: tuple(one for one in fields if not all(value.is_zero() for value in one.values))
+        for name, fields in powers.items()
     }
-    used |= {"density", "rest_length"}
+    everything = [*b.fields, *rates, *(one for power in at_work.values() for one in power)]
+    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
+    leaves = {leaf for one in everything for value in one.values for leaf in b.leaves.within(value)}
+    used = {"density", "rest_length", *(leaf.name for leaf in leaves if leaf.kind == PARAMETER)}
     rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
-    return (*dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters]), TIME_SCALE)
+    parameters = dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters])
+    places = ["X", *INVERTED, *(PER + name for name in INVERTED)]
+    places += ["h_node", "h_cell"] if b.body.profile.nodes is not None else []
+    places += ["hung"] if b.body.weighted else []
+    places += NATURAL_PLACES if b.body.natural is not None else []
+    return Program(
+        leaves=b.leaves,
+        slots=ordered(b.slots),
+        fields=tuple(b.fields),
+        rates=rates,
+        powers=at_work,
+        shown=shown,
+        parameters=(*parameters, TIME_SCALE),
+        places=tuple(places),
+        profiles=profiles,
+        support=support,
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -12,12 +12,11 @@ from softcat_sym.discretization.cell import (
     Mechanics,
     Program,
     Sided,
+    necking_power,
     ordered,
-    parameters_of,
-    place_names,
     printed,
+    program_of,
 )
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.heat import Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
@@ -31,12 +30,13 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.unknowns import CELLS, HEAT_LOST, INNER, NODES, WORK_OF_AGEING, Slot, Where
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.scene.ends import Support
 
 
 def build(
     equations: FilamentEquations,
     model: str,
-    ends: tuple[End, End],
+    ends: tuple[Support, Support],
     body: Body,
     rule: Sampling | SpatialSampling | None,
 ) -> Program:
@@ -77,23 +77,10 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     support = _support(b, of, outer, mass, gravity)
     powers = _powers(b, of, outer, heat, mass, gravity_rate, support)
     shown = _observables(b, of, outer, mass, gravity, rotary) | heat.shown
-    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
-    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
-    return Program(
-        leaves=b.leaves,
-        slots=slots,
-        fields=tuple(b.fields),
-        rates=rates,
-        powers=powers,
-        shown=shown,
-        parameters=parameters_of(b, everything),
-        places=place_names(b.body),
-        profiles=of.profiles or _linear_profiles(b),
-        # Where only slopes are in motion nothing balances along x, and one tension may be that of all cells.
-        support=()
-        if of.level
-        else tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True)),
-    )
+    linear = {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
+    pulled = tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True))
+    # Where only slopes are in motion nothing balances along x, and one tension may be that of all cells.
+    return program_of(b, rates, powers, shown, of.profiles or linear, () if of.level else pulled)
 
 
 def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.SX]) -> Field:
@@ -112,7 +99,7 @@ def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.S
         return Field(name, slot.where, of.plastic[slot.name] * b.scale)
     if slot.name in ("psi", "omega"):
         inertia = rotary if slot.differential else b.density * b.span**2
-        acting, factor, minus = of.torque, 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
+        acting, factor, minus = _torque(b, of, outer), 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
     else:
         way = int(slot.name in ("y", "v"))
         acting, factor = _net(of.force[way], outer, way), per_mass
@@ -123,6 +110,19 @@ def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.S
     sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, strict=True)
     ends = {site: acting(*cells) * factor - minus for site, cells, is_held in sides if not is_held}
     return Field(name, INNER, acting(-1, 0) * factor - minus, ends)
+
+
+def _torque(b: Builder, of: Mechanics, outer: Outer) -> Sided | None:
+    """What the cells beside a node and the spring of an end do to the angle of its section [Pa m]."""
+    turning = of.torque
+    if turning is None or not outer.springs:
+        return turning
+
+    def acting(before: int | None, behind: int | None) -> ca.SX:
+        springs = (slope for one in outer.springs if one.acts(before, behind) for slope in one.by_turn)
+        return ca.SX(turning(before, behind) - b.span * sum(springs, ca.SX(0)))
+
+    return acting
 
 
 def _net(force: Neighbours, outer: Outer, way: int) -> Sided:
@@ -167,15 +167,14 @@ class _Massive:
         return Field(f"f_{slot.name}", INNER, acting(-1, 0, alone=always), ends)
 
 
-def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
-    return {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
-
-
 _AT_RIGHT = Where(-1, 0, alone=True)
 
 
 def _support(b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Force of the right support: it carries the last cell and its own share."""
+    """Force of the right support: it carries the last cell and its own share, or pulls by its spring."""
+    for spring in outer.springs:
+        if spring.site and not b.last.holds_height:
+            return spring.pull[0], spring.pull[1]
     pushed = [outer.at(way, -1, None) for way in (0, 1)]
     return of.force[0][-1] - pushed[0], of.force[1][-1] + mass * b.density * gravity * b.span - pushed[1]
 
@@ -188,7 +187,7 @@ def _powers(
     mass: ca.SX,
     gravity_rate: ca.SX,
     support: tuple[ca.SX, ca.SX],
-) -> dict[str, tuple[Field, ...]]:
+) -> dict[str, list[Field]]:
     """Plastic power, power of the changing load, of the gradient and of what effects dissipate, site by site.
 
     In `energy_scale` units; what is integrated beside the unknowns.
@@ -200,36 +199,21 @@ def _powers(
     load = [Field("power_load_0", NODES, lifted * of.y[0])]
     if not moved.is_zero():
         load.append(Field("power_load_1", _AT_RIGHT, moved))
-    load += [Field(one.name, one.where, one.value * scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:
-        stretching, moving = [], of.moved or (of.u, of.v)
-        for i in (-1, 0):
-            slope, speed = ([(r[i + 1] - r[i]) / b.length[i] for r in pair] for pair in ((of.x, of.y), moving))
-            stretching.append((slope[0] * speed[0] + slope[1] * speed[1]) / of.stretch[i])
-        power = of.double_force[0] * (stretching[1] - stretching[0]) * (scale / b.scale)
-        gradient = [Field("power_gradient_0", INNER, power)]
-    plastic = [
-        Field(f"power_plastic_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
-        for k, one in enumerate(of.dissipation)
-    ]
-    lost = {
-        name: [Field(one.name, one.where, one.value * scale) for one in fields]
-        for name, fields in outer.dissipation.items()
-    }
-    softened = [Field(one.name, one.where, one.value * scale, one.ends) for one in heat.softening]
-    groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
-    groups |= {"energy_softening": softened} if softened else {}
+        power = necking_power(b, of.double_force, (of.x, of.y), of.moved or (of.u, of.v), of.stretch)
+        gradient = [Field("power_gradient_0", INNER, power * (scale / b.scale))]
+
+    def scaled(fields: Sequence[Field], name: str = "") -> list[Field]:
+        """In units of the quadratures, by their own names or numbered."""
+        names = [f"{name}_{k}" if name else one.name for k, one in enumerate(fields)]
+        return [one.mapped(label, lambda v: v * scale) for label, one in zip(names, fields, strict=True)]
+
+    groups = {"plastic": scaled(of.dissipation, "power_plastic"), "load": load + scaled(outer.power)}
+    groups |= {"gradient": gradient, **{name: scaled(fields) for name, fields in outer.dissipation.items()}}
+    groups |= {"energy_softening": scaled(heat.softening)} if heat.softening else {}
     groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
-    if b.equations.clocks:
-        groups[WORK_OF_AGEING] = [
-            Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
-            for k, one in enumerate(of.ageing)
-        ]
-    return {
-        name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
-        for name, fields in groups.items()
-    }
+    return groups | ({WORK_OF_AGEING: scaled(of.ageing, "power_ageing")} if b.equations.clocks else {})
 
 
 def _observables(
@@ -243,14 +227,12 @@ def _observables(
     if terms.inertia:
         moving = mass * (of.u[0] ** 2 + of.v[0] ** 2) * speed**2 * b.density / 2
         kinetic.append(Field("moving", NODES, moving * span))
-        kinetic += [Field(one.name, one.where, one.value * span) for one in outer.kinetic]
+        kinetic += [one.mapped(one.name, lambda v: v * span) for one in outer.kinetic]
     if terms.rotary_inertia:
         turning = b.node[0] * of.omega[0] ** 2 * rotary / (2 * b.scale**2)
         kinetic.append(Field("turning", NODES, turning * span))
     stored = {
-        f"energy_{name}": tuple(
-            Field(name, one.where, one.value * span, {at: v * span for at, v in one.ends.items()}) for one in fields
-        )
+        f"energy_{name}": tuple(one.mapped(name, lambda v: v * span) for one in fields)
         for name, fields in of.energies.items()
     }
     double_force = ca.SX(0) if of.double_force is None else of.double_force[0]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 
@@ -13,32 +12,8 @@ from softcat_sym.effects.forecast import shaken_share
 from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.effects.scaling_estimates import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.scene import Scene, groups_of
-
-
-class End(Enum):
-    """What holds an end node: how it is fixed and whether it carries a moment."""
-
-    SYMMETRY = "symmetry plane: x = 0, theta = 0, no transverse force"
-    CLAMPED = "clamped: position and angle given"
-    PINNED = "pinned: position given, no moment"
-    FREE = "free: no force, no moment"
-    SLIDING = "sliding clamp: height and angle given, no force along x"
-
-    @property
-    def holds_angle(self) -> bool:
-        """Whether the tangent is held, so that a moment acts there."""
-        return self in (End.SYMMETRY, End.CLAMPED, End.SLIDING)
-
-    @property
-    def holds_x(self) -> bool:
-        """Whether x is given."""
-        return self not in (End.FREE, End.SLIDING)
-
-    @property
-    def holds_height(self) -> bool:
-        """Whether y is given."""
-        return self in (End.CLAMPED, End.PINNED, End.SLIDING)
+from softcat_sym.scene.ends import SYMMETRY, Support
+from softcat_sym.scene.scene import Scene, carries_moment, groups_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,8 +21,8 @@ class Grid:
     """Nodes in units of the rest length, with what holds the first and the last."""
 
     nodes: Floats  # shape (cells + 1,); X/L_0, from 0 to 1/2 for half a span, from -1/2 to 1/2 for a whole one
-    first: End  # The end conditions
-    last: End
+    first: Support  # The end conditions
+    last: Support
 
     @property
     def cells(self) -> int:
@@ -57,7 +32,7 @@ class Grid:
     @property
     def is_half(self) -> bool:
         """Whether the grid stops at the symmetry plane."""
-        return self.first is End.SYMMETRY
+        return self.first is SYMMETRY
 
     @property
     def cell_length(self) -> Floats:
@@ -78,12 +53,14 @@ class Grid:
         return np.asarray((self.nodes[1:] + self.nodes[:-1]) / 2, dtype=float)
 
 
-def half_span(cells: int, support: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
+def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: bool = False) -> Grid:
     """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2."""
-    return Grid(_graded(cells, grading, middle=middle), End.SYMMETRY, support)
+    return Grid(_graded(cells, grading, middle=middle), SYMMETRY, support)
 
 
-def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
+def whole_span(
+    cells_per_half: int, left: Support, right: Support, grading: float = 1.0, *, middle: bool = False
+) -> Grid:
     """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal."""
     half = _graded(cells_per_half, grading, middle=middle)
     return Grid(np.concatenate([-half[:0:-1], half]), left, right)
@@ -133,7 +110,7 @@ at h0/L = 0.03 the error of the arrested filament falls from 1 % to 0.1 % as tha
 def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> float:
     """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends."""
     terms = (effects or choose_effects(scene)).terms()
-    if "clamped" not in (scene.ends.left, scene.ends.right) or not terms.bending:
+    if not (carries_moment(scene) and terms.bending):
         return 1.0
     hinge = terms.yields and may_yield(scene)
     if scene.model == "small-deflection":

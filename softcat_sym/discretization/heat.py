@@ -67,7 +67,8 @@ def _shared(b: Builder, name: str, fields: Sequence[Field]) -> Sided:
     cells, nodes = list[Neighbours](), list[Neighbours]()
     for k, one in enumerate(fields):
         staged = b.stage(f"{name}_{k}", one.where, one.value, one.ends)
-        (cells if _is_of_cells(one) else nodes).append(staged)
+        # Of the nodes that carry a moment a field says what the others have.
+        (cells if one.where == CELLS and not one.ends else nodes).append(staged)
 
     def build(before: int | None, behind: int | None) -> ca.SX:
         own = sum((one[0] for one in nodes), ca.SX(0))
@@ -75,11 +76,6 @@ def _shared(b: Builder, name: str, fields: Sequence[Field]) -> Sided:
         return own + sum((one[site] / 2 for one in cells for site in sites), ca.SX(0))
 
     return build
-
-
-def _is_of_cells(one: Field) -> bool:
-    """Whether a field belongs to cells: of the nodes that carry a moment it says what the others have."""
-    return one.where == CELLS and not one.ends
 
 
 def _lost(b: Builder, of: Mechanics, heat: Heat) -> Neighbours:

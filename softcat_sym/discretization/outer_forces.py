@@ -8,6 +8,7 @@ import casadi as ca
 import sympy as sp
 
 from softcat_sym.discretization.cell import Builder, Mechanics, derivatives, printed
+from softcat_sym.discretization.end_springs import EndSpring, end_springs
 from softcat_sym.discretization.parameters import AREA
 from softcat_sym.discretization.stencil import Field, Neighbours
 from softcat_sym.discretization.unknowns import CELLS, NODES, Where
@@ -36,6 +37,7 @@ class Outer:
     # Mass matrices (xx, xy, yy) of a node, and those that a cell gives to the node before and behind it [kg/m^2].
     masses: list[Triple] = field(default_factory=list)
     masses_of_cells: list[tuple[Matrix, Matrix]] = field(default_factory=list)
+    springs: tuple[EndSpring, ...] = ()  # Of ends that give way
 
     def at(self, way: int, before: int | None, behind: int | None) -> ca.SX:
         """Force on a node between cells at these distances, to the right (0) or up (1)."""
@@ -43,7 +45,7 @@ class Outer:
         for on_left, on_right in self.on_cells:
             force += ca.SX(0) if before is None else on_right[way][before]
             force += ca.SX(0) if behind is None else on_left[way][behind]
-        return force
+        return force + sum((one.pull[way] for one in self.springs if one.acts(before, behind)), ca.SX(0))
 
     @property
     def adds_mass(self) -> bool:
@@ -66,6 +68,10 @@ def outer_forces(b: Builder, of: Mechanics) -> Outer:
     for stated in b.equations.densities:
         one = stated.level if of.level else stated
         (_of_cells if one.of_a_cell else _of_nodes)(b, of, one, outer)
+    if b.body.supports.springs:
+        angles = [b.supports.left_angle], [b.supports.right_angle]
+        outer.springs = end_springs(b, (of.x, of.y), () if of.psi is None else (of.psi,), angles)
+        outer.energies["supports"] = [one.stored for one in outer.springs]
     return outer
 
 

@@ -84,6 +84,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         DROP: ends.drop,
         LEFT_ANGLE: ends.left_angle,
         RIGHT_ANGLE: ends.right_angle,
+        **ends.springs,
         TIME_SCALE: time_scale(scene),
         "poisson": scene.material.poisson,
         "solid_viscosity": solid_viscosity(scene),

@@ -90,15 +90,11 @@ def warping_rule(across: int, beside: int, aspect: float) -> PointRule:
     return PointRule(Y, Z, scale * W_2, scale * W_3, weight)
 
 
-def _odd() -> tuple[Floats, Floats]:
-    number = 2 * np.arange(_TERMS) + 1.0
-    return number * np.pi / 2, 32 / (number * np.pi) ** 3 * (-1.0) ** np.arange(_TERMS)
-
-
 def _slope_of_prandtl(Y: Floats, Z: Floats, aspect: float) -> tuple[Floats, Floats]:
     """(phi_Z, -phi_Y) of phi = 1 - Y^2 - sum a_n cos(k_n Y) cosh(k_n Z)/cosh(k_n s), lap phi = -2, zero on the edge."""
-    k, a = _odd()
-    k, a = k[:, None], a[:, None]
+    term = np.arange(_TERMS)[:, None]
+    k = (2 * term + 1.0) * np.pi / 2
+    a = 4 / k**3 * (-1.0) ** term
     # cosh(k Z)/cosh(k s) and sinh likewise, of what does not overflow.
     grown, faded = np.exp(k * (np.abs(Z) - aspect)), np.exp(-k * (np.abs(Z) + aspect))
     below = 1 + np.exp(-2 * k * aspect)

@@ -134,6 +134,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
         {"elastic": [Field("elastic", CELLS, volume * fibres.energy)], "surface": surface},
         [Field("power_plastic", CELLS, volume * fibres.dissipation)],
         shown,
+        psi,
         omega,
         torque,
         double_force,
@@ -179,7 +180,10 @@ _NO_STRESS = 1e-12
 
 def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Values) -> Fibres:
     """Stress and flow at the points of a section, and their sums."""
-    _adopt(b, rule)
+    if isinstance(rule, OneFibre):
+        # The one fibre that stands for all has the place and the weight of a fibre.
+        b.leaves.adopt(rule.zeta, Leaf(FIBRE, "zeta"))
+        b.leaves.adopt(rule.weight, Leaf(FIBRE, "weight"))
     fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
     found = Fibres(profiles=_profiles(rule, resolved))
     followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.clocks if clock.state]
@@ -201,13 +205,6 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
             shown["backstress"] = fibre.backstress
         found.shown |= {f"{POINT}{name}_{label}": value for name, value in shown.items()}
     return found
-
-
-def _adopt(b: Builder, rule: Sampling) -> None:
-    """Make the place and the weight of the one fibre that stands for all numbers of a fibre."""
-    if isinstance(rule, OneFibre):
-        for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
-            b.leaves.adopt(symbol, Leaf(FIBRE, name))
 
 
 def _sum_up(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
@@ -234,99 +231,89 @@ class _Followed:
     replaces: tuple[tuple[Any, Any], ...]
     state: State
 
-    def _names(self, rule: Sampling) -> list[str]:
-        return [f"{self.name}_{label}" for label in rule.labels]
-
     def set(self, b: Builder, rule: Sampling, fibres: Sequence[_Fibre]) -> None:
         """What it makes of the constants at every point, by its state there."""
-        slots = [Slot(name, "cell", (False, False), True, "", section=True) for name in self._names(rule)]
-        states = [b.unknown(slot)[0] for slot in slots]
-        for fibre, row in zip(fibres, rule.recall, strict=True):
-            stated = {**fibre.values, self.state.symbol: _dot(row, states)}
+        for fibre, now in zip(fibres, _recalled(b, rule, _names(rule, self.name)), strict=True):
+            stated = {**fibre.values, self.state.symbol: now}
             fibre.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
             fibre.values[self.state.shown] = printed(self.state.value, stated)
 
     def rates(self, rule: Sampling, fibres: Sequence[_Fibre]) -> dict[str, ca.SX]:
         """Rates of its states, of the flow at every point."""
         rates = [printed(self.state.rate, {**fibre.values, speed: fibre.speed}) for fibre in fibres]
-        return dict(zip(self._names(rule), (_dot(row, rates) for row in rule.project), strict=True))
+        return _projected(rule, _names(rule, self.name), rates)
 
 
 def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
     """Polymer chains at every point of a section."""
-    taken = []
-    for one in chains.states:
-        names = [chain_state(one, f"_{label}") for label in rule.labels]
-        states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
-        taken.append([_dot(row, states) for row in rule.recall])
+    names = [_names(rule, chain_state(one)) for one in chains.states]
+    taken = [_recalled(b, rule, group) for group in names]
     for number, fibre in enumerate(fibres):
         fibre.carry(chains, [points[number] for points in taken])
-    for number, one in enumerate(chains.states):
-        rates = [fibre.relaxing[number] for fibre in fibres]
-        projected = [_dot(row, rates) for row in rule.project]
-        names = [chain_state(one, f"_{label}") for label in rule.labels]
-        found.plastic |= dict(zip(names, projected, strict=True))
-        linear = zip(names, *_linear_parts(rule), strict=True)
+    for number, (one, group) in enumerate(zip(chains.states, names, strict=True)):
+        found.plastic |= _projected(
+            rule, group, [fibre.relaxing[number] for fibre in fibres], fibres, [f.released[number] for f in fibres]
+        )
+        linear = zip(group, *_linear_parts(rule), strict=True)
         found.profiles |= {name: (one.power * float(m), one.power * float(z)) for name, m, z in linear}
-        if isinstance(rule, SectionRule) and not rule.is_of_fibres:
-            for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
-                fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
 
 
 def _add_branch(
     b: Builder, resolved: ResolvedSection, branch: FibreBranch, rule: Sampling, fibres: Sequence[_Fibre], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
-    if branch.hardening is not None:
-        _set_back_strains(b, rule, fibres, number, shears=resolved.shears)
-    axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, number) for kind in ("axial", "shear"))
-    for fibre, *plastic in zip(fibres, axial, shear, strict=True):
-        fibre.add(branch, (plastic[0], plastic[1]))
-    found = {name: rate for name, rate in _state_rates(rule, fibres, number).items() if name in b.slots}
-    return found | (_back_rates(rule, fibres, number, shears=resolved.shears) if branch.hardening is not None else {})
-
-
-def _set_back_strains(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], branch: int, *, shears: bool) -> None:
-    """Axial back strain of a branch at every point, and that in shear."""
-    for kind, symbol in (("back", backstress.axial), ("back_shear", backstress.shear))[: 1 + shears]:
-        slots = [
-            Slot(name, "cell", (False, False), True, "", section=True) for name in _state_names(rule, kind, branch)
-        ]
-        states = [b.unknown(slot)[0] for slot in slots]
-        for fibre, row in zip(fibres, rule.recall, strict=True):
-            fibre.values[symbol] = _dot(row, states)
-
-
-def _back_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int, *, shears: bool) -> dict[str, ca.SX]:
-    """Rates of the back strains of a branch."""
+    backs: dict[str, Any] = {"back": backstress.axial, "back_shear": backstress.shear} if branch.hardening else {}
+    if not resolved.shears:
+        backs.pop("back_shear", None)
+    for kind, symbol in backs.items():
+        for fibre, value in zip(fibres, _recalled(b, rule, _names(rule, kind, number)), strict=True):
+            fibre.values[symbol] = value
+    plastic = [[ca.SX(0)] * rule.points] * 2
+    if branch.flow is not None:
+        kinds = ("axial", "shear")[: 1 + resolved.shears]
+        plastic[: len(kinds)] = [_recalled(b, rule, _names(rule, kind, number)) for kind in kinds]
+    for fibre, axial, shear in zip(fibres, *plastic, strict=True):
+        fibre.add(branch, (axial, shear))
     found: dict[str, ca.SX] = {}
-    for number, kind in enumerate(("back", "back_shear")[: 1 + shears]):
-        rates = [fibre.back_rates[number] for fibre in fibres]
-        found |= zip(_state_names(rule, kind, branch), (_dot(row, rates) for row in rule.project), strict=True)
+    for k, kind in enumerate(("axial", "shear")):
+        rates, drives = [one.rates[number][k] for one in fibres], [one.drives[number][k] for one in fibres]
+        found |= _projected(rule, _names(rule, kind, number), rates, fibres, drives)
+    found = {name: rate for name, rate in found.items() if name in b.slots}
+    for k, kind in enumerate(backs):
+        found |= _projected(rule, _names(rule, kind, number), [fibre.back_rates[k] for fibre in fibres])
     return found
 
 
-def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
+def _names(rule: Sampling, kind: str, branch: int = 0) -> list[str]:
+    """Of the states of one kind."""
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
 
 
-def _state_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int) -> dict[str, ca.SX]:
-    """Rates of the plastic states of a branch; what the states do not follow of the fibres' rates costs no energy."""
-    found: dict[str, ca.SX] = {}
-    for number, kind in enumerate(("axial", "shear")):
-        rates = [fibre.rates[branch][number] for fibre in fibres]
-        projected = [_dot(row, rates) for row in rule.project]
-        found |= zip(_state_names(rule, kind, branch), projected, strict=True)
-        if isinstance(rule, SectionRule) and not rule.is_of_fibres:
-            for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
-                fibre.dissipation += fibre.drives[branch][number] * (_dot(row, projected) - rate)
-    return found
+def _recalled(b: Builder, rule: Sampling, names: Sequence[str]) -> list[ca.SX]:
+    """What states of these names stand for at every point."""
+    states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
+    return [_dot(row, states) for row in rule.recall]
+
+
+def _projected(
+    rule: Sampling,
+    names: Sequence[str],
+    rates: Sequence[ca.SX],
+    fibres: Sequence[_Fibre] = (),
+    conjugates: Sequence[ca.SX] = (),
+) -> dict[str, ca.SX]:
+    """Rates of states; what these do not follow of the rates at the points costs no energy."""
+    projected = [_dot(row, rates) for row in rule.project]
+    if isinstance(rule, SectionRule) and not rule.is_of_fibres:
+        for fibre, conjugate, row, rate in zip(fibres, conjugates, rule.recall, rates, strict=False):
+            fibre.dissipation += conjugate * (_dot(row, projected) - rate)
+    return dict(zip(names, projected, strict=True))
 
 
 def _profiles(rule: Sampling, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
     """What each axial state is of a plastic strain that is linear through the thickness."""
     mean, linear = _linear_parts(rule)
-    names = [_state_names(rule, "axial", j) for j, branch in enumerate(resolved.branches) if branch.flow is not None]
+    names = [_names(rule, "axial", j) for j, branch in enumerate(resolved.branches) if branch.flow is not None]
     return {name: (float(mean[n]), float(linear[n])) for group in names for n, name in enumerate(group)}
 
 
@@ -343,17 +330,6 @@ def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
         if weight:
             total += weight * value
     return total
-
-
-def _plastic_strain(
-    b: Builder, resolved: ResolvedSection, branch: FibreBranch, rule: Sampling, kind: str, number: int
-) -> list[ca.SX]:
-    """Axial or shear plastic strain of a branch at every point."""
-    if branch.flow is None or (kind == "shear" and not resolved.shears):
-        return [ca.SX(0)] * rule.points
-    names = _state_names(rule, kind, number)
-    states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
-    return [_dot(row, states) for row in rule.recall]
 
 
 class _Fibre:

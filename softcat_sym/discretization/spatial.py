@@ -21,13 +21,13 @@ from softcat_sym.discretization.cell import (
     branch_name,
     derivatives,
     neck_force,
+    necking_power,
     ordered,
-    parameters_of,
-    place_names,
     printed,
+    program_of,
     surface_force,
 )
-from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.end_springs import end_springs
 from softcat_sym.discretization.held_ends import Held
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.sampling import OnePoint, SpatialSampling, point_labels
@@ -104,25 +104,13 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         for side, parts in zip(("first", "last"), cell.torques, strict=True)
     ]
     of = _Body(b, places, speeds, moved, turn, spin, force, torque, stretch, double_force)
-    slots = ordered(b.slots)
-    rates = tuple(of.rate(slot, points.rates) for slot in slots)
+    rates = tuple(of.rate(slot, points.rates) for slot in ordered(b.slots))
     volume = b.length[0] * b.area_cell
     stored = {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface}
+    stored |= {"supports": [one.stored for one in of.springs]} if of.springs else {}
     powers = of.powers(Field("power_plastic_0", CELLS, volume * points.dissipation * of.work))
     shown = {**of.shown(stored), **_shown(b, cell, conjugate, tension_now, points)}
-    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
-    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
-    return Program(
-        leaves=b.leaves,
-        slots=slots,
-        fields=tuple(b.fields),
-        rates=rates,
-        powers=powers,
-        shown=shown,
-        parameters=parameters_of(b, everything),
-        places=(*place_names(b.body), *(NATURAL_PLACES if b.body.natural is not None else ())),
-        profiles={name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")},
-    )
+    return program_of(b, rates, powers, shown, {name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")})
 
 
 def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
@@ -146,7 +134,7 @@ def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
             plain if not are[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
             for name, plain, are, end in zip(SPEEDS, speeds, holds, last, strict=True)
         ]
-    held = at.turns[0] or _quaternion(at.left_angle, ca.SX(0)), _right_clamp(at)
+    held = _clamps(at)
     turn = [
         b.unknown(Slot(name, "node", b.bends, turns, "", section=False), *pair)
         for name, pair in zip(TURN, zip(*held, strict=True), strict=True)
@@ -165,6 +153,11 @@ def _quaternion(angle: Any, twist: Any) -> list[ca.SX]:
     """A clamp turned by an angle in the plane, and about its own normal."""
     c, s, a, t = (ca.SX(f(one / 2)) for one, f in ((angle, ca.cos), (angle, ca.sin), (twist, ca.cos), (twist, ca.sin)))
     return [c * a, c * t, s * t, s * a]
+
+
+def _clamps(at: Held) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Quaternions that the supports hold."""
+    return at.turns[0] or _quaternion(at.left_angle, ca.SX(0)), _right_clamp(at)
 
 
 def _right_clamp(at: Held) -> list[ca.SX]:
@@ -409,6 +402,7 @@ class _Body:
         self.mass = b.place("mass")[0]
         self.unit = b.scale**2 / b.span
         self.work = b.scale / energy_scale(b.density, b.span, b.scale)
+        self.springs = end_springs(b, self.places, self.turn, _clamps(b.supports)) if b.body.supports.springs else ()
 
     def _mass(self, behind: int | None) -> ca.SX:
         """Of a node over density, area and rest length; at a free end with what hangs there."""
@@ -433,8 +427,9 @@ class _Body:
         ends = {site: acting(*cells) for site, cells, held in sides if not held}
         if slot.name in (TURN[1], SPIN[0]) and not slot.differential:
             # A pin leaves the normal free but does not let it spin: the filament would, without resistance.
-            pinned = ((0, b.first is End.PINNED), (-1, b.last is End.PINNED))
-            ends |= {site: self._spinning(slot) for site, is_pinned in pinned if is_pinned}
+            supports = zip((0, -1), (b.first, b.last), strict=True)
+            pinned = [site for site, one in supports if not (one.is_free or one.carries_moment)]
+            ends |= {site: self._spinning(slot) for site in pinned}
         return Field(name, INNER, acting(-1, 0), ends)
 
     def _spinning(self, slot: Slot) -> ca.SX:
@@ -449,6 +444,7 @@ class _Body:
             net = (0 if behind is None else force[behind]) - (0 if before is None else force[before])
             if behind is None and b.body.tip_force:
                 net += b.named[TIP_FORCE[way]]
+            net += sum((one.pull[way] for one in self.springs if one.acts(before, behind)), ca.SX(0))
             per_mass = self.unit / (self._mass(behind) * b.density * b.span)
             return ca.SX(net * per_mass + self.gravity * self.unit * self.direction[way])
 
@@ -463,14 +459,17 @@ class _Body:
             net = (0 if behind is None else first[behind]) + (0 if before is None else last[before])
             if behind is None and b.body.tip_torque:
                 net += self._dead_torque()[axis]
+            for one in self.springs:
+                if one.acts(before, behind):
+                    net -= b.span / 2 * _of_a_turn([q[0] for q in self.turn], one.by_turn)[axis]
             return ca.SX(net * factor)
 
         return acting
 
-    def _dead_torque(self, at: int = 0) -> Three:
+    def _dead_torque(self) -> Three:
         """Torque on the free end in its own axes."""
         dead = tuple(self.b.named[name] for name in TIP_TORQUE)
-        return spatial.unrotated(tuple(one[at] for one in self.turn), dead)  # type: ignore[arg-type]
+        return spatial.unrotated(tuple(one[0] for one in self.turn), dead)  # type: ignore[arg-type]
 
     def _of_turn(self, slot: Slot) -> Sided:
         """The length of a quaternion and the balance of its torques, or its rate where it has a spin."""
@@ -481,7 +480,7 @@ class _Body:
         rate = _turning(q, [one[0] for one in self.spin])[number] - excess * q[number]
         return lambda _before, _behind: ca.SX(rate)
 
-    def powers(self, plastic: Field) -> dict[str, tuple[Field, ...]]:
+    def powers(self, plastic: Field) -> dict[str, list[Field]]:
         """Plastic power, power of the changing load and of supports that move, and of the necking gradient."""
         b, at = self.b, self.b.supports
         down = sum((d * r[0] for d, r in zip(self.direction, self.places, strict=True)), ca.SX(0))
@@ -499,6 +498,10 @@ class _Body:
             ),
             ca.SX(0),
         )
+        for spring in self.springs:
+            if spring.site and not b.last.holds_height:
+                speeds = zip(spring.pull, (at.right_u, at.right_v, at.right_w), strict=True)
+                pushed = sum((pull * speed for pull, speed in speeds), ca.SX(0))
         pushed -= self.torque[1][0][-1] * at.right_spin / b.span
         if not ca.SX(pushed).is_zero():
             load.append(Field("power_load_1", Where(-1, 0, alone=True), pushed * self.work))
@@ -507,17 +510,9 @@ class _Body:
             load.append(Field("power_load_2", Where(-1, 0, alone=True), turned * self.work / b.scale / b.span))
         gradient: list[Field] = []
         if self.double_force is not None:
-            stretching = []
-            for i in (-1, 0):
-                pairs = [[(r[i + 1] - r[i]) / b.length[i] for r in part] for part in (self.places, self.moved)]
-                stretching.append(sum((a * c for a, c in zip(*pairs, strict=True)), ca.SX(0)) / self.stretch[i])
-            power = self.double_force[0] * (stretching[1] - stretching[0]) * self.work / b.scale
+            power = necking_power(b, self.double_force, self.places, self.moved, self.stretch) * self.work / b.scale
             gradient = [Field("power_gradient_0", INNER, power)]
-        groups = {"plastic": [plastic], "load": load, "gradient": gradient}
-        return {
-            name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
-            for name, fields in groups.items()
-        }
+        return {"plastic": [plastic], "load": load, "gradient": gradient}
 
     def shown(self, stored: Mapping[str, list[Field]]) -> dict[str, Field | tuple[Field, ...]]:
         """Places, turns and energies, in SI and per unit undeformed area."""
@@ -537,10 +532,7 @@ class _Body:
             ends = {-1: ca.SX(hanging)}
         weight = Field("weight", Where(0, int(bool(ends))), self.mass * falling, ends)
         kept = {
-            f"energy_{name}": tuple(
-                Field(one.name, one.where, one.value * b.span, {at: v * b.span for at, v in one.ends.items()})
-                for one in fields
-            )
+            f"energy_{name}": tuple(one.mapped(one.name, lambda v: v * b.span) for one in fields)
             for name, fields in stored.items()
         }
         double = ca.SX(0) if self.double_force is None else self.double_force[0]

@@ -6,7 +6,7 @@ distances; the interpreter evaluates it at every site of a grid, and C loops ove
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -93,6 +93,10 @@ class Field:
         """All of its expressions."""
         return (self.value, *self.ends.values())
 
+    def mapped(self, name: str, change: Callable[[ca.SX], ca.SX]) -> Field:
+        """What becomes of it at every site, under another name."""
+        return Field(name, self.where, change(self.value), {at: change(value) for at, value in self.ends.items()})
+
     def sites(self, count: int) -> list[int]:
         """Its sites where there are so many."""
         first = self.where.first % count
@@ -131,7 +135,7 @@ Column = tuple[int, Any]
 
 
 class Spread:
-    """Fields at every site of a grid: of symbols or of numbers, in CasADi's SX or MX."""
+    """Fields at every site of a grid."""
 
     def __init__(
         self,
@@ -139,7 +143,6 @@ class Spread:
         sites: int,
         places: Mapping[str, Any],
         unknowns: Mapping[str, Column],
-        wholes: Mapping[str, Any],
         shared: Mapping[Leaf, Any],
     ) -> None:
         self._leaves, self._sites = leaves, sites
@@ -148,7 +151,7 @@ class Spread:
             **{(UNKNOWN, name): column for name, column in unknowns.items()},
         }
         # What no site has for itself: parameters, the time, sums over all sites.
-        self._shared = {**shared, **{Leaf(WHOLE, name): value for name, value in wholes.items()}}
+        self._shared = dict(shared)
 
     def take(self, one: Field) -> None:
         """Evaluate a field that later ones may read."""
@@ -161,31 +164,19 @@ class Spread:
     def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""
         pieces = [(one.where, one.value), *((Where(site, 0, alone=True), value) for site, value in one.ends.items())]
-        found = sorted((self.at(where, [value]) for where, value in pieces), key=lambda piece: piece[0])
-        return ca.vertcat(*(columns[0] for _, columns in found))
+        found = sorted((self._column(where, value) for where, value in pieces), key=lambda piece: piece[0])
+        return ca.vertcat(*(column for _, column in found))
 
-    def at(self, where: Where, values: Sequence[ca.SX]) -> tuple[int, list[Any]]:
-        """The first of some sites, and expressions at these sites, a column each."""
+    def _column(self, where: Where, value: ca.SX) -> Column:
+        """An expression at some sites."""
         first = where.first % self._sites
         count = 1 if where.alone else max(0, self._sites - where.behind - first)
-        leaves = self._leaves.within(ca.vertcat(*values))
+        leaves = self._leaves.within(value)
         if not leaves or not count:
-            return first, [ca.repmat(ca.DM(float(value)) if not leaves else ca.DM(0), count, 1) for value in values]
-        outputs = [ca.densify(ca.vertcat(*values))]
-        function = ca.Function("at_a_site", [self._leaves.symbol(leaf) for leaf in leaves], outputs)
+            return first, ca.repmat(ca.DM(float(value)) if not leaves else ca.DM(0), count, 1)
+        function = ca.Function("at_a_site", [self._leaves.symbol(leaf) for leaf in leaves], [ca.densify(value)])
         arguments = [self._row(leaf, first, first + count) for leaf in leaves]
-        found = (function.map(count) if count > 1 else function)(*arguments)
-        return first, [found[k, :].T for k in range(len(values))]
-
-    def know(self, kind: str, pieces: Mapping[str, Sequence[Column]]) -> None:
-        """Let later fields read columns, each in pieces."""
-        for name, columns in pieces.items():
-            ordered = sorted(columns, key=lambda piece: piece[0])
-            self._known[kind, name] = (ordered[0][0], ca.vertcat(*(column for _, column in ordered)))
-
-    def known(self, kind: str, name: str) -> Any:
-        """A column that was given."""
-        return self._known[kind, name][1]
+        return first, (function.map(count) if count > 1 else function)(*arguments).T
 
     def _row(self, leaf: Leaf, first: int, last: int) -> Any:
         if leaf in self._shared:

@@ -63,6 +63,7 @@ class Supports:
     turns: int = 0  # Rows of the twist of the right clamp about its own normal
     curved: tuple[bool, bool] = (False, False)  # Whether the left and the right clamp hold the ends of a shape
     directed: bool = False  # Whether gravity points anywhere but down
+    springs: tuple[str, ...] = ()  # Names of the stiffnesses of ends that give way
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -73,7 +74,7 @@ class Supports:
         names += [path_name(kind, row) for row in range(self.rows) for kind in kinds]
         names += [turn_name(kind, row) for row in range(self.turns) for kind in ("time", "angle")]
         names += [name for turn, needed in zip(END_TURNS, self.curved, strict=True) for name in turn if needed]
-        return (*names, *(DIRECTION if self.directed else ()))
+        return (*names, *(DIRECTION if self.directed else ()), *self.springs)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.cell import Program
-from softcat_sym.discretization.stencil import PARAMETER, TIME, Field, Leaf, Spread
+from softcat_sym.discretization.stencil import PARAMETER, TIME, WHOLE, Field, Leaf, Spread
 from softcat_sym.discretization.unknowns import Floats, Layout
 
 
@@ -64,8 +64,12 @@ class Symbolic:
     def raw(self) -> Expressions:
         """The expressions; a compiled run needs them only for what a trajectory shows."""
         program = self.program
-        shared = {Leaf(PARAMETER, name): self.p[k] for k, name in enumerate(self.program.parameters)}
-        spread = self.spread(self.x, self.z, {**shared, Leaf(TIME, "t"): self.t})
+        shared = {Leaf(PARAMETER, name): self.p[k] for k, name in enumerate(program.parameters)}
+        parts = {**self.moving.split(self.x), **self.still.split(self.z)}
+        unknowns = {slot.name: (int(slot.held[0]), parts[slot.name]) for slot in program.slots if slot.on != "whole"}
+        shared |= {Leaf(WHOLE, slot.name): parts[slot.name] for slot in program.slots if slot.on == "whole"}
+        shared |= {Leaf(TIME, "t"): self.t}
+        spread = Spread(program.leaves, self.sites, self.places, unknowns, shared)
         for one in program.fields:
             spread.take(one)
         rates = {slot.name: spread.values(rate) for slot, rate in zip(program.slots, program.rates, strict=True)}
@@ -82,14 +86,6 @@ class Symbolic:
         ode, alg = (gathered(layout, rates) for layout in (self.moving, self.still))
         support = tuple(spread.values(one) for one in program.support)
         return Expressions((ca.SX(ode), ca.SX(alg)), powers, shown, support)
-
-    def spread(self, x: Any, z: Any, shared: Mapping[Leaf, Any]) -> Spread:
-        """The sites of this grid with these unknowns, ready for the fields of the program."""
-        parts = {**self.moving.split(x), **self.still.split(z)}
-        slots = self.program.slots
-        unknowns = {slot.name: (int(slot.held[0]), parts[slot.name]) for slot in slots if slot.on != "whole"}
-        wholes = {slot.name: parts[slot.name] for slot in slots if slot.on == "whole"}
-        return Spread(self.program.leaves, self.sites, self.places, unknowns, {**wholes}, shared)
 
     @cached_property
     def rates(self) -> tuple[ca.SX, ca.SX]:

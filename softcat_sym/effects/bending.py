@@ -7,31 +7,25 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, always, held_up
-from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, chord_angle, groups_of, is_held
+from softcat_sym.scene.scene import Scene, carries_moment, groups_of, is_held, is_turned
 
 _LAYER, _PINNED = 0.5, 0.1
 """Smallest share of the load in bending, over h0/H, of a string in clamps, and between pins."""
 
-_LEVEL = 1e-9
-
 
 def _indispensable(scene: Scene) -> str:
-    if why := needed_in_space(scene):
+    if why := needs_section_angles(scene):
         return why
     if is_curved(scene):
         return "the filament is curved by nature"
-    ends, along = scene.ends, chord_angle(scene)
-    held = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
-    turned = any(kind == "clamped" and abs(angle - along) > _LEVEL for kind, angle in held)
-    return "a clamp is turned against the line between the supports" if turned else ""
+    return "a clamp is turned against the line between the supports" if is_turned(scene) else ""
 
 
 def bending_share(scene: Scene, motion: Motion) -> float:
     """Share of the load carried in bending, at least h0/(2 H) for the bent ends of a string."""
-    pinned = "clamped" not in (scene.ends.left, scene.ends.right)
-    layer = (_PINNED if pinned else _LAYER) * groups_of(scene).delta / motion.sag
+    layer = (_LAYER if carries_moment(scene) else _PINNED) * groups_of(scene).delta / motion.sag
     return min(1.0, max(1 - motion.tension_share, layer))
 
 

@@ -14,7 +14,7 @@ from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.forecast import expected_sag, forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.law import has_chains, law_in
+from softcat_sym.effects.law import law_in
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
@@ -25,14 +25,6 @@ from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
-
-
-def refuse_law(scene: Scene) -> None:
-    """Refuse a yield stress in the small-deflection model, whose single plastic stretch needs a linear law."""
-    if scene.model == "small-deflection" and YIELDING.applies(scene):
-        raise SceneError(
-            [Fault("material.law", f"{scene.material.law!r} with model 'small-deflection'", "elastic or maxwell")]
-        )
 
 
 def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
@@ -48,7 +40,7 @@ def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
     """Refuse polymer chains without fibres in bending, as their stress is not linear through the thickness."""
-    if not has_chains(scene):
+    if not scene.material.spec.has_chains:
         return
     law = f"the law {scene.material.law!r}"
     if scene.run.closure == "printed":
@@ -260,7 +252,6 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     The printed closure and the small-deflection model belong to the published theory: with them ``auto`` is the paper's
     list.
     """
-    refuse_law(scene)
     refuse_tables(scene)
     estimates = _estimates(scene)
     reasons = _reasons(scene, estimates, shown or {})
@@ -355,7 +346,7 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
         dear = INERTIA.name in effect.needs and INERTIA.name not in complete
         if effect.name not in complete and not dear and effect.applies(scene) and (why := effect.eases(scene)):
             complete[effect.name] = why
-    if BENDING.name in complete and has_chains(scene):
+    if BENDING.name in complete and scene.material.spec.has_chains:
         complete.setdefault(FIBRES.name, "the stress of polymer chains is not linear through the thickness")
     if FIBRES.name in complete and SHEAR.applies(scene):
         complete.setdefault(SHEAR.name, "fibres are resolved on sections that shear")

@@ -79,6 +79,8 @@ class Elements:
     inertia: Floats  # shape (n,); Of a turn about its length [kg m^2]
     attached: Floats  # shape (n + 1,); Masses on the nodes
     force: Floats  # shape (n + 1, 6); Dead forces and torques
+    springs: Floats  # shape (n + 1, 6); Stiffness of what holds the nodes, which is without force in the first shape
+    first: Shape
     closing: Floats  # shape (n + 1,); See :meth:`Shape.moved`
     free: npt.NDArray[np.int_]  # Numbers of the displacements and turns that nothing holds
 
@@ -94,7 +96,8 @@ class Elements:
         for _ in range(_STEPS):
             firm = self.stiffness(cells) + shift * mass
             largest = _largest_ratio(firm, mass)
-            missing = load * self.force.flat[self.free] - self._assembled(cells.forces)
+            pulled = (self.springs * shape.seen_from(self.first)).flat[self.free]
+            missing = load * self.force.flat[self.free] - self._assembled(cells.forces) - pulled
             step = np.zeros(self.force.shape)
             try:
                 np.linalg.cholesky(firm)
@@ -123,7 +126,7 @@ class Elements:
         forces = Cells.of(self, shape).forces
         return float(np.max(np.abs(self._assembled(forces)))) > _EXACT * float(np.max(np.abs(forces)))
 
-    def vibrations(self, shape: Shape) -> tuple[Floats, Floats, Floats, Floats]:
+    def vibrations(self, cells: Cells) -> tuple[Floats, Floats, Floats, Floats]:
         """Squares of the natural frequencies about a stable equilibrium, from the lowest on, and their modes.
 
         Returns
@@ -136,7 +139,6 @@ class Elements:
             Share of straining in these squares, besides that of forces that turn [1/s^2].
         mass : ndarray, shape (free, free)
         """
-        cells = Cells.of(self, shape)
         mass, firm = self.mass_matrix(cells), self.stiffness(cells)
         # By the inverse of the stiffness the lowest frequencies are exact, and not the highest.
         shift = _NOISE * _largest_ratio(firm, mass)
@@ -148,7 +150,9 @@ class Elements:
 
     def stiffness(self, cells: Cells, *, by_strain: bool = False) -> Floats:
         """Tangent stiffness of what is free; by strain alone it leaves out that of forces as they turn."""
-        return self._assembled(cells.straining if by_strain else cells.straining + cells.turning)
+        if by_strain:
+            return self._assembled(cells.straining)
+        return self._assembled(cells.straining + cells.turning) + np.diag(self.springs.flat[self.free])
 
     def mass_matrix(self, cells: Cells) -> Floats:
         """Mass matrix of what is free."""

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (
     Scene,
+    carries_moment,
     groups_of,
     is_held,
     is_slack,
@@ -81,7 +81,7 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     """
     scene = scene.at(scene.run.duration)
     gravity_number = worst_gravity_number(scene)
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         return ExpectedRegime(
             "elastic", "the law is that of a solid: it oscillates about, or creeps to, its elastic sag"
         )
@@ -171,7 +171,7 @@ def _arrested(
         # It rings about its static sag, by bending and the tension at yield.
         springs = 2 * left / (1 + left)
     depth = past * (numbers.stopping_depth_exact or 0.0)
-    clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
+    clamped = carries_moment(scene) and "bending" in effects
     # The tension that rotates the hinge includes that of the surface; the rate is over sigma_Y/eta.
     pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
     pace /= scales.share_of_yield(scene)
@@ -223,13 +223,9 @@ def _first_frequency(scene: Scene) -> float:
     modulus, weight = scales.instant_modulus(scene) or 0.0, scales.weight_stress(scene)
     gyration = scales.section_of(scene).gyration
     speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
-    return scales.beam_of(scene).frequency * speed / math.sqrt(1 + _shear_sag(scene))
-
-
-def _shear_sag(scene: Scene) -> float:
-    """Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam."""
+    # Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam.
     stiffness = 8 * scales.section_of(scene).shear_correction / (2 * (1 + scene.material.poisson))
-    return scales.bending_stiffness(scene) / stiffness
+    return scales.beam_of(scene).frequency * speed / math.sqrt(1 + scales.bending_stiffness(scene) / stiffness)
 
 
 def _static_first_yield(scene: Scene) -> float:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, held_up, of_large_deflections
-from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
 
@@ -19,7 +19,7 @@ def _indispensable(scene: Scene) -> str:
     level = ends.drop == 0 and ends.left_angle == 0 and ends.right_angle == 0 and not ends.motion
     stressed = bool(scene.initial.P) or bool(scene.initial.C) or is_curved(scene)
     if straight and level and not stressed:
-        return needed_in_space(scene)
+        return needs_section_angles(scene)
     return "the filament does not start straight, level and without stress between fixed supports"
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
-from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 
 FINITE_STRETCH = Effect(
     name="finite-stretch",
@@ -28,5 +28,5 @@ FINITE_STRETCH = Effect(
     example="continual-descent",
     derivation="02_section_and_closures",
     causes=("slopes",),
-    indispensable=needed_in_space,
+    indispensable=needs_section_angles,
 )

@@ -12,9 +12,17 @@ from softcat_sym.effects import quasi_static as quasi_static
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
-from softcat_sym.effects.law import is_solid
 from softcat_sym.physics.beams import ramp_gain
-from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, is_slack, rest_length, undeformed_area
+from softcat_sym.scene.scene import (
+    Scene,
+    carries_moment,
+    distance,
+    groups_of,
+    is_held,
+    is_slack,
+    rest_length,
+    undeformed_area,
+)
 from softcat_sym.scene.tables import farthest
 
 
@@ -177,7 +185,7 @@ def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
     section = scales.section_of(scene)
     compliance = section.gyration * 2 * (1 + scene.material.poisson) / section.shear_correction * delta**2
     bent = beam.shear_sag / beam.midspan_sag * compliance * (1 - tension_share)
-    clamped = "clamped" in (scene.ends.left, scene.ends.right)
+    clamped = carries_moment(scene)
     ends = _BENT_ENDS * delta * sag * tension_share if clamped else 0.0
     hinges = _HINGES * delta if clamped and scales.yield_stress_of(scene) is not None else 0.0
     return max(hinges, bent + ends)
@@ -391,7 +399,7 @@ def _relaxed(scene: Scene, rings: Ringing) -> float:
     relaxation = viscosity / modulus
     if scene.material.modes:
         relaxation = min(mode.viscosity / mode.youngs_modulus for mode in scene.material.modes)
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         relaxation = quasi_static.retardation(scene)
     share = -math.expm1(-scene.run.duration / relaxation)
     over = _overstress(scene, rings)
@@ -417,10 +425,10 @@ def largest_strain(scene: Scene, rings: Ringing) -> float:
     deep = (
         quasi_static.elastic_sag_under(scene, weight, scales.instant_modulus(scene)) if weight else 0.0
     ) + rings.amplitude
-    ends = {scene.ends.left, scene.ends.right}
     # A suddenly released string is bent at its travelling kinks, between pins too.
     kinked = rings.amplitude > _KINKED * deep
-    bent = 4.8 * delta * deep if ends == {"pinned"} and not kinked else 16 * delta * deep + 11 * deep**2
+    pinned = is_held(scene) and not carries_moment(scene)
+    bent = 4.8 * delta * deep if pinned and not kinked else 16 * delta * deep + 11 * deep**2
     begins = max((abs(value) for value in scene.initial.C), default=0.0) + max(0.0, -quasi_static.slackness(scene))
     return max(0.0, 8 / 3 * (deep**2 - quasi_static.start_sag(scene) ** 2)) + begins + bent
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.added_mass import mass_ratio
 from softcat_sym.effects.discrete_filament import (
+    Cells,
     Elements,
     Shape,
     angles_in,
@@ -20,7 +21,7 @@ from softcat_sym.effects.discrete_filament import (
     unstrained,
 )
 from softcat_sym.effects.first_stress import initial_strain
-from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.law import may_have
 from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
@@ -33,6 +34,7 @@ from softcat_sym.scene.scene import (
     force_free_stretch,
     is_held,
     is_slack,
+    straight_angle,
     stress_free_length,
     undeformed_area,
 )
@@ -60,6 +62,9 @@ class Vibration:
 def first_vibration(scene: Scene) -> Vibration | None:
     """The first mode of the elastic filament about its shape under load; None without a modulus.
 
+    A solid that creeps rings with its stiffness of a sudden load about the shape to which it has crept by the end of
+    the ramp: a strand that sags deeper is under less tension, but its arc is stiffer.
+
     It is the lowest of the modes that the load sets ringing, as it takes the filament from where it begins to where it
     rests; of a filament that begins at rest, slack or without a load, the lowest of all.
     """
@@ -75,17 +80,20 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     start = _held_shape(scene, natural)
     elements = _elements(scene, modulus, natural, start)
     begin = elements.at_rest(start, 0.0) if elements.is_strained(start) and not is_slack(scene) else start
-    rest = None if begin is None else elements.at_rest(begin, 1.0)
+    left = _left_by_creep(scene, modulus)
+    crept = replace(elements, axial=left * elements.axial, bending=left * elements.bending)
+    rest = None if begin is None else crept.at_rest(begin, 1.0)
     if begin is None or rest is None:
         return None
-    squares, modes, strained, mass = elements.vibrations(rest)
-    left = begin.seen_from(rest)
+    cells = replace(Cells.of(crept, rest), straining=Cells.of(elements, rest).straining)
+    squares, modes, strained, mass = elements.vibrations(cells)
+    away = begin.seen_from(rest)
     first, way = 0, 0.0
     if not is_slack(scene):
         # Without a load: by whatever weight, however little.
-        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(left))[elements.free]
-        is_loaded, way = np.any(elements.force), float(np.linalg.norm(left[len(left) // 2, :3]))
-        rung = modes.T @ mass @ (left.ravel()[elements.free] if is_loaded else pushed)
+        pushed = np.tile([*scene.load.direction, 0.0, 0.0, 0.0], len(away))[elements.free]
+        is_loaded, way = np.any(elements.force), float(np.linalg.norm(away[len(away) // 2, :3]))
+        rung = modes.T @ mass @ (away.ravel()[elements.free] if is_loaded else pushed)
         if not is_loaded:
             # What turns freely has no frequency.
             rung = np.divide(rung, squares, out=np.zeros_like(rung), where=squares > 0)
@@ -96,6 +104,14 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     share = min(1.0, max(0.0, float(strained[first]) / square))
     # Digits that are the same on every processor: what is chosen and printed by them is.
     return Vibration(*(float(f"{number:.7g}") for number in (math.sqrt(square), share, way)))
+
+
+def _left_by_creep(scene: Scene, modulus: float) -> float:
+    """Stiffness of a solid at the end of the ramp, over that under a sudden load: linear creep since half of it."""
+    late, static = retardation(scene), scales.static_modulus(scene)
+    if not late or not static:
+        return 1.0
+    return 1 / (modulus / static + (1 - modulus / static) * math.exp(-scene.load.ramp / 2 / late))
 
 
 def solid_viscosity(scene: Scene) -> float:
@@ -144,7 +160,7 @@ def _fibre_ratio(scene: Scene) -> float:
 
 def _natural_shape(scene: Scene) -> Shape:
     """Without stress: its own curve, or straight along its supports, or from its only support in its direction."""
-    ends, filament, length = scene.ends, scene.filament, stress_free_length(scene)
+    filament, length = scene.filament, stress_free_length(scene)
     kappa = np.array([[filament.twist, 0.0, filament.curvature]])
     turned = math.ceil(float(np.linalg.norm(kappa)) * length / _TURN / 2) * 2
     share = np.linspace(0.0, 1.0, min(max(_ELEMENTS, turned), _MOST) + 1)
@@ -153,11 +169,8 @@ def _natural_shape(scene: Scene) -> Shape:
         quaternions = curve.quaternions(share * length)
         half = np.arccos(np.clip(quaternions[:, :1], -1, 1))
         return Shape(curve.places(share * length), turns_by(2 * quaternions[:, 1:] / np.sinc(half / np.pi)))
-    from_left = ends.left != "free"
-    kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
-    along = chord_angle(scene) if is_held(scene) else angle if kind == "clamped" else 0.0
-    at = (share[:, None] - (0.0 if from_left else 1.0)) * length
-    first = _in_plane(np.array([along]))
+    at = (share[:, None] - float(scene.ends.supports[0].is_free)) * length
+    first = _in_plane(np.array([straight_angle(scene)]))
     steps = np.diff(at, axis=0) * (first @ turns_by((at[1:] + at[:-1]) / 2 * kappa))[:, :, 0]
     return Shape(np.vstack([np.zeros(3), np.cumsum(steps, axis=0)]), first @ turns_by(at * kappa))
 
@@ -178,8 +191,8 @@ def _held_shape(scene: Scene, natural: Shape) -> Shape:
         s = a * math.sinh(begin / a) + share * length
         places[:, 0], places[:, 1] = a * np.arcsinh(s / a) - begin, up * (np.hypot(a, s) - math.hypot(a, s[0]))
         angles = up * np.arctan(s / a)
-    for node, kind, angle in ((0, ends.left, ends.left_angle), (-1, ends.right, ends.right_angle)):
-        angles[node] = angle if kind == "clamped" else angles[node]
+    for node, (_, support, angle) in zip((0, -1), ends.sides, strict=True):
+        angles[node] = angle if support.carries_moment else angles[node]
     return Shape(places, _in_plane(angles))
 
 
@@ -196,7 +209,7 @@ def _half_catenary(ratio: float) -> float:
 
 
 def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Elements:
-    filament, load, section, asked = scene.filament, scene.load, scales.section_of(scene), scene.run.effects
+    filament, load, section = scene.filament, scene.load, scales.section_of(scene)
     chords, angles = angles_in(natural)
     length = unstrained(chords, angles) / force_free_stretch(scene)
     n, poisson = len(length), scene.material.poisson
@@ -209,9 +222,9 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     drawn = (angles_in(begin)[0] / chords * force_free_stretch(scene)) ** (-4 if section.plane_strain else -3)
     square, across = (relative * filament.thickness) ** 2, filament.width**2
     axial = section.stiffness(modulus, poisson) * areas
-    bent = axial * drawn * section.gyration * (isinstance(asked, str) or "bending" in asked)
+    bent = axial * drawn * section.gyration * (isinstance(scene.run.effects, str) or may_have(scene, "bending"))
     sheared = axial * drawn / (2 * (1 + poisson))
-    stiff = section.shear_correction if asked == "auto" or "shear" in asked else math.inf
+    stiff = float(section.shear_correction) if may_have(scene, "shear") else math.inf
     bending = stiffness_of_angles(
         length,
         bent * square,
@@ -221,7 +234,6 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     )
     mass = filament.density * areas * length
     surface = np.array([scales.surface_stress(scene, one) for one in relative])
-    in_bath = asked == "auto" or "added-mass" in asked
     attached, force = np.zeros(n + 1), np.zeros((n + 1, 6))
     attached[n // 2], attached[-1] = load.point_mass, load.tip_mass
     weight = (np.append(mass, 0.0) + np.append(0.0, mass)) / 2 * (1 - scales.buoyant_share(scene)) + attached
@@ -229,9 +241,12 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
     force[-1] += [*load.tip_force, *load.tip_torque]
     free = np.ones((n + 1, 6), dtype=bool)
     free[:, 2:5] = is_spatial(scene)
-    for node, kind in ((0, scene.ends.left), (-1, scene.ends.right)):
-        free[node, : {"clamped": 6, "pinned": 3, "free": 0}[kind]] = False
-    free[-1, 0] |= scene.ends.right_slides
+    left, right = scene.ends.supports
+    springs = np.zeros((n + 1, 6))
+    for node, (side, support, _) in zip((0, -1), scene.ends.sides, strict=True):
+        springs[node] = np.repeat([k if k < math.inf else 0.0 for k in scene.ends.stiffness(side)], 3)
+        held = support.holds_x, support.holds_height, support.holds_height, *[support.holds_angle] * 3
+        free[node] &= ~np.array(held)
     return Elements(
         length=length,
         relaxed=math.log(force_free_stretch(scene)) + strains,
@@ -241,11 +256,13 @@ def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Ele
         bending=bending,
         natural=angles,
         mass=mass,
-        mass_across=mass * (1 + in_bath * mass_ratio(scene)),
+        mass_across=mass * (1 + may_have(scene, "added-mass") * mass_ratio(scene)),
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,
-        closing=np.linspace(scene.ends.left == "free", scene.ends.right != "free", n + 1),
+        springs=springs,
+        first=begin,
+        closing=np.linspace(left.is_free, not right.is_free, n + 1),
         free=np.flatnonzero(free),
     )
 
@@ -317,9 +334,9 @@ def _decay(scene: Scene, frequency: float) -> float:
         return sum(mode.youngs_modulus**2 / mode.viscosity for mode in material.modes) / total / 2
     if material.relaxation_time:
         return 1 / (2 * material.relaxation_time) + frequency**2 * solvent_lag(scene) / 2
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         late = retardation(scene)
-        if material.law == "kelvin-voigt":
+        if material.spec.viscous_stress:
             return frequency**2 * late / 2
         arm = (material.second_modulus or 0.0) / ((material.second_modulus or 0.0) + (material.youngs_modulus or 1.0))
         return arm / (2 * late) if late > 0 else 0.0

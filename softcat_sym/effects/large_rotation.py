@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
-from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.scene import Scene, is_held
 
 _HELD, _FREE = 0.07, 0.25
@@ -25,7 +25,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 def _indispensable(scene: Scene) -> str:
     ends = scene.ends
     steep = max(abs(ends.left_angle), abs(ends.right_angle)) > _STEEP
-    return "a clamp holds the filament too steeply for a small slope" if steep else needed_in_space(scene)
+    return "a clamp holds the filament too steeply for a small slope" if steep else needs_section_angles(scene)
 
 
 LARGE_ROTATION = Effect(

@@ -3,36 +3,31 @@
 from __future__ import annotations
 
 from softcat_sym.physics.terms import Rheology
-from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 
 
 def law_in(scene: Scene) -> Rheology:
     """The law that the scene names, with its modes or its own flow rule."""
-    material, own = scene.material, scene.material.law == "custom"
+    material = scene.material
     return Rheology(
         material.law,
         modes=len(material.modes),
         flow=material.flow,
-        threshold=own and material.threshold > 0,
-        solvent=not material.has_chains or bool(material.solvent_viscosity),
+        threshold=bool(material.flow) and material.threshold > 0,
+        solvent=not material.spec.has_chains or bool(material.solvent_viscosity),
     )
 
 
-def has_chains(scene: Scene) -> bool:
-    """Whether the material is made of polymer chains, whose stress is not linear in the strain."""
-    return scene.material.has_chains
-
-
-def is_solid(scene: Scene) -> bool:
-    """Whether the material is a solid, without unlimited flow."""
-    return scene.material.law in SOLIDS
+def may_have(scene: Scene, effect: str) -> bool:
+    """Whether `auto` may choose an effect, or a list names it; those of the published theory are not asked for here."""
+    asked = scene.run.effects
+    return asked == "auto" if isinstance(asked, str) else effect in asked
 
 
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:
     """Nonlinearity of the flow rule, 0 to 1: with a linear one the plastic strain stays linear in z."""
     material = scene.material
-    if material.law == "custom":
+    if material.spec.has_formula:
         return 1.0
-    bent = abs(1 - 1 / material.index) if material.law in ("power-law", "herschel-bulkley") else 0.0
+    bent = abs(1 - 1 / material.index)
     return min(1.0, bent + 1 / max(1.0, overstress))

@@ -47,8 +47,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     mean, more = largest_strains(scene)
     meaning = "relative change of the sag by shrinking or curling"
     # Its curvature n/h bends a filament with a pinned or free end by n L^2/(8 h) or more; two clamps prevent that.
-    turns = {scene.ends.left, scene.ends.right} != {"clamped"}
-    curled = more / groups_of(scene).delta / (2 if "free" in (scene.ends.left, scene.ends.right) else 8) * turns
+    turns = not all(support.holds_angle for support in scene.ends.supports)
+    curled = more / groups_of(scene).delta / (8 if is_held(scene) else 2) * turns
     value = max(shrinking(scene, motion, mean), curled / motion.scale)
     return Estimate(min(1.0, value), meaning, "C/(1 + C), C = 8 E n f/(q L/A), or n L/(8 h)")
 

@@ -10,14 +10,14 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, held_up
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.scene.scene import Scene, is_held, rest_length
+from softcat_sym.scene.scene import Scene, carries_moment, is_held, rest_length
 
 _UNEVENNESS = 4e-4
 """Initial unevenness of a neck, fitted so that one e-fold changes the sag of the paper's arrested filament by 1 %."""
 
 _HINGE = 0.03
 """Change of the sag per e-fold with yielding hinges at clamps, which the gradient widens: within a factor of two in
-``tests/slow/test_collapse_contours.py``, for up to two e-folds; too large later, when the hinges have stopped."""
+``tests/studies/elements.py``, for up to two e-folds; too large later, when the hinges have stopped."""
 
 _SHORT = 2.0
 """Sag over the length of a neck beyond which the hinges are a small share of what is drawn out."""
@@ -36,7 +36,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # Below a free end the weight alone draws the filament out.
     drawn = yields and (held or motion.flowing_overstress > 1)
     grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS)) if drawn else 0.0
-    clamped = held and YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
+    clamped = held and YIELDING.applies(scene) and carries_moment(scene)
     turns = clamped and (scales.gravity_number_of(scene) or 0.0) > scales.collapse_gravity_number(scene)
     share = min(1.0, _SHORT * scales.neck_length(scene) / (motion.sag * rest_length(scene)))
     spread = share * _HINGE * motion.folds**2 / (1 + motion.folds) if turns and yields else 0.0

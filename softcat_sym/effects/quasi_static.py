@@ -11,7 +11,6 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.law import is_solid
 from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_free_length, undeformed_area
 
 Floats = npt.NDArray[np.float64]
@@ -45,13 +44,8 @@ def slackness(scene: Scene) -> float:
     """Stress-free length over the distance of the ends, minus one: negative if the filament starts stretched."""
     if not is_held(scene):
         return 0.0
-    free = stress_free_length(scene) * math.exp(mean_of(scene.initial.P))
-    return free / distance(scene) - 1
-
-
-def mean_of(values: tuple[float, ...]) -> float:
-    """Mean of values along the filament; zero without values."""
-    return sum(values) / len(values) if values else 0.0
+    strains = scene.initial.P or (0.0,)
+    return stress_free_length(scene) * math.exp(sum(strains) / len(strains)) / distance(scene) - 1
 
 
 def quasi_static_history(scene: Scene) -> History:
@@ -84,7 +78,7 @@ def followed_sag(scene: Scene) -> tuple[Floats, Floats]:
     for frame, (before, now) in enumerate(pairwise(looks.tolist()), start=1):
         stage, elapsed = scene.at((before + now) / 2), now - before
         weight = scales.weight_stress(stage) * load_factor(stage) * float(share[frame])
-        if weight > 0 and is_solid(stage):
+        if weight > 0 and stage.material.spec.is_solid:
             lasting = elastic_sag_under(stage, weight, scales.static_modulus(stage))
             reached = -math.expm1(-elapsed / retardation(stage)) if retardation(stage) else 1.0
             elastic += max(0.0, lasting - elastic) * reached
@@ -92,7 +86,7 @@ def followed_sag(scene: Scene) -> tuple[Floats, Floats]:
             elastic = max(elastic, elastic_sag_under(stage, weight, scales.instant_modulus(stage)))
             flown += float(flow_sag(stage, weight, elastic + flown, np.array(elapsed)))
         sags.append(max(elastic + flown, sags[0]))
-    if scene.load.ramp == 0 and not (is_solid(scene) and retardation(scene)):
+    if scene.load.ramp == 0 and not (scene.material.spec.is_solid and retardation(scene)):
         sags[0] = max(sags[0], float(_sag(scene, np.zeros(()), 1.0)))
     return looks, np.array(sags)
 
@@ -103,11 +97,11 @@ def _sag(scene: Scene, time: Floats, share: float) -> Floats:
         return np.full_like(time, start_sag(scene))
     elapsed = np.maximum(0.0, time - scene.load.ramp / 2)
     at_once = elastic_sag_under(scene, weight, scales.instant_modulus(scene))
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         lasting = elastic_sag_under(scene, weight, scales.static_modulus(scene))
         if not retardation(scene):
             return np.full_like(time, lasting)
-        first = 0.0 if scene.material.law == "kelvin-voigt" else at_once
+        first = at_once if scene.material.spec.flows else 0.0
         return lasting + (first - lasting) * np.exp(-elapsed / retardation(scene))
     return at_once + flow_sag(scene, weight, at_once, elapsed)
 
@@ -115,7 +109,7 @@ def _sag(scene: Scene, time: Floats, share: float) -> Floats:
 def retardation(scene: Scene) -> float:
     """Retardation time of a solid [s]: eta/E; for a standard linear solid eta (1/E + 1/E_2)."""
     material = scene.material
-    if material.viscosity is None or material.youngs_modulus is None or not is_solid(scene):
+    if material.viscosity is None or material.youngs_modulus is None or not scene.material.spec.is_solid:
         return 0.0
     compliance = 1 / material.youngs_modulus + (1 / material.second_modulus if material.second_modulus else 0.0)
     return material.viscosity * scales.hot_viscosity_factor(scene) * compliance

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 
 from softcat_sym.effects.added_mass import ADDED_MASS
 from softcat_sym.effects.backstress import BACKSTRESS
@@ -32,6 +32,7 @@ from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
 
@@ -126,5 +127,22 @@ def _of_the_plane(effect: Effect) -> Effect:
 
 _OWN = len(REGISTRY)
 
+
+def _register_installed(point: EntryPoint) -> None:
+    """Register the effect of an installed package; SoftcatError, naming the package, whatever is wrong with it."""
+    try:
+        effect = point.load()
+        if not isinstance(effect, Effect):
+            raise TypeError(f"it is no softcat_sym.Effect but of type {type(effect).__name__}")
+        register_effect(effect)
+    except (Exception, SystemExit) as error:
+        package = point.dist.name if point.dist else "unknown"
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        raise SoftcatError(
+            f"package {package}, entry point {point.name} = {point.value} of {ENTRY_POINTS}: {reason}; "
+            "mend or uninstall the package"
+        ) from error
+
+
 for _point in entry_points(group=ENTRY_POINTS):
-    register_effect(_point.load())
+    _register_installed(_point)

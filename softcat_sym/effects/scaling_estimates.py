@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from softcat_sym.effects.law import has_chains, is_solid
-from softcat_sym.physics.beams import Beam, beam_between, first_yield, plastic_collapse
+from softcat_sym.effects.law import may_have
+from softcat_sym.physics.beams import Beam, beam_between, beam_on_springs, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
-from softcat_sym.scene.scene import Scene, groups_of, is_held
+from softcat_sym.scene.scene import Scene, groups_of, is_held, undeformed_area
 
 _THROUGHOUT = 2.0
 """G over that of first yield from which the whole section yields."""
@@ -25,7 +25,7 @@ def instant_modulus(scene: Scene) -> float | None:
 
 def static_modulus(scene: Scene) -> float | None:
     """Young's modulus of a solid under a lasting load [Pa]; otherwise that of a sudden load."""
-    return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)
+    return scene.material.youngs_modulus if scene.material.spec.is_solid else instant_modulus(scene)
 
 
 def yield_stress_of(scene: Scene) -> float | None:
@@ -45,9 +45,8 @@ def surface_stress(scene: Scene, relative: float = 1.0) -> float:
 
 def pull_of_surface(scene: Scene) -> float:
     """Gam [Pa]; 0 if a list of effects, the paper's list or the printed closure leaves surface tension out."""
-    asked, run = scene.run.effects, scene.run
-    listed = asked == "auto" if isinstance(asked, str) else "surface-tension" in asked
-    return surface_stress(scene) if listed and run.closure != "printed" else 0.0
+    listed = may_have(scene, "surface-tension") and scene.run.closure != "printed"
+    return surface_stress(scene) if listed else 0.0
 
 
 def holding_stress_of(scene: Scene) -> float | None:
@@ -95,9 +94,7 @@ def weight_stress(scene: Scene) -> float:
 
 def buoyant_share(scene: Scene) -> float:
     """rho_b/rho; 0 if a list of effects, the paper's list or the printed closure leaves buoyancy out."""
-    asked = scene.run.effects
-    listed = asked == "auto" if isinstance(asked, str) else "buoyancy" in asked
-    in_bath = listed and scene.run.closure != "printed"
+    in_bath = may_have(scene, "buoyancy") and scene.run.closure != "printed"
     return scene.surroundings.density / scene.filament.density if in_bath else 0.0
 
 
@@ -117,10 +114,11 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
     material = scene.material
     if material.modes:
         return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
-    if has_chains(scene):
+    if scene.material.spec.has_chains:
         return hot_viscosity_factor(scene) * (viscosity_of_chains(scene) + (material.solvent_viscosity or 0.0))
-    if material.law == "custom" and material.formula is not None:
-        values = {parameter.name: parameter.value for parameter in material.parameters}
+    if material.formula is not None:
+        values = material.values()
+        values["viscosity"] = values.get("viscosity", 0.0) * hot_viscosity_factor(scene)
         rate = material.formula.value(material.threshold + stress, values)
         return stress / rate if rate > 0 and math.isfinite(rate) else 0.0
     if material.viscosity is None:
@@ -131,9 +129,10 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
 
 def hot_viscosity_factor(scene: Scene) -> float:
     """Viscosity at the highest temperature of the scene over the stated one."""
-    heat, asked = scene.temperature, scene.run.effects
-    listed = asked == "auto" if isinstance(asked, str) else "temperature" in asked
-    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1]) if heat.present and listed else 1.0
+    heat = scene.temperature
+    if not (heat.present and may_have(scene, "temperature")):
+        return 1.0
+    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1])
 
 
 def viscosity_of_chains(scene: Scene) -> float:
@@ -158,7 +157,14 @@ def duration_star(scene: Scene) -> float:
 
 def beam_of(scene: Scene) -> Beam:
     """The straight beam between the scene's ends; with a free end, a cantilever."""
-    return beam_between(scene.ends.left, scene.ends.right)
+    nearest, modulus = beam_between(*scene.ends.supports), instant_modulus(scene)
+    if not scene.ends.springs or not modulus:
+        return nearest
+    length = scene.filament.span
+    turning = modulus * section_of(scene).gyration * undeformed_area(scene) * scene.filament.thickness**2 / length
+    (left, left_turn), (right, right_turn) = (scene.ends.stiffness(side) for side in ("left", "right"))
+    places = left * length**2 / turning, right * length**2 / turning
+    return beam_on_springs(nearest, places, (left_turn / turning, right_turn / turning))
 
 
 def section_of(scene: Scene) -> CrossSection:
@@ -227,4 +233,6 @@ def neck_folds(scene: Scene, strain: float) -> float:
     viscosity = effective_viscosity(scene)
     stress = (limit or 0.0) + pull_of_surface(scene) / 2
     yields = limit is None or (gravity_number or 0.0) > first_yield_gravity_number(scene)
-    return strain + (stress / viscosity * scene.run.duration if viscosity and yields and not is_solid(scene) else 0.0)
+    return strain + (
+        stress / viscosity * scene.run.duration if viscosity and yields and not scene.material.spec.is_solid else 0.0
+    )

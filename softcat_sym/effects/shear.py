@@ -7,17 +7,17 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, let_down, of_large_deflections
-from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
+from softcat_sym.effects.law import flow_nonlinearity
 from softcat_sym.effects.scaling_estimates import section_of
 from softcat_sym.errors import Fault
-from softcat_sym.scene.dimensions import is_spatial, needed_in_space
+from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 from softcat_sym.scene.tables import farthest
 
 
 def elastic_stretch(scene: Scene) -> float:
     """Elastic stretch that the supports impose at the start, and for a solid at any time."""
-    apart = farthest(scene) if is_solid(scene) and scene.ends.motion else distance(scene)
+    apart = farthest(scene) if scene.material.spec.is_solid and scene.ends.motion else distance(scene)
     return apart / stress_free_length(scene) if is_held(scene) else 1.0
 
 
@@ -37,25 +37,25 @@ def _limit(scene: Scene) -> float:
 
 
 def _applies(scene: Scene) -> bool:
-    turns = is_spatial(scene) or stays_straight(scene)
-    return of_large_deflections(scene) and turns and not has_chains(scene)
+    turns = needs_section_angles(scene) or stays_straight(scene)
+    return of_large_deflections(scene) and bool(turns) and not scene.material.spec.has_chains
 
 
 def _faults(scene: Scene) -> list[Fault]:
-    """Refuse a filament with unstable sections in three dimensions, where shear is indispensable."""
-    if stays_straight(scene) or not is_spatial(scene):
+    """Refuse a filament with unstable sections where shear is indispensable."""
+    if stays_straight(scene) or not needs_section_angles(scene):
         return []
     at_start = distance(scene) / stress_free_length(scene) >= _limit(scene)
     given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
     found = (
         f"stretched elastically {elastic_stretch(scene):.4g} times, at which sections rotate spontaneously "
-        f"({needed_in_space(scene)})"
+        f"({needs_section_angles(scene)})"
     )
     return [Fault(given if at_start else "ends.motion", found, f"less than {_limit(scene):.4g} times")]
 
 
 def _eases(scene: Scene) -> str:
-    if law_in(scene).has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
+    if scene.material.spec.has_closed_means or flow_nonlinearity(scene, math.inf) == 0:
         return ""
     return "included because its flow rule runs faster with it"
 
@@ -84,6 +84,6 @@ SHEAR = Effect(
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
     in_paper=False,
     eases=_eases,
-    indispensable=needed_in_space,
+    indispensable=needs_section_angles,
     faults=_faults,
 )

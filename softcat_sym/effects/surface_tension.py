@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, held_up
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.scaling_estimates import (
     instant_modulus,
     pull_of_surface,
@@ -40,7 +39,7 @@ def unstable_faults(scene: Scene) -> list[Fault]:
     modulus, pull = static_modulus(scene), surface_stress(scene)
     # A filament that has shortened under its surface is thicker, and stable: dQ/ds = A_0 E (1 - log(s)/2)/s^2 at Q = 0.
     stable = scene.filament.section == "sheet" or scene.initial.surface == "relaxed"
-    if modulus is None or not is_solid(scene) or stable or pull <= _UNSTABLE * modulus:
+    if modulus is None or not scene.material.spec.is_solid or stable or pull <= _UNSTABLE * modulus:
         return []
     most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
     found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament forms beads"

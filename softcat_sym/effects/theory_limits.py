@@ -19,7 +19,7 @@ THICK = 0.1
 # arrest, where the limit load of the hinges at the clamps decides.
 _OWN, _FLOWING, _STOPPING = 4e-4, 0.7, 0.3
 # Over h0/L and (1 - G_c/G)^2, G_c being the load of the plastic beam, and the most of it; as
-# ``tests/slow/test_collapse_contours.py`` prints it.
+# ``tests/studies/elements.py`` prints it.
 _HINGES, _MAX_STOPPING = 0.09, 4.0
 _PUBLISHED_FLOWING, _PUBLISHED_STOPPING = 0.6, 1.8
 
@@ -55,8 +55,8 @@ def theory_error(scene: Scene, effects: Collection[str], terms: Terms) -> float:
     -------
     float
         The constants are those of clamped elastic, Maxwell and Bingham filaments of h0/L = 0.01 to 0.1 against
-        plane-stress elements, as ``tests/slow/test_discrepancy.py`` prints them; other laws and ends are assumed to err
-        by as much.
+        plane-stress elements, as ``tests/slow/test_element_films.py`` prints them; other laws and ends are assumed to
+        err by as much.
     """
     delta = groups_of(scene).delta
     return sum(part * delta**k for k, part in enumerate(error_by_slenderness(scene, effects, terms)))

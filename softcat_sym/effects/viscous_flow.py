@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, OfMotion
-from softcat_sym.effects.law import law_in
 from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor
 from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
 from softcat_sym.scene.scene import Scene
@@ -20,7 +19,7 @@ def _indispensable(scene: Scene) -> str:
 
 
 def _applies(scene: Scene) -> bool:
-    return law_in(scene).flows
+    return scene.material.spec.flows
 
 
 _RELAXED = OfMotion(

@@ -11,8 +11,7 @@ from softcat_sym.scene.scene import Scene
 
 
 def _indispensable(scene: Scene) -> str:
-    law = law_in(scene)
-    return "" if law.has_springs or law.has_chains else f"the law {law.name!r} has no other stress"
+    return "" if scene.material.spec.is_elastic else f"the law {scene.material.law!r} has no other stress"
 
 
 def _applies(scene: Scene) -> bool:

@@ -45,7 +45,7 @@ _STATES_PER_CELL = 10
 """Unknowns of a cell that are no fibre's, or more."""
 
 
-def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: Progress | None = None) -> Run:
+def refine_to_accuracy(first: Run, effects: Effects, clock: Clock, progress: Progress | None = None) -> Run:
     """Estimate the error of a run, and refine grid, fibres or steps until it is small enough."""
     scene, periods = first.scene, periods_of(first)
     guess = resolution_of(scene, effects, compiled=first.summary["backend"] == "compiled")

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -24,7 +23,7 @@ from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
 from softcat_sym.fitting.result import Fit
-from softcat_sym.fitting.trackers import camera_in
+from softcat_sym.fitting.trackers import camera_in, comments_in
 from softcat_sym.scene.csv_reader import (
     Wanted,
     columns_in,
@@ -39,6 +38,7 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
+from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown, to_si
@@ -57,7 +57,6 @@ _AXES = {
     )
     for one in "xy"
 }
-_LINE = re.compile(r"#\s*pillars\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
 _FORMS = {
     "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
     "height": "pillars.height = 6 mm",
@@ -140,36 +139,21 @@ class Gap:
 
 @dataclass(frozen=True)
 class GapResult:
-    """What one gap shows beside the fit.
+    """What one gap shows beside the fit."""
 
-    Attributes
-    ----------
-    number : int
-        Of the gap, from the left.
-    span, drop, sag : float
-        Distance of the edges, height of the left above the right one, largest depth below their chord [m].
-    collapsed, remaining : float or None
-        Collapse factor in both published senses: the share of the open area below a straight strand that the sagging
-        one takes (0 for a straight strand), and the share that it leaves (1 for a straight strand); None without
-        ``pillars.height``.
-    angle : float
-        Steepest inclination of the strand [rad].
-    closed_form : float or None
-        Tensile yield stress by the closed formula rho g span/(2 sin(angle)) [Pa]: half of the weight is carried by the
-        yield stress along the strand where it is steepest. None where the sag is not significant.
-    ratio : float or None
-        That over the fitted yield stress.
-    """
-
-    number: int
-    span: float
-    drop: float
-    sag: float
+    number: int  # Of the gap, from the left
+    span: float  # Distance of the edges [m]
+    drop: float  # Height of the left above the right one [m]
+    sag: float  # Largest depth below their chord [m]
+    # Share of the open area below a straight strand that the sagging one takes: 0 for a straight strand; None without
+    # ``pillars.height``
     collapsed: float | None
-    remaining: float | None
-    angle: float
+    remaining: float | None  # The share that it leaves, the other published collapse factor: 1 for a straight strand
+    angle: float  # Steepest inclination of the strand [rad]
+    # Tensile yield stress rho g span/(2 sin(angle)) [Pa], as :func:`closed_form` has it; None where the sag is not
+    # significant
     closed_form: float | None
-    ratio: float | None
+    ratio: float | None  # That over the fitted yield stress
 
 
 @dataclass(frozen=True, eq=False)
@@ -261,12 +245,7 @@ def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]
     """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
     found: dict[str, list[Any]] = {key: [] for key in _FORMS}
     faults = list[Fault]()
-    for number, line in enumerate(text.splitlines(), start=1):
-        match = _LINE.match(line.strip())
-        if match is None:
-            continue
-        key, value = match["key"], match["value"].strip().rstrip(",;\t ")
-        where = f"line {number}, pillars.{key}"
+    for where, key, value in comments_in(text, "pillars"):
         if key not in _FORMS:
             faults.append(Fault(where, "unknown key", "; ".join(_FORMS.values())))
             continue
@@ -298,20 +277,10 @@ def _edge(text: str, unit: float) -> float:
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
-    """Turn the photograph level and cut the centre line into its gaps.
+    """Turn the photograph level by the line through all edges, and cut the centre line into its gaps.
 
-    Parameters
-    ----------
-    contour : Contour
-        In the frame of the photograph.
-
-    Returns
-    -------
-    gaps : tuple of Gap
-        From left to right.
-    tilt : float
-        Angle of the line through all edges, by which the photograph is turned back [rad]; of what the edges are then
-        off by, only what is significant is a drop of a support.
+    Returned are the gaps from left to right, and the angle by which the photograph is turned back [rad]. Of what the
+    edges are then off by, only what is significant is a drop of a support.
     """
     lines = [_centre_line(contour, *edges) for edges in contour.gaps]
     noise = float(np.median([_noise(*line) for line in lines]))
@@ -409,17 +378,11 @@ def _running_lines(x: Floats, y: Floats) -> tuple[Floats, Floats]:
 
 
 def yield_stress_name(scene: Scene) -> str:
-    """Name of the yield stress by which the scene states it.
-
-    Raises
-    ------
-    SceneError
-        If the law has none: nothing then holds a strand but its modulus.
-    """
+    """Name of the yield stress by which the scene states it; a law without one is refused."""
     names = {one.path.rpartition(".")[2] for one in candidates(scene)}
     found = next((name for name in ("yield_stress", "shear_yield_stress") if name in names), None)
     if found is None:
-        accepted = "a law with a yield stress: bingham or herschel-bulkley"
+        accepted = f"a law with a yield stress: {', '.join(laws_with('yield_stress'))}"
         raise SceneError([Fault("material.law", f"'{scene.material.law}' has no yield stress to measure", accepted)])
     return found
 

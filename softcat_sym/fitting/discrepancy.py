@@ -27,19 +27,9 @@ class Discrepancy:
     correlation: float = 1.0  # Difference of log t over which their autocorrelation falls to 1/e
 
     def covariance(self, time: Floats, heights: Floats) -> Floats:
-        """Covariance of the error.
+        """Covariance of the error at times since the onset of gravity, for heights of the model, shape (n, n).
 
-        Parameters
-        ----------
-        time : ndarray, shape (n,)
-            Since the onset of gravity [s], increasing; before that there is no error of pace.
-        heights : ndarray, shape (n,)
-            Of the midpoint in the model, without errors of a camera.
-
-        Returns
-        -------
-        ndarray, shape (n, n)
-            amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'), in the square of the unit of the heights.
+        It is amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'); before the onset there is no error of pace.
         """
         logarithm = np.log(np.maximum(time, np.finfo(float).tiny))
         apart = _FALLEN * np.abs(np.subtract.outer(logarithm, logarithm)) / self.correlation
@@ -53,21 +43,11 @@ _CORRELATION_LENGTH, _GRID, _NEGLIGIBLE = 1 / 8, 33, 1e-3
 
 
 def shape_modes(place: Floats, span: float) -> Floats:
-    """Modes of the theory's error along a filament: the midpoint's share everywhere, and more of it towards the ends.
+    """Modes M of the theory's error at places from halfway between the supports, NaN of a midpoint, shape (n, modes).
 
-    Parameters
-    ----------
-    place : ndarray, shape (n,)
-        Distance from halfway between the supports [m]; NaN of a midpoint.
-    span : float
-        Distance of the supports [m].
-
-    Returns
-    -------
-    ndarray, shape (n, modes)
-        M of the covariance M M^T = 1 + k(x, x') - k(x, 0) k(0, x') of the relative errors of two points over that of
-        the midpoint, where k is Gaussian with a standard deviation of an eighth of the span; the same on both sides of
-        the midpoint. Elements sag less by some share everywhere, and near their clamps by up to twice of it.
+    M M^T = 1 + k(x, x') - k(x, 0) k(0, x') is the covariance of the relative errors of two points over that of the
+    midpoint, where k is Gaussian with a standard deviation of an eighth of the span; the same on both sides of the
+    midpoint. Elements sag less by some share everywhere, and near their clamps by up to twice of it.
     """
     grid = np.linspace(0.0, 0.5, _GRID)
     size, vectors = np.linalg.eigh(_covariance(grid, grid))

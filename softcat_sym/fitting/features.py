@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
 
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.errors import Fault, SoftcatError
@@ -150,7 +151,7 @@ def noise_of(time: Floats, sag: Floats) -> float:
 STIFFENING, STIFFENING_SPREAD = 0.2, 0.2
 """Prior of g in R ~ t^g: the frequency of a string scales with its sag, as t^(1/3); that of a beam is constant."""
 
-_STEPS = 40
+_LEAST = 1e-3  # Of the first frequency
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,61 +241,49 @@ def _columns(basis: LogPolynomial, time: Floats, middle: float, nonlinear: Float
     return np.column_stack([basis.columns(time), envelope * np.cos(angle), envelope * np.sin(angle)])
 
 
-def _projected(stretch: Stretch, middle: float, nonlinear: Floats) -> tuple[Floats, Floats, Floats, Floats, float]:
-    """Columns, linear constants, residuals, derivative by the three others, and the cost with the prior of g."""
+def _projected(stretch: Stretch, middle: float, nonlinear: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Columns, linear constants, residuals, and derivative of the residuals by the three other constants."""
     time, weight = stretch.time, 1 / stretch.std
     columns = _columns(stretch.basis, time, middle, nonlinear) * weight[:, None]
     data = stretch.sag * weight
     linear: Floats = np.asarray(np.linalg.lstsq(columns, data, rcond=None)[0], dtype=np.float64)
-    rest = columns @ linear - data
     frequency, _, stiffening = nonlinear
     wave, quarter = columns[:, -2:] @ linear[-2:], columns[:, -2:] @ np.array([linear[-1], -linear[-2]])
     grown = (time / middle) ** (1 + stiffening)
     by_frequency = middle / (1 + stiffening) * (grown - 1)
     by_stiffening = frequency * (middle * grown * np.log(time / middle) - by_frequency) / (1 + stiffening)
     jacobian = np.column_stack([quarter * by_frequency, -wave * (time - middle), quarter * by_stiffening])
-    prior = (stiffening - STIFFENING) / STIFFENING_SPREAD
-    variance = float(rest @ rest) / max(len(time) - columns.shape[1] - 3, 1)
-    return columns, linear, rest, jacobian, float(rest @ rest) + variance * prior**2
+    return columns, linear, columns @ linear - data, jacobian
 
 
 def _sinusoid_step(stretch: Stretch, middle: float, start: Floats) -> tuple[Floats, Floats] | None:
-    """Levenberg-Marquardt in (R, d, g) with the linear constants projected out; optimum and linear constants."""
-    nonlinear, damping = start.copy(), 1e-3
-    columns, linear, rest, jacobian, cost = _projected(stretch, middle, nonlinear)
-    for _ in range(_STEPS):
+    """The best (R, d, g) with the linear constants projected out and with the prior of g; and the linear constants."""
+    columns, _, rest, _ = _projected(stretch, middle, start)
+    freedom = max(len(rest) - columns.shape[1] - 3, 1)
+    pull = math.sqrt(float(rest @ rest) / freedom) / STIFFENING_SPREAD
+
+    def residuals(nonlinear: Floats) -> Floats:
+        return np.append(_projected(stretch, middle, nonlinear)[2], pull * (nonlinear[2] - STIFFENING))
+
+    def derivatives(nonlinear: Floats) -> Floats:
+        columns, _, _, jacobian = _projected(stretch, middle, nonlinear)
         across = np.linalg.qr(columns)[0]
-        reduced = jacobian - across @ (across.T @ jacobian)
-        variance = float(rest @ rest) / max(len(rest) - columns.shape[1] - 3, 1)
-        pull = variance / STIFFENING_SPREAD**2
-        normal = reduced.T @ reduced + np.diag([0.0, 0.0, pull])
-        slope = reduced.T @ rest + np.array([0.0, 0.0, pull * (nonlinear[2] - STIFFENING)])
-        if not np.all(np.isfinite(normal)) or np.any(np.diag(normal) <= 0):
-            return None
-        step = -np.linalg.solve(normal + damping * np.diag(np.diag(normal)), slope)
-        trial = nonlinear + step
-        if trial[0] <= 0 or not -0.9 < trial[2] < 2 or abs(trial[1]) > 3 * trial[0]:
-            damping = max(10 * damping, 1e-2)
-            if damping > 1e8:
-                return None
-            continue
-        tried = _projected(stretch, middle, trial)
-        if tried[-1] <= cost:
-            small = bool(np.all(np.abs(step) < 1e-9 * np.array([trial[0], trial[0], 1.0])))
-            nonlinear, damping = trial, damping / 10
-            columns, linear, rest, jacobian, cost = tried
-            if small:
-                break
-        else:
-            damping *= 10
-            if damping > 1e8:
-                break
-    return nonlinear, linear
+        return np.vstack([jacobian - across @ (across.T @ jacobian), [0.0, 0.0, pull]])
+
+    bounds = (_LEAST * start[0], -3 * start[0], -0.9), (3 * start[0], 3 * start[0], 2.0)
+    if not np.all((bounds[0] < start) & (start < bounds[1])):
+        return None
+    try:
+        nonlinear = least_squares(residuals, start, derivatives, bounds, x_scale="jac", ftol=1e-12, xtol=1e-9).x
+    except (ValueError, np.linalg.LinAlgError):
+        # The model is not finite there, or its columns are no longer independent.
+        return None
+    return nonlinear, _projected(stretch, middle, nonlinear)[1]
 
 
 def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) -> Oscillation | None:
     """Oscillation with standard errors of the whole linearised fit, with the prior of g as one more datum."""
-    columns, linear, rest, jacobian, _ = _projected(stretch, middle, nonlinear)
+    columns, linear, rest, jacobian = _projected(stretch, middle, nonlinear)
     squares = float(rest @ rest)
     scale = stretch.noise_scale(squares, len(rest) - columns.shape[1] - 3)
     every = np.column_stack([jacobian, columns])
@@ -343,8 +332,6 @@ class LateLaw:
     slope: float  # k [m^3/s]
     slope_error: float  # Its standard error
     shift: float  # t_0 [s], from earlier motion: elastic sag, bending, a clock that was started late
-    exponent: float  # Exponent of a power law with t_0 = 0, fitted to the same frames
-    exponent_error: float
     first: float  # Times of the frames that are fitted [s]
     last: float
 
@@ -369,12 +356,19 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
         return f"fewer than {MIN_LATE_FRAMES} frames in the late part of the film"
     if np.any(sag <= 0):
         return "the midpoint is not below the supports throughout the late part of the film"
-    exponent, exponent_error = _exponent(film, time, sag, std)
+    # Powers of the time, fitted to the logarithms.
+    weight = sag / std
+    columns = np.column_stack([np.log(time / time[0]), np.ones_like(time)]) * weight[:, None]
+    line = np.linalg.lstsq(columns, np.log(sag) * weight, rcond=None)[0]
+    left = columns @ line - np.log(sag) * weight
+    spread = film.noise_scale(float(left @ left), len(time) - 2)
+    exponent = float(line[0])
+    exponent_error = spread * math.sqrt(float(np.linalg.inv(columns.T @ columns)[0, 0]))
     if abs(exponent - 1 / 3) > EXPONENT_MARGIN + 2 * exponent_error:
         cause = "bending still carries load, or the sag grows at another rate"
         cause = cause if exponent > 1 / 3 else "the filament stops, or is held elastically"
         return f"the sag grows as t^{exponent:.2f}, not as t^(1/3): {cause}"
-    solved = _gauss_newton(time, sag, std)
+    solved = _fit_third_law(time, sag, std)
     # A constant sag is fitted by every law with an early t_0.
     if solved is None or np.linalg.cond(solved[3] / np.linalg.norm(solved[3], axis=0)) > _ALIKE:
         return "the cube of the sag does not grow linearly in time"
@@ -382,36 +376,28 @@ def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
     scale = film.noise_scale(float(rest @ rest), len(time) - 2)
     covariance = np.linalg.inv(jacobian.T @ jacobian) * scale**2
     error = slope * math.sqrt(covariance[0, 0])
-    return LateLaw(slope, error, shift, exponent, exponent_error, float(time[0]), float(time[-1]))
+    return LateLaw(slope, error, shift, float(time[0]), float(time[-1]))
 
 
-def _exponent(film: Stretch, time: Floats, sag: Floats, std: Floats) -> tuple[float, float]:
-    weight = sag / std
-    columns = np.column_stack([np.log(time / time[0]), np.ones_like(time)]) * weight[:, None]
-    found, *_ = np.linalg.lstsq(columns, np.log(sag) * weight, rcond=None)
-    rest = columns @ found - np.log(sag) * weight
-    scale = film.noise_scale(float(rest @ rest), len(time) - 2)
-    return float(found[0]), scale * math.sqrt(float(np.linalg.inv(columns.T @ columns)[0, 0]))
-
-
-def _gauss_newton(time: Floats, sag: Floats, std: Floats) -> tuple[float, float, Floats, Floats] | None:
+def _fit_third_law(time: Floats, sag: Floats, std: Floats) -> tuple[float, float, Floats, Floats] | None:
     """Slope k, shift, residuals over std, and the derivative of these by (log k, shift)."""
     columns = np.column_stack([time, np.ones_like(time)]) / (3 * sag**2 * std)[:, None]
-    line = np.linalg.lstsq(columns, sag**3 / (3 * sag**2 * std), rcond=None)[0]
-    slope, shift = float(line[0]), float(-line[1] / line[0]) if line[0] else math.inf
-    for _ in range(30):
-        if slope <= 0 or not shift < time[0]:
-            return None
-        law = np.cbrt(slope * (time - shift))
-        rest: Floats = (law - sag) / std
-        jacobian: Floats = np.column_stack([law / 3, -law / (3 * (time - shift))]) / std[:, None]
-        step = -np.linalg.lstsq(jacobian, rest, rcond=None)[0]
-        # The step covers at most half of the distance to the first frame, as the law is defined after its t_0 only.
-        step[1] = min(step[1], 0.5 * (time[0] - shift))
-        slope, shift = slope * math.exp(float(np.clip(step[0], -1, 1))), shift + float(step[1])
-        if abs(step[0]) < 1e-10 and abs(step[1]) < 1e-10 * time[-1]:
-            return slope, shift, rest, jacobian
-    return None
+    slope, offset = np.linalg.lstsq(columns, sag**3 / (3 * sag**2 * std), rcond=None)[0].tolist()
+    if slope <= 0 or not -offset / slope < time[0]:
+        return None
+
+    def law(unknowns: Floats) -> Floats:
+        return np.asarray(np.cbrt(math.exp(unknowns[0]) * (time - unknowns[1])))
+
+    def derivatives(unknowns: Floats) -> Floats:
+        here = law(unknowns)
+        return np.column_stack([here / 3, -here / (3 * (time - unknowns[1]))]) / std[:, None]
+
+    # The law is defined after its t_0 only.
+    bounds = (-math.inf, -math.inf), (math.inf, float(time[0]))
+    start, how = np.array([math.log(slope), -offset / slope]), {"x_scale": "jac", "ftol": 1e-15, "xtol": 1e-12}
+    found = least_squares(lambda unknowns: (law(unknowns) - sag) / std, start, derivatives, bounds, **how)
+    return (math.exp(found.x[0]), float(found.x[1]), found.fun, found.jac) if found.success else None
 
 
 _FALLING, _CLEAR = 4, 3.0
@@ -692,6 +678,13 @@ def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: f
     ringing = found if isinstance(found, Oscillation) else None
     frequency, decay, sag, covariance = _of_ringing(found)
     late = late_law_of(film, ringing)
+    if isinstance(late, str):
+        prefactor = unread(late)
+    else:
+        # B of sag^3 = k (t - t_0), by the formula for the sag at a time of one unit.
+        known = {SAG: math.cbrt(late.slope * math.sqrt(span / gravity)), SPAN: span, rheometry.t_star: 1.0}
+        value = float(evaluate(rheometry.B_FROM_SAG.right, known)[0])
+        prefactor = Reading(value, value * late.slope_error / late.slope)
     return Features(
         gravity=gravity,
         span=span,
@@ -700,7 +693,7 @@ def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: f
         frequency=frequency,
         decay=decay,
         sag=sag,
-        prefactor=unread(late) if isinstance(late, str) else _prefactor(late, gravity, span),
+        prefactor=prefactor,
         ringing_covariance=covariance,
         ringing=ringing,
         late=None if isinstance(late, str) else late,
@@ -749,11 +742,3 @@ def _of_ringing(found: Oscillation | str) -> tuple[Reading, Reading, Reading, Fl
         decay = unread(f"the oscillation does not decay within its frames: slower than {most:.3g} 1/s")
     value = np.array([found.frequency, found.decay if decay.value else np.nan, found.sag])
     return frequency, decay, sag, found.covariance / np.outer(value, value)
-
-
-def _prefactor(late: LateLaw, gravity: float, span: float) -> Reading:
-    """B of sag^3 = k (t - t_0), by the formula for the sag at a time of one unit."""
-    unit = math.sqrt(span / gravity)
-    known = {SAG: math.cbrt(late.slope * unit), SPAN: span, rheometry.t_star: 1.0}
-    value = float(evaluate(rheometry.B_FROM_SAG.right, known)[0])
-    return Reading(value, value * late.slope_error / late.slope)

@@ -15,18 +15,13 @@ from scipy import stats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.lists import everything, named
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.closed_form import closed_form
+from softcat_sym.fitting.closed_form import first_guess
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import FEWEST, Features, read_features
 from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
-from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, with_values
-from softcat_sym.fitting.identifiability import (
-    Information,
-    ResidualChecks,
-    check_residuals,
-    information,
-)
-from softcat_sym.fitting.inference import Inference, infer
+from softcat_sym.fitting.free_parameters import with_values
+from softcat_sym.fitting.identifiability import Information, ResidualChecks, check_residuals
+from softcat_sym.fitting.inference import Inference, infer, information_at
 from softcat_sym.fitting.least_squares import (
     LINEAR,
     OUT_OF_TIME,
@@ -53,40 +48,11 @@ from softcat_sym.fitting.result import (
     fitted_parameter,
 )
 from softcat_sym.interrupts import TimeLimitError, until
-from softcat_sym.scene.parts import Numerics
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, counting
-
-
-def judged_runs(problem: FilamentProblem, q: Floats, numerics: Numerics) -> tuple[Outcome, str]:
-    """Run the filament of every film for its filmed duration, with the given numerics, and return how that ended.
-
-    Residuals show neither a neck that depends on the grid nor a loss of energy.
-    """
-    failed, messages = list[Outcome](), []
-    for number, film in enumerate(problem.films, start=1):
-        begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
-        duration = float(film.time.max()) - begin
-        if not duration > 0:
-            continue
-        scene = film.model.scene(q[list(film.columns)]).model_copy(update={"numerics": numerics})
-        scene = scene.replace({"run.effects": list(film.model.effects), "run.duration": f"{duration!r} s"})
-        try:
-            run = recalled(without_estimate(scene))
-            outcome, message = run.outcome, str(run.summary["message"])
-        except SceneError as refusal:
-            outcome, message = Outcome.no_equilibrium, str(refusal)
-        if not outcome.is_success:
-            messages.append(f"{film.name or f'film {number}'}: {message}" if len(problem.films) > 1 else message)
-            failed.append(outcome)
-    # The numbers of a localised run depend on the grid; lost energy is a doubt about one run's arithmetic only.
-    gravest = {Outcome.localised: 2, Outcome.energy_drift: 0}
-    worst = max(failed, key=lambda outcome: gravest.get(outcome, 1), default=Outcome.solved)
-    return worst, "; ".join(messages)
-
 
 # A search ends if the next step would lower chi^2 by less: a twentieth of a standard error.
 _GAIN = 3e-3
@@ -102,53 +68,8 @@ _RESTARTED = "a profile found a better optimum, and the fit was repeated from th
 _ALTERNATIVE = "another optimum fits nearly as well, and the intervals include what fits around it"
 
 
-@dataclass(frozen=True)
-class _Request:
-    """Options of a fit."""
-
-    free: tuple[str, ...]
-    bounds: Mapping[str, tuple[object, object]] | None
-    loss: Loss
-    starts: int
-    profiles: bool
-    backend: str
-    rtol: float | None
-    seed: int
-    method: Method
-    camera: bool
-    theory: bool
-    flow_curve: FlowCurve | None
-    deadline: float
-    progress: Progress
-
-    def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
-        """The problem; with more effects if a parameter depends on some that a film's own values do not call for.
-
-        Those that any of the films calls for are tried first, then every effect that applies.
-        """
-        try:
-            return self._built(scene, films)
-        except SceneError:
-            if scene.run.effects != "auto":
-                raise
-            for names in (_of_all_films(scene, films), everything(scene, ())):
-                try:
-                    return self._built(_with_effects(scene, names), films)
-                except SceneError:
-                    continue
-            raise
-
-    def _built(self, scene: Scene, films: Measurements) -> FilamentProblem:
-        how = (self.free, self.bounds, self.backend, self.rtol)
-        scene = scene if self.rtol is not None else first_look(scene)
-        given: dict[str, Any] = {"camera": self.camera, "theory": self.theory, "flow_curve": self.flow_curve}
-        made = FilamentProblem(scene, films, *how, **given)
-        made.deadline = self.deadline
-        return made
-
-
 class FitOptions(TypedDict, total=False):
-    """Options of :func:`fit` that a fit of another kind passes on to it."""
+    """Options of :func:`fit`, which a fit of another kind passes on to it."""
 
     bounds: Mapping[str, tuple[object, object]] | None
     loss: Loss
@@ -161,7 +82,59 @@ class FitOptions(TypedDict, total=False):
     calibrated: bool
     discrepancy: bool
     time_limit: float | None
+    flow_curve: FlowCurve | str | os.PathLike[str] | None
     progress: Progress | None
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What is fitted to what, and how."""
+
+    films: Measurements
+    features: list[Features | None]  # Of each film
+    free: tuple[str, ...]
+    options: FitOptions
+    curve: FlowCurve | None
+    deadline: float
+    progress: Progress
+
+    @property
+    def search(self) -> dict[str, Any]:
+        """Options of every search for an optimum."""
+        return {"loss": self.options["loss"], "method": self.options["method"], "gain": _GAIN}
+
+    def problem(self, scene: Scene) -> FilamentProblem:
+        """The problem; with more effects if a parameter depends on some that a film's own values do not call for.
+
+        Those that any of the films calls for are tried first, then every effect that applies.
+        """
+        try:
+            return self._built(scene)
+        except SceneError:
+            if scene.run.effects != "auto":
+                raise
+            of_films = {name for film in self.films.series for name in choose_effects(own_scene(film, scene)).names}
+            for names in (sorted(of_films), everything(scene, ())):
+                try:
+                    return self._built(scene.replace({"run.effects": list(names)}))
+                except SceneError:
+                    continue
+            raise
+
+    def _built(self, scene: Scene) -> FilamentProblem:
+        options = self.options
+        return FilamentProblem(
+            scene if options["rtol"] is not None else first_look(scene),
+            self.films,
+            self.free,
+            options["bounds"],
+            options["backend"],
+            options["rtol"],
+            camera=not options["calibrated"],
+            theory=options["discrepancy"],
+            flow_curve=self.curve,
+            deadline=self.deadline,
+        )
 
 
 def fit(
@@ -239,40 +212,69 @@ def fit(
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene)
     films = taken(measurements, scene)
-    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
-    how = (tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, not calibrated, discrepancy)
-    curve = read_flow_curve(flow_curve) if isinstance(flow_curve, (str, os.PathLike)) else flow_curve
-    request = _Request(*how, curve, deadline, progress or Silence())
-    features = [_features(film, own_scene(film, scene)) for film in films.series]
-    found = _fit(scene, scene, films, features, request)
+    options: FitOptions = {
+        "bounds": bounds,
+        "loss": loss,
+        "starts": starts,
+        "profiles": profiles,
+        "backend": backend,
+        "rtol": rtol,
+        "seed": seed,
+        "method": method,
+        "calibrated": calibrated,
+        "discrepancy": discrepancy,
+    }
+    task = _Task(
+        films,
+        [_features(film, own_scene(film, scene)) for film in films.series],
+        tuple(free),
+        options,
+        read_flow_curve(flow_curve) if isinstance(flow_curve, (str, os.PathLike)) else flow_curve,
+        deadline=math.inf if time_limit is None else time.monotonic() + time_limit,
+        progress=progress or Silence(),
+    )
+    found = _fit(scene, scene, task)
     more = _missing_effects(found) if scene.run.effects == "auto" else []
-    if more and time.monotonic() < deadline:
-        wider = _with_effects(scene, sorted({*found.effects, *more}))
-        try:
-            again = _fit(wider, scene, films, features, request)
-        except TimeLimitError:
-            return replace(found, late=True)
-        found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
-    request.progress.stage("run of the best fit")
     try:
-        with until(deadline):
+        if more and time.monotonic() < task.deadline:
+            again = _fit(scene.replace({"run.effects": sorted({*found.effects, *more})}), scene, task)
+            found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
+        task.progress.stage("run of the best fit")
+        with until(task.deadline):
             return _with_run_outcome(found)
     except TimeLimitError:
         return replace(found, late=True)
 
 
 def _with_run_outcome(found: Fit) -> Fit:
-    """The fit, with another outcome if the run of the best-fitting filament fails."""
+    """The fit, with another outcome if a run of the best-fitting filament of a film fails.
+
+    Residuals show neither a neck that depends on the grid nor a loss of energy.
+    """
     if not found.outcome.converged:
         return found
-    ended, message = judged_runs(found.problem, found.starts.best.q, found.scene.numerics)
-    if ended.is_success:
+    failed, messages = list[Outcome](), []
+    for number, film in enumerate(found.problem.films, start=1):
+        scene = film.run_scene(found.starts.best.q)[0].model_copy(update={"numerics": found.scene.numerics})
+        try:
+            run = recalled(without_estimate(scene))
+            end, message = run.outcome, str(run.summary["message"])
+        except SceneError as refusal:
+            end, message = Outcome.no_equilibrium, str(refusal)
+        if not end.is_success:
+            failed.append(end)
+            messages.append(f"{film.name or f'film {number}'}: {message}" if len(found.films) > 1 else message)
+    if not failed:
         return found
+    # The numbers of a localised run depend on the grid; lost energy is a doubt about one run's arithmetic only.
+    gravest = {Outcome.localised: 2, Outcome.energy_drift: 0}
+    ended = max(failed, key=lambda end: gravest.get(end, 1))
     outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
     if ended is Outcome.energy_drift and found.outcome is not FitOutcome.solved:
         # Energy drift concerns the integration of one run only: the fit's own outcome matters more.
         outcome = found.outcome
-    return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
+    message = "; ".join(messages) or ended.value
+    return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message}")
 
 
 # Corrections of the modulus to match a frequency, which scales with a power of it between 1/3 and 1/2.
@@ -284,68 +286,68 @@ ROUNDS = 8
 """Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
 
-def _fit(
-    scene: Scene, given: Scene, films: Measurements, features: Sequence[Features | None], request: _Request
-) -> Fit:
+def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     """Fit once, with the effects that the scene's own values call for."""
-    problem = request.problem(scene, films)
+    problem, options, loss = task.problem(scene), task.options, task.options["loss"]
     begin = time.perf_counter()
-    first, loss = _initial_guesses(problem, scene, features), request.loss
-    how: dict[str, Any] = {"loss": loss, "method": request.method, "gain": _GAIN}
-    _estimate_duration(problem, request)
+    first = _initial_guesses(problem, scene, task.features)
+    started = time.perf_counter()
+    problem.linearised(problem.typical)
+    one = time.perf_counter() - started
+    evaluations = _PER_OPTIMUM + (_PER_PROFILE * problem.asked if options["profiles"] else 0)
+    task.progress.doing(f"about {one * evaluations:.2g} s for {problem.asked} unknowns")
     starts = multi_start(
         problem,
         first,
-        count=request.starts,
-        seed=request.seed,
+        count=options["starts"],
+        seed=options["seed"],
         asked=problem.asked,
         enough=lambda best: _fits_within_noise(problem, best),
-        on_progress=counting(request.progress, "starts"),
-        **how,
+        on_progress=counting(task.progress, "starts"),
+        **task.search,
     )
     # A stuck search with a lower loss may converge with smaller time steps.
     able = [one for one in starts.results if one.optimum.converged or one.optimum.status == STUCK]
     front = min(able or starts.results[:1], key=lambda one: one.optimum.value)
-    problem, best, resolution = _refined(problem, front.optimum, scene, request, how)
+    problem, best, resolution = _refined(problem, front.optimum, scene, task)
     others = [one for one in starts.results if one is not front]
     starts = replace(starts, results=(replace(front, optimum=best), *others))
-    of_profiles = counting(request.progress, "profiles")
-    inferred = infer(problem, starts, profiles=request.profiles, on_progress=of_profiles, **how)
+    of_profiles = counting(task.progress, "profiles")
+    inferred = infer(problem, starts, profiles=options["profiles"], on_progress=of_profiles, **task.search)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
-    curves, unit = problem.curves(best.q), reading if reading > 0 else 1.0
-    parts = [(curve - film.data) / (unit * film.std) for film, curve in zip(problem.films, curves, strict=True)]
-    left = parts
+    unit = reading if reading > 0 else 1.0
+    fitted = [
+        FittedFilm.of(film, film.heights(best.q), unit, features, name=film.name or f"film {number}")
+        for number, (film, features) in enumerate(zip(problem.films, task.features, strict=True), start=1)
+    ]
+    left = [film.residuals for film in fitted]
     if loss.kind == "linear":
         left = [part / unit for part in problem.innovations(best.residuals, best.jacobian)]
     # Residuals below what cameras tell need no cause, unless the theory is taken for exact.
-    least = request.theory and not problem.noise_known and problem.noise.deviation <= problem.least_noise
+    least = options["discrepancy"] and not problem.noise_known and problem.noise.deviation <= problem.least_noise
     checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
-    fitted = []
-    for number, curve in enumerate(curves):
-        film = problem.films[number]
-        own = film.time, film.place, film.data, curve, parts[number], film.is_force, features[number]
-        fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
     spent = time.perf_counter() - begin
-    request.progress.stage("done")
+    task.progress.stage("done")
     asked = problem.free[: problem.asked]
     shifts = np.zeros(problem.asked) if resolution is None else resolution.total
     shift = 0.0 if resolution is None else resolution.shares.total
-    parameters = {
-        free.name: fitted_parameter(free, verdict, float(change), widened=shift > SHARE)
-        for free, verdict, change in zip(asked, inferred.verdicts, shifts, strict=True)
-    }
+    # A scene cannot hold the values of single films.
+    shared = [(free, free.value(float(x))) for free, x in zip(asked, best.q, strict=False) if free.film is None]
     return Fit(
         scene=given,
-        fitted_scene=with_values(given, *_shared_values(problem, best.q)),
-        measurements=films,
-        parameters=parameters,
+        fitted_scene=with_values(given, [free for free, _ in shared], [value for _, value in shared]),
+        measurements=task.films,
+        parameters={
+            free.name: fitted_parameter(free, verdict, float(change), widened=shift > SHARE)
+            for free, verdict, change in zip(asked, inferred.verdicts, shifts, strict=True)
+        },
         correlation=known.correlation,
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=reading * problem.unit,
         noise_known=problem.noise_known,
         loss=loss,
-        outcome=_outcome(problem, inferred, checks, parts, shift=shift, loss=loss),
+        outcome=_outcome(problem, inferred, checks, fitted, shift=shift, loss=loss),
         films=tuple(fitted),
         checks=checks,
         starts=inferred.starts,
@@ -359,38 +361,34 @@ def _fit(
         camera=_camera_values(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),
         resolution=resolution,
-        late=inferred.late or time.monotonic() > request.deadline,
+        late=inferred.late or time.monotonic() > task.deadline,
     )
 
 
-def _shared_values(problem: FilamentProblem, q: Floats) -> tuple[list[FreeParameter], list[float]]:
-    """Parameters that all films share, with their values: a scene cannot hold those of single films."""
-    pairs = [(free, free.value(float(x))) for free, x in zip(problem.free[: problem.asked], q, strict=False)]
-    kept = [(free, value) for free, value in pairs if free.film is None]
-    return [free for free, _ in kept], [value for _, value in kept]
-
-
 def _refined(
-    problem: FilamentProblem, best: Optimum, scene: Scene, request: _Request, how: Mapping[str, Any]
+    problem: FilamentProblem, best: Optimum, scene: Scene, task: _Task
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
     """Repeat the fit from its optimum until noise, theory error and resolution are consistent with that optimum."""
-    resolution, fine, spent = None, request.rtol is not None, best.evaluations
+    loss, has_rtol = task.options["loss"], task.options["rtol"] is not None
+    resolution, fine, spent = None, has_rtol, best.evaluations
     again: tuple[FilamentProblem, Floats] | None
     looser: tuple[FilamentProblem, Optimum] | None = None
     for number in range(ROUNDS):
         again = None
-        if _smaller_steps_may_help(best, looser, request):
+        # Smaller steps may free a stuck search if they are untried, or have led much nearer to the optimum.
+        helpful = looser is None or best.offset < _HELPFUL * looser[1].offset
+        if best.status == STUCK and not has_rtol and helpful:
             looser, again = (problem, best), problem.at(tighter(problem), best.q)
         elif best.converged:
             looser = None
-            now = problem.noise_at(best.residuals, best.jacobian, how["loss"])
+            now = problem.noise_at(best.residuals, best.jacobian, loss)
             # The discretization error looks like correlated noise: the correlation waits for the final resolution.
             alone = now if fine else replace(now, correlation=problem.noise.correlation)
             if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
                 again = problem.settled(best.q, alone)
             elif not fine:
-                request.progress.stage("grid, fibres and time steps")
-                resolution = _moved_in_time(problem, best, _information(problem, best, how["loss"]))
+                task.progress.stage("grid, fibres and time steps")
+                resolution = _moved_in_time(problem, best, information_at(problem, best, loss))
                 at = None if resolution is None else finer(resolution, scene)
                 fine = at is None
                 if at is not None:
@@ -400,25 +398,14 @@ def _refined(
         if again is None:
             break
         try:
-            problem, best = again[0], minimise(*again, **how)
+            problem, best = again[0], minimise(*again, **task.search)
         except TimeLimitError:
             break
         spent += best.evaluations
     # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
-    problem, best = min(looser or (problem, best), (problem, best), key=lambda pair: _distance(pair[1]))
-    return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, how["loss"])
-
-
-def _smaller_steps_may_help(best: Optimum, looser: tuple[FilamentProblem, Optimum] | None, request: _Request) -> bool:
-    """Whether a search got stuck, and smaller steps are untried or have led much nearer to the optimum."""
-    if best.status != STUCK or request.rtol is not None:
-        return False
-    return looser is None or best.offset < _HELPFUL * looser[1].offset
-
-
-def _distance(best: Optimum) -> tuple[bool, float]:
-    """Order of optima: those that converged first, then by their distance from where the derivatives vanish."""
-    return not best.converged, best.offset
+    pairs = (looser or (problem, best), (problem, best))
+    problem, best = min(pairs, key=lambda pair: (not pair[1].converged, pair[1].offset))
+    return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, loss)
 
 
 def _accept_if_near(
@@ -427,7 +414,7 @@ def _accept_if_near(
     """Accept a stuck search within a standard error of the optimum; that distance adds to the discretization error."""
     if best.status != STUCK or best.offset >= 1:
         return best, resolution
-    known = _information(problem, best, loss)
+    known = information_at(problem, best, loss)
     found = resolution or _moved_in_time(problem, best, known)
     if found is None:
         return best, None
@@ -441,23 +428,6 @@ def _moved_in_time(problem: FilamentProblem, best: Optimum, known: Information) 
             return moved(problem, best, known)
     except TimeLimitError:
         return None
-
-
-def _information(problem: FilamentProblem, best: Optimum, loss: Loss) -> Information:
-    asked = problem.asked
-    box, flags = (problem.lower[:asked], problem.upper[:asked]), problem.logarithmic[:asked]
-    given = problem.names[:asked], best.q[:asked], best.residuals, best.jacobian, box
-    how: dict[str, Any] = {"noise_known": problem.noise_known, "readings": problem.readings, "loss": loss}
-    return information(*given, **how, logarithmic=flags)
-
-
-def _estimate_duration(problem: FilamentProblem, request: _Request) -> None:
-    """Report about how long the fit will take, from the duration of one evaluation."""
-    begin = time.perf_counter()
-    problem.linearised(problem.typical)
-    one = time.perf_counter() - begin
-    profiles = _PER_PROFILE * problem.asked if request.profiles else 0
-    request.progress.doing(f"about {one * (_PER_OPTIMUM + profiles):.2g} s for {problem.asked} unknowns")
 
 
 def _fits_within_noise(problem: FilamentProblem, best: Optimum) -> bool:
@@ -484,7 +454,7 @@ def _outcome(
     problem: FilamentProblem,
     inferred: Inference,
     checks: ResidualChecks,
-    parts: Sequence[Floats],
+    films: Sequence[FittedFilm],
     *,
     shift: float,  # Discretization error of the parameters, in standard errors
     loss: Loss,
@@ -498,6 +468,7 @@ def _outcome(
         return FitOutcome.discretization_error
     # A residual below the resolution of cameras is no outlier, however small the noise of the other readings.
     smallest = max(1.0, _MIN_OUTLIER * problem.least_noise / problem.unit)
+    parts = [film.residuals for film in films]
     outliers = sum(int((far_out(part) & (np.abs(part) > smallest)).sum()) for part in parts)
     if loss.kind == "linear" and outliers > _MAX_OUTLIERS * sum(part.size for part in parts):
         return FitOutcome.outliers
@@ -507,34 +478,19 @@ def _outcome(
     # A theory error that is allowed for but absent makes neighbouring residuals anticorrelated: only a positive
     # correlation indicates a model error.
     alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
-    if (checks.verdict == "not white" and alike) or _beyond_theory(problem, best) or _correlated_for_long(problem):
+    # Fitted errors of theory and camera may be larger than their priors allow.
+    known = best.residuals[problem.readings :]
+    beyond = bool(known.size) and float(stats.chi2.sf(float(known @ known), known.size)) < SIGNIFICANT
+    # Residuals that are correlated over a long part of a film show a model error, not noise.
+    correlation, frames = problem.noise.correlation, min(film.data.size for film in problem.films)
+    for_long = correlation > 0 and -1 / np.log(correlation) > _MAX_CORRELATION_TIME * frames
+    if (checks.verdict == "not white" and alike) or beyond or for_long:
         return FitOutcome.model_error
     if "at a bound" in words:
         return FitOutcome.at_a_bound
     if shift > SHARE:
         return FitOutcome.discretization_error
     return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified
-
-
-def _beyond_theory(problem: FilamentProblem, best: Optimum) -> bool:
-    """Whether the fitted errors of theory and camera are larger than their priors allow."""
-    known = best.residuals[problem.readings :]
-    return bool(known.size) and float(stats.chi2.sf(float(known @ known), known.size)) < SIGNIFICANT
-
-
-def _correlated_for_long(problem: FilamentProblem) -> bool:
-    """Whether the residuals are correlated over so long a part of a film that they show a model error, not noise."""
-    correlation, frames = problem.noise.correlation, min(film.data.size for film in problem.films)
-    return correlation > 0 and -1 / np.log(correlation) > _MAX_CORRELATION_TIME * frames
-
-
-def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
-    return scene.replace({"run.effects": list(names)})
-
-
-def _of_all_films(scene: Scene, films: Measurements) -> list[str]:
-    """Effects that at least one film's filament calls for."""
-    return sorted({name for film in films.series for name in choose_effects(own_scene(film, scene)).names})
 
 
 def _missing_effects(found: Fit) -> list[str]:
@@ -560,10 +516,12 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, features: Sequence[
     if tuned is not None:
         starts.append(tuned)
     for one in features:
-        if one is None or scene.material.law not in ("maxwell", "newtonian"):
+        if one is None or not scene.material.spec.is_linear_fluid:
             continue
-        guess = closed_form(one, scene.filament.density).first_guess
-        if guess is None:
+        try:
+            guess = first_guess(one, scene.filament.density)
+        except SoftcatError:
+            # The film does not show what the closed form needs.
             continue
         q = own.copy()
         for k, free in enumerate(problem.free):

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
+from scipy.optimize import least_squares, minimize_scalar
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
@@ -30,10 +31,12 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
+from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
+from softcat_sym.scene.material import shear_names
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import NotAQuantity, did_you_mean
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 Floats = NDArray[np.float64]
 
@@ -125,27 +128,13 @@ class FlowCurve:
 
 
 def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> FlowCurve:
-    """Read a flow curve from a CSV file.
+    """Read a flow curve from a CSV file in UTF-8.
 
-    Parameters
-    ----------
-    path : str or path
-        UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
-        (``shear_stress_kPa``, ``Shear rate [1/s]``, ``Stress / Pa``); other columns are not read, nor are empty lines
-        and lines that start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal
-        points or commas; rows without a number are left out, up to a third of them.
-    sample : str, optional
-        The rows to take, where a column ``sample`` (or ``sample_id``) names several samples.
-
-    Returns
-    -------
-    FlowCurve
-        The points, in the order of the file.
-
-    Raises
-    ------
-    SoftcatError
-        With every fault and its line.
+    Its header names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit (``shear_stress_kPa``, ``Shear rate
+    [1/s]``, ``Stress / Pa``); other columns, empty lines and lines that start with ``#`` are not read. Cells are
+    separated by commas, or by semicolons or tabs, then with decimal points or commas; rows without a number are left
+    out, up to a third of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names
+    several.
     """
     file = Path(path)
     cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
@@ -198,36 +187,26 @@ def _refusal(path: Path | None, faults: list[Fault]) -> SoftcatError:
     return refusal("flow curve", path, faults)
 
 
-@dataclass(frozen=True)
-class ShearLaw:
-    """tau = tau_Y + k g^n with some of its constants left out: without n, n = 1; without tau_Y, tau_Y = 0."""
-
-    name: str
-    has_yield: bool
-    has_index: bool
-
-    @property
-    def constants(self) -> int:
-        """Number of fitted constants."""
-        return 1 + self.has_yield + self.has_index
-
-    def contains(self, other: ShearLaw) -> bool:
-        """Whether the other law is this one with fewer constants."""
-        return self.has_yield >= other.has_yield and self.has_index >= other.has_index
-
-    @property
-    def rank(self) -> tuple[int, bool]:
-        """Order of laws that fit equally well: fewer constants first, then those without a yield stress."""
-        return self.constants, self.has_yield
+def shear_stress(law: LawSpec, tau_Y: float, k: float, n: float, shear_rate: Floats) -> Floats:
+    """Stress of steady shear [Pa]: tau^p = tau_Y^p + (k g^n)^p, of which a law may have no tau_Y, or n = 1."""
+    p = law.shear_exponent
+    flowing = k * np.asarray(shear_rate) ** n
+    return tau_Y + flowing if p == 1 else (tau_Y**p + flowing**p) ** (1 / p)
 
 
-LAWS = (
-    ShearLaw("newtonian", False, False),
-    ShearLaw("bingham", True, False),
-    ShearLaw("power-law", False, True),
-    ShearLaw("herschel-bulkley", True, True),
-)
-_BY_NAME = {law.name: law for law in LAWS}
+def _constants(law: LawSpec) -> int:
+    """Number of constants fitted to a flow curve."""
+    return 1 + law.yields + law.has_index
+
+
+def _contains(law: LawSpec, other: LawSpec) -> bool:
+    """Whether the other law is this one with fewer constants, in steady shear."""
+    same = law.shear_exponent == other.shear_exponent or not other.yields
+    return same and law.yields >= other.yields and law.has_index >= other.has_index
+
+
+FITTED = tuple(one for one in LAWS.values() if one.flow_curve == one.name)
+"""Laws that are fitted to a flow curve: those whose curve is not that of another law."""
 
 
 @dataclass(frozen=True)
@@ -243,7 +222,7 @@ class Tensile:
 class Candidate:
     """One fitted law."""
 
-    law: str  # Its name in `LAWS`, as in a scene
+    law: str  # Its name
     tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
     k: Estimate
     n: Estimate | None
@@ -254,7 +233,8 @@ class Candidate:
 
     def stress(self, shear_rate: Floats) -> Floats:
         """Shear stress [Pa] at shear rates [1/s], any shape."""
-        return (self.tau_Y.value if self.tau_Y else 0.0) + self.k.value * shear_rate**self._index
+        limit = self.tau_Y.value if self.tau_Y else 0.0
+        return shear_stress(LAWS[self.law], limit, self.k.value, self._index, shear_rate)
 
     @property
     def tensile(self) -> Tensile:
@@ -327,8 +307,7 @@ CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 INDEX_BOUNDS = (0.05, 3.0)
 """Smallest and largest flow index n of a fit."""
 
-_STEP = 0.005
-_GOLDEN = (math.sqrt(5) - 1) / 2
+_STEP, _PLATEAU = 0.005, 1e-10
 
 
 @dataclass(frozen=True)
@@ -364,73 +343,58 @@ def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -
     return LinearPart(tau_Y, k, np.einsum("ij,ij->i", residual, residual))
 
 
+def powers_part(ratio: Floats, stress: Floats, law: LawSpec) -> LinearPart:
+    """Solve for the best tau_Y^p >= 0 and k^p >= 0 of a law in whose steady shear tau^p is linear in them.
+
+    The linear fit of tau^p is the initial guess; without a yield stress the law is Newtonian.
+    """
+    p = law.shear_exponent
+    fluid = linear_part(ratio, stress, np.ones(1), yields=False)
+    guess = linear_part(ratio, stress**p, np.array([p]), yields=True)
+
+    def residuals(x: Floats) -> Floats:
+        return np.asarray((x[0] + x[1] * ratio**p) ** (1 / p) / stress - 1)
+
+    start = np.array([guess.tau_Y[0], guess.k[0]])
+    found = least_squares(residuals, start, bounds=(0, np.inf), x_scale=np.mean(stress) ** p, xtol=1e-15, ftol=1e-15)
+    if 2 * found.cost >= fluid.squares[0]:
+        return fluid
+    tau_Y, k = found.x ** (1 / p)
+    return LinearPart(np.array([tau_Y]), np.array([k]), np.array([2 * found.cost]))
+
+
 def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
     """Find the flow index with the smallest sum of squares within `INDEX_BOUNDS`.
 
-    Golden-section search refines every local minimum on a fine grid; the smallest is returned. No initial guess is
-    needed.
+    Brent's method refines every local minimum on a fine grid; the smallest is returned. No initial guess is needed.
     """
 
     def squares(index: Floats) -> Floats:
         return linear_part(ratio, stress, index, yields=yields).squares
 
     low, high = INDEX_BOUNDS
-    grid = np.linspace(low, high, round((high - low) / _STEP) + 1)
-    walled = np.concatenate(([np.inf], squares(grid), [np.inf]))
-    here = walled[1:-1]
-    minima = np.flatnonzero((here < walled[:-2]) & (here <= walled[2:])).tolist()
-    last = len(grid) - 1
-    found = [_golden_section(squares, grid[max(at - 1, 0)], grid[min(at + 1, last)]) for at in minima]
-    candidates = np.array([*found, low, high])
+    # One step beyond either bound, so that a minimum at it is bracketed, too.
+    grid = np.arange(low - _STEP, high + 1.5 * _STEP, _STEP)
+    here = squares(grid)
+    # A plateau has minima of rounding errors only.
+    minima = 1 + np.flatnonzero(
+        (1 + _PLATEAU) * here[1:-1] + stress.size * _ROUNDING**2 < np.minimum(here[:-2], here[2:])
+    )
+    brackets = [grid[at - 1 : at + 2] for at in minima]
+    found = [minimize_scalar(lambda n: squares(np.array([n]))[0], bracket=one, tol=1e-12).x for one in brackets]
+    candidates = np.clip([*found, low, high], low, high)
     return float(candidates[np.argmin(squares(candidates))])
 
 
-def _golden_section(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Minimum of a unimodal function between two points, as accurately as its values allow."""
-    left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-    at_left, at_right = function(np.array([left, right]))
-    while high - low > 1e-13:
-        if at_left <= at_right:
-            high, right, at_right = right, left, at_left
-            left = high - _GOLDEN * (high - low)
-            at_left = function(np.array([left]))[0]
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + _GOLDEN * (high - low)
-            at_right = function(np.array([right]))[0]
-    return 0.5 * (low + high)
-
-
 REPLACED = (
-    "viscosity",
-    "yield_stress",
-    "index",
-    "second_modulus",
-    "modes",
-    "flow",
-    "parameters",
-    "shear_viscosity",
-    "shear_yield_stress",
-    "shear_consistency",
-    "relaxation_time",
-    "solvent_viscosity",
-    "shear_solvent_viscosity",
-    "finite_extensibility",
-    "mobility",
-    "ptt_epsilon",
-    "structure",
-    "hardening_modulus",
-    "hardening_recovery",
+    *(name for constant in CONSTANTS if constant != "youngs_modulus" for name in (constant, *shear_names(constant))),
+    *("index", "modes", "flow", "parameters", "structure", "hardening_modulus", "hardening_recovery"),
 )
 """Constants that are removed together with a scene's law; elastic ones stay, as no flow curve determines them."""
 
 
 def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
     """Give a scene the material of a fit."""
-    from softcat_sym.scene.reading import load_scene
-    from softcat_sym.scene.scene import Scene
-    from softcat_sym.scene.toml import read_overrides
-
     own, faults = read_overrides(overrides)
     if faults:
         raise SceneError(faults)
@@ -501,16 +465,10 @@ class FlowCurveFit:
         return self.candidates[0]
 
     def candidate(self, law: str | None = None) -> Candidate:
-        """Return the fit of a law, of the best one if none is named.
-
-        Raises
-        ------
-        SoftcatError
-            If no such law was fitted.
-        """
+        """Return the fit of a law, of the best one if none is named."""
         found = [one for one in self.candidates if law in (None, one.law)]
         if not found:
-            names = [one.name for one in LAWS]
+            names = [one.name for one in FITTED]
             raise SoftcatError(f"no law {law!r} is fitted{did_you_mean(str(law), names)}: take {', '.join(names)}")
         return found[0]
 
@@ -520,9 +478,9 @@ class FlowCurveFit:
 
         If it contains the best law, which it then never fits worse, the limit is half that penalty.
         """
-        (best, one), (second, other) = ((each, _BY_NAME[each.law]) for each in self.candidates[:2])
-        last = charge(len(self.curve.shear_rate), max(one.constants, other.constants))
-        return second.criterion - best.criterion < (0.5 if other.contains(one) else 1.0) * last
+        (best, one), (second, other) = ((each, LAWS[each.law]) for each in self.candidates[:2])
+        last = charge(len(self.curve.shear_rate), max(_constants(one), _constants(other)))
+        return second.criterion - best.criterion < (0.5 if _contains(other, one) else 1.0) * last
 
     def overrides(self, law: str | None = None) -> dict[str, str | float]:
         """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
@@ -569,7 +527,7 @@ class FlowCurveFit:
 
 
 def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None = None) -> FlowCurveFit:
-    """Fit every law of `LAWS` to a flow curve, by relative least squares, and compare them.
+    """Fit every law of `FITTED` to a flow curve, by relative least squares, and compare them.
 
     The yield stress and the consistency are not negative, the index lies in [0.05, 3]. The optimum within these bounds
     is global: for a given index the other two follow in closed form, and the whole range of the index is searched.
@@ -592,31 +550,34 @@ def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve, sample: str | None
         If the file or the points are not a valid flow curve, with every fault.
     """
     data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve, sample)
-    candidates = [_fit(data, law) for law in LAWS]
-    candidates.sort(key=lambda one: (one.criterion, _BY_NAME[one.law].rank))
+    candidates = [_fit(data, law) for law in FITTED]
+    # Of laws that fit equally well the one with fewer constants, then one without a yield stress, is first.
+    candidates.sort(key=lambda one: (one.criterion, _constants(LAWS[one.law]), LAWS[one.law].yields))
     return FlowCurveFit(data, tuple(candidates))
 
 
-def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
-    rate, stress = curve.shear_rate, curve.shear_stress
+def _fit(curve: FlowCurve, law: LawSpec) -> Candidate:
+    rate, stress, points = curve.shear_rate, curve.shear_stress, len(curve.shear_rate)
     reference = float(np.exp(np.log(rate).mean()))
     ratio = rate / reference
-    n = best_index(ratio, stress, yields=law.has_yield) if law.has_index else 1.0
-    part = linear_part(ratio, stress, np.array([n]), yields=law.has_yield)
+    n = best_index(ratio, stress, yields=law.yields) if law.has_index else 1.0
+    if law.shear_exponent == 1:
+        part = linear_part(ratio, stress, np.array([n]), yields=law.yields)
+    else:
+        part = powers_part(ratio, stress, law)
     tau_Y, k = float(part.tau_Y[0]), float(part.k[0]) * reference**-n
+    # With a consistency of zero the index has no meaning.
     n = n if k > 0 else 1.0
-    fitted = tau_Y + k * rate**n
+    fitted = shear_stress(law, tau_Y, k, n, rate)
     squares = float(np.sum((fitted / stress - 1) ** 2))
-    values = {"tau_Y": tau_Y, "k": k, "n": n}
-    judged = _judged(rate, stress, law, values, squares)
-    points = len(rate)
+    judged = _judged(rate, stress, law, {"tau_Y": tau_Y, "k": k, "n": n}, squares)
     return Candidate(
         law=law.name,
-        tau_Y=judged["tau_Y"] if law.has_yield else None,
+        tau_Y=judged["tau_Y"] if law.yields else None,
         k=judged["k"],
         n=judged["n"] if law.has_index else None,
         relative_rms=math.sqrt(squares / points),
-        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, law.constants),
+        criterion=points * math.log(max(squares / points, _ROUNDING**2)) + charges(points, _constants(law)),
         fitted=fitted,
         residuals=fitted / stress - 1,
     )
@@ -624,13 +585,12 @@ def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
 
 def scatter(curve: FlowCurve, law: str) -> float:
     """Standard deviation of the relative residuals about the best fit of a law, corrected for its constants."""
-    shear = _BY_NAME[law]
-    points = len(curve.shear_rate)
-    return _fit(curve, shear).relative_rms * math.sqrt(points / max(points - shear.constants, 1))
+    points, spec = len(curve.shear_rate), LAWS[law]
+    return _fit(curve, spec).relative_rms * math.sqrt(points / max(points - _constants(spec), 1))
 
 
 def _judged(
-    rate: Floats, stress: Floats, law: ShearLaw, values: dict[str, float], squares: float
+    rate: Floats, stress: Floats, law: LawSpec, values: dict[str, float], squares: float
 ) -> dict[str, Estimate]:
     """Estimate of every constant; constants on a bound do not count as free."""
     k, n = values["k"], values["n"]
@@ -641,10 +601,14 @@ def _judged(
         "n": not INDEX_BOUNDS[0] + slack < n < INDEX_BOUNDS[1] - slack,
     }
     # With a consistency of zero the index has no meaning.
-    fitted = {"tau_Y": law.has_yield, "k": True, "n": law.has_index and k > 0}
-    columns = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": k * rate**n * np.log(rate)}
+    fitted = {"tau_Y": law.yields, "k": True, "n": law.has_index and k > 0}
+    flowing = k * rate**n
+    parts = {"tau_Y": np.full_like(rate, values["tau_Y"]), "k": flowing, "n": flowing}
+    slopes = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": flowing * np.log(rate)}
+    fitted_stress, rest = shear_stress(law, values["tau_Y"], k, n, rate), 1 - law.shear_exponent
     free = [name for name in values if fitted[name] and not on_bound[name]]
-    errors = standard_errors(np.column_stack([columns[name] for name in free]) / stress[:, None], squares)
+    columns = [slopes[name] * (fitted_stress / parts[name]) ** rest if rest else slopes[name] for name in free]
+    errors = standard_errors(np.column_stack(columns) / stress[:, None], squares)
     quantile = student_quantile(len(rate) - len(free))
     bounds = {"tau_Y": (0.0, math.inf), "k": (0.0, math.inf), "n": INDEX_BOUNDS}
     judged = {

@@ -9,22 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.fitting.flow_curve import FlowCurve, scatter
+from softcat_sym.fitting.flow_curve import FlowCurve, scatter, shear_stress
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.history import is_history
-from softcat_sym.scene.material import INDEXED, Material
+from softcat_sym.scene.laws import LAWS
+from softcat_sym.scene.material import Material
 from softcat_sym.scene.scene import Scene
-
-SHEARED = {
-    "newtonian": "newtonian",
-    "maxwell": "newtonian",
-    "multimode-maxwell": "newtonian",
-    "bingham": "bingham",
-    "power-law": "power-law",
-    "herschel-bulkley": "herschel-bulkley",
-}
-"""Laws that have a flow curve, and the corresponding law in steady shear."""
 
 _STEP = 1e-5
 _MIN_SCATTER = 0.005  # Relative scatter of the best rheometers
@@ -32,36 +23,23 @@ _MAX_SCATTER = 0.1  # Relative scatter about the best fit above which a warning 
 
 
 def steady_shear_stress(material: Material, shear_rate: Floats) -> Floats:
-    """Shear stress of steady flow, from the constants in tension.
+    """Shear stress of steady flow [Pa] at shear rates [1/s], from the constants in tension, by von Mises' equivalence.
 
-    Parameters
-    ----------
-    material : Material
-        Of a law that has a flow curve.
-    shear_rate : ndarray
-        [1/s].
-
-    Returns
-    -------
-    ndarray
-        sigma_Y/sqrt(3) + K/3^((n+1)/2) g^n [Pa], by von Mises' equivalence; with n = 1 Trouton's K/3.
-
-    Raises
-    ------
-    SceneError
-        If the law has no flow curve, or one that changes during the flow.
+    ((sigma_Y/sqrt(3))^p + (K/3^((n+1)/2) g^n)^p)^(1/p); with p = n = 1 Trouton's K/3. Laws without a flow curve, and
+    those whose stress changes during the flow, are refused.
     """
-    if material.law not in SHEARED:
-        raise SceneError([Fault("flow curve", f"the law '{material.law}' has none", ", ".join(SHEARED))])
+    spec = material.spec
+    if not spec.flow_curve:
+        accepted = ", ".join(one.name for one in LAWS.values() if one.flow_curve)
+        raise SceneError([Fault("flow curve", f"the law '{material.law}' has none", accepted)])
     plain = material.yield_stress, material.viscosity, material.index, *(mode.viscosity for mode in material.modes)
     if any(is_history(one) for one in plain) or material.structure is not None or material.hardening_modulus:
         found = "the material hardens, ages or has a structure: its stress in steady flow is not one curve"
         raise SceneError([Fault("flow curve", found, "a law with constants, or the film alone")])
-    if material.law == "multimode-maxwell":
-        return np.asarray(sum(mode.viscosity for mode in material.modes) / 3 * shear_rate)
-    index = material.index if material.law in INDEXED else 1.0
-    stress = (material.viscosity or 0.0) / 3 ** ((index + 1) / 2) * shear_rate**index
-    return np.asarray(stress + (material.yield_stress or 0.0) / math.sqrt(3))
+    viscosity = sum(mode.viscosity for mode in material.modes) or material.viscosity or 0.0
+    consistency = viscosity / 3 ** ((material.index + 1) / 2)
+    limit = (material.yield_stress or 0.0) / math.sqrt(3)
+    return shear_stress(spec, limit, consistency, material.index, shear_rate)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +59,7 @@ class FlowReadings:
         steady_shear_stress(scene.material, curve.shear_rate)
         if curve.std is not None:
             return cls(curve, scene, tuple(free), tuple(columns), curve.std, known=True)
-        relative = max(scatter(curve, SHEARED[scene.material.law]), _MIN_SCATTER)
+        relative = max(scatter(curve, scene.material.spec.flow_curve), _MIN_SCATTER)
         return cls(curve, scene, tuple(free), tuple(columns), relative * curve.shear_stress, known=False)
 
     def stress(self, q: Floats) -> Floats:
@@ -104,7 +82,7 @@ class FlowReadings:
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the curve itself."""
-        law = SHEARED[self.scene.material.law]
+        law = self.scene.material.spec.flow_curve
         missed = scatter(self.curve, law)
         said = (
             f"even without films the best {law} law misses the flow curve by {missed:.2g} of its stress: this is taken "

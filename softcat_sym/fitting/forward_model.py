@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.free_parameters import INITIAL_SAG, TIME_OFFSET, FreeParameter, Unknowns
-from softcat_sym.fitting.integration import (
-    FrozenFilament,
-    InterpretedForward,
-    Path,
-    Point,
-    Timing,
-    frozen_filament,
-    timing_of,
-)
+from softcat_sym.fitting.integration import FrozenFilament, Point, frozen_filament, timing_of
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 from softcat_sym.simulate import identity_of
@@ -29,127 +19,88 @@ from softcat_sym.solvers.solution import watched
 from softcat_sym.solvers.start import Start
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
-_STEP = 1e-6  # In unknowns of order one, for the interpolation, which is smooth
+_STEP = 1e-6  # In unknowns of order one, for observables that are smooth functions of the state
 _STENCIL = 4
 
 
-class ForwardReadings:
-    """Readings that depend on some unknowns at their times, for any values of the free parameters, with derivatives."""
+class Observable:
+    """What is read off the state of a filament at some times."""
 
-    def __init__(
-        self,
-        filament: FrozenFilament,
-        free: tuple[FreeParameter, ...],
-        times: Floats,
-        seen: tuple[int, ...],
-        max_steps: int,
-    ) -> None:
-        self._filament, self._free, self._max_steps = filament, free, max_steps
-        self._times, self._seen = times, seen
-        self._shifts = any(one.path == TIME_OFFSET for one in free)
+    seen: tuple[int, ...]  # Numbers of the unknowns that it depends on: differential ones first
+    is_height = True  # Whether the camera's zero adds to it
+    has_rate = False  # Whether the second of these unknowns is its rate over the rest length
 
-    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
-        """Some of the readings, from their unknowns row by row, the free parameters and the times."""
+    def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        """Readings in some rows, from the unknowns, shape (rows, seen), and the times since the release [s]."""
         raise NotImplementedError
 
-    def readings(self, q: Floats) -> tuple[Floats, Floats]:
-        """Readings without the offset of a camera's zero, and their derivatives."""
-        q = np.asarray(q, dtype=float)
-        ours = np.array([x for one, x in zip(self._free, q, strict=True) if not one.of_measurement])
-        times = (self._times - self._value(q, TIME_OFFSET)) / self._filament.scale
-        timing, point = timing_of(times, beside=self._shifts), self._filament.point(ours, slopes=True)
-        m, derivatives = len(times), np.zeros((len(times), len(self._free)))
-        if point is None:
-            return np.full(m, np.nan), np.full_like(derivatives, np.nan)
-        begin = np.concatenate([point.start.x, point.start.z])[list(self._seen)]
-        d_begin = np.concatenate([point.d_x, point.d_z], axis=1)[:, list(self._seen)]
-        values, slopes = np.tile(begin, (m, 1)), np.tile(d_begin[:, None, :], (1, m, 1))
-        clock = np.zeros(m)
-        if len(timing.model):
-            path = self._filament.integrator.run_with_slopes(point.begin(timing.model), self._seen, self._max_steps)
-            values[timing.after] = path.values[timing.row]
-            slopes[:, timing.after] = path.slopes[:, timing.row] if path.slopes is not None else np.nan
-            if self._shifts:
-                clock[timing.after] = -self._rates(path.values, timing, ours)
-        seconds, every = times * self._filament.scale, np.ones(m, dtype=bool)
-        scene = iter(range(len(ours)))
-        for column, one in enumerate(self._free):
-            if one.path == TIME_OFFSET:
-                derivatives[:, column] = clock * one.scale
-            elif not one.of_measurement:
-                n = next(scene)
-                step = _STEP * np.eye(len(ours))[n]
-                low, high = (
-                    self._read(values + sign * _STEP * slopes[n], ours + sign * step, seconds, every)
-                    for sign in (-1, 1)
-                )
-                derivatives[:, column] = (high - low) / (2 * _STEP)
-        return self._read(values, ours, seconds, every), derivatives
-
-    def _value(self, q: Floats, path: str) -> float:
-        return next((one.value(float(x)) for one, x in zip(self._free, q, strict=True) if one.path == path), 0.0)
-
-    def _rates(self, values: Floats, timing: Timing, ours: Floats) -> Floats:
-        """Rates of the readings since the release [1/s]."""
-        scale = self._filament.scale
-        pair = [
-            self._read(values[which], ours, timing.model[which] * scale, timing.after)
-            for which in (timing.sooner, timing.later)
+    def slopes(self, values: Floats, d_values: Floats, point: Point, seconds: Floats) -> Floats:
+        """Derivatives of all readings by the k free parameters of the scene, shape (k, readings), by differences."""
+        every = np.ones(len(values), dtype=bool)
+        pairs = [
+            [self.read(values + step * row, point.moved(number, step), seconds, every) for step in (-_STEP, _STEP)]
+            for number, row in enumerate(d_values)
         ]
-        apart = (timing.model[timing.later] - timing.model[timing.sooner]) * scale
-        return (pair[1] - pair[0]) / apart
+        ends = np.array(pairs).reshape(len(d_values), 2, len(values))
+        return np.asarray((ends[:, 1] - ends[:, 0]) / (2 * _STEP))
 
 
-class ForwardForces(ForwardReadings):
+class Midpoint(Observable):
+    """Height of the midpoint."""
+
+    def __init__(self, filament: FrozenFilament) -> None:
+        middle = int(np.argmin(np.abs(filament.graph.grid.nodes)))
+        unknowns = filament.unknowns
+        if ("y", middle) not in unknowns:
+            raise SoftcatError("the filament has no node at midspan")
+        self.seen = tuple(unknowns.index((kind, middle)) for kind in ("y", "v") if (kind, middle) in unknowns)
+        self.has_rate = len(self.seen) > 1
+
+    def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        """Height over the rest length, times the rest length."""
+        return np.asarray(point.length * values[:, 0])
+
+    def slopes(self, values: Floats, d_values: Floats, point: Point, seconds: Floats) -> Floats:
+        """Derivatives of the product."""
+        return np.asarray(point.length * d_values[:, :, 0] + point.d_length[:, None] * values[:, 0])
+
+
+class SupportForce(Observable):
     """Force of the right support on the filament, outwards (way 0) or upwards (way 1) [N]."""
 
-    def __init__(
-        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, way: int, max_steps: int
-    ) -> None:
+    is_height = False
+
+    def __init__(self, filament: FrozenFilament, way: int) -> None:
         graph = filament.graph
-        if not graph.program.support or graph.grid.last.name == "FREE":
+        if not graph.program.support or graph.grid.last.is_free:
             found = "a force of the right support is known only for stretchable plane filaments that this support holds"
             raise SoftcatError(f"forces: {found}; leave the column of forces out")
-        super().__init__(filament, free, times, tuple(range(len(graph.x_kinds) + len(graph.z_kinds))), max_steps)
-        self._way = way
+        self._filament, self._way = filament, way
+        self.seen = tuple(range(len(filament.unknowns)))
 
-    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+    def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        """Stress at the support times the undeformed section."""
         filament, count = self._filament, len(self._filament.graph.x_kinds)
-        times = np.maximum(seconds, 0.0) / filament.scale
-        stress = filament.support(len(values))(
-            times[None, :], values[:, :count].T, values[:, count:].T, filament.parameters(ours)
-        )
-        force: Floats = np.asarray(stress, dtype=float)[self._way] * undeformed_area(filament.scene_of(ours))
-        return force
+        times, scene = np.maximum(seconds, 0.0) / filament.scale, filament.scene_of(point.q)
+        states = values[:, :count].T, values[:, count:].T
+        stress = filament.support(len(values))(times[None, :], *states, filament.parameters(scene))
+        return np.asarray(np.asarray(stress, dtype=float)[self._way] * undeformed_area(scene))
 
 
-class ForwardShapes(ForwardReadings):
+class ShapePoints(Observable):
     """Heights at points of the centre line."""
 
-    def __init__(
-        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, max_steps: int
-    ) -> None:
-        if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
-            raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
-        self._x, graph = x, filament.graph
-        unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
-        seen = tuple(n for n, (kind, _) in enumerate(unknowns) if kind in ("x", "y"))
-        super().__init__(filament, free, times, seen, max_steps)
+    def __init__(self, filament: FrozenFilament, x: Floats) -> None:
+        self._filament, self._x, unknowns = filament, x, filament.unknowns
+        self.seen = tuple(n for n, (kind, _) in enumerate(unknowns) if kind in ("x", "y"))
         self._places = {
-            kind: np.array([(k, unknowns[n][1]) for k, n in enumerate(seen) if unknowns[n][0] == kind], dtype=int)
+            kind: np.array([(k, unknowns[n][1]) for k, n in enumerate(self.seen) if unknowns[n][0] == kind], dtype=int)
             for kind in ("x", "y")
         }
 
-    def heights(self, q: Floats) -> tuple[Floats, Floats]:
-        """Heights, with the offset of the camera's zero, and their derivatives."""
-        height, derivatives = self.readings(q)
-        for column, one in enumerate(self._free):
-            if one.path == INITIAL_SAG:
-                derivatives[:, column] = np.where(np.isfinite(height), one.scale, np.nan)
-        return height + self._value(np.asarray(q, dtype=float), INITIAL_SAG), derivatives
-
-    def _read(self, values: Floats, ours: Floats, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
-        x, scene = self._x[rows], self._filament.scene_of(ours)
+    def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
+        """Interpolate between nodes by a cubic."""
+        scene, x = self._filament.scene_of(point.q), self._x[rows]
         xs, ys = self._nodes(values, scene, seconds)
         return rest_length(scene) * _cubic(xs, ys, x / rest_length(scene))
 
@@ -190,59 +141,17 @@ def _cubic(xs: Floats, ys: Floats, x: Floats) -> Floats:
 
 _FORM: Form[Arrays] = Form(packed, unpacked)
 _X, _Z = "start x", "start z"
-
-
-class StoredEvaluations:
-    """Stored evaluations, each with its starting state, from which the next starting state is found."""
-
-    def __init__(self, filament: FrozenFilament, model: tuple[object, ...]) -> None:
-        self._filament, self._model = filament, model
-        self._first = filament.near
-
-    def of(self, what: tuple[object, ...], compute: Callable[[], Arrays]) -> Arrays:
-        """Return an evaluation, from the store if it was made before."""
-        near = self._filament.near
-        begun = None if near is None else [near.x, near.z]
-
-        def evaluated() -> Arrays:
-            with watched():
-                arrays, near = compute(), self._filament.near
-            return arrays if near is None else {**arrays, _X: near.x, _Z: near.z}
-
-        found = stored(key_of("evaluation", self._model, begun, what), evaluated, _FORM)
-        self._filament.near = Start(np.asarray(found[_X]), np.asarray(found[_Z])) if _X in found else None
-        return found
-
-    def aside(self, compute: Callable[[], int]) -> int:
-        """Compute something from the first starting state, and restore the present one afterwards."""
-        near, self._filament.near = self._filament.near, self._first
-        try:
-            return compute()
-        finally:
-            self._filament.near = near
-
-
 _MAX_STEPS, _MIN_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
-
-
 _NO_START = "no equilibrium was found to start from, or the filament would be slack where the scene's is taut"
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """Heights of the midpoint at the times of the data, and their derivatives if they were requested."""
-
-    midpoint: Floats
-    derivatives: Floats | None
-    message: str
-
-
 class ForwardModel(Unknowns):
-    """Height of the midpoint (X = 0) as a camera shows it, for any values of the free parameters.
+    """Heights and forces as a camera and a load cell show them, for any values of the free parameters.
 
     Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
     smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the release the
-    midpoint is at its initial height. The model refuses a parameter that has no effect, or omits it on request.
+    filament is as at the start. The model refuses a parameter that has no effect, or omits it on request. Evaluations
+    are kept in the store, each with its starting state, from which the next starting state is found.
     """
 
     def __init__(
@@ -260,10 +169,10 @@ class ForwardModel(Unknowns):
             raise SoftcatError("times: give a row of finite times in s")
         self._filament = frozen_filament(scene, free, backend, rtol, without_idle=without_idle)
         self.free = self._filament.all_free
-        self._stored = StoredEvaluations(self._filament, (identity_of(scene), self.free, rtol, self.backend))
-        self._seen = _seen_of(self._filament.graph)
-        self._shifts = any(one.path == TIME_OFFSET for one in self.free)
-        self._last: tuple[bytes, _Answer] | None = None
+        self._paths = {one.path for one in self.free}
+        self._identity = identity_of(scene), self.free, rtol, self.backend
+        self._midpoint, self._first = Midpoint(self._filament), self._filament.near
+        self._last: tuple[bytes, Arrays] = b"", {}
         self.message = ""
 
     @property
@@ -290,163 +199,107 @@ class ForwardModel(Unknowns):
         """The scene with the values of these unknowns."""
         return self._filament.scene_of(self._of_scene(q))
 
+    def release(self, q: Floats) -> float:
+        """Time of the release on the camera's clock [s]."""
+        return self._value(q, TIME_OFFSET)
+
     def midpoints(self, q: Floats) -> Floats:
         """Heights of the midpoint at the times of the data."""
-        return self._answer(q, slopes=False).midpoint.copy()
+        return self._midpoints(q, slopes=False)["values"].copy()
 
     def with_derivatives(self, q: Floats) -> tuple[Floats, Floats]:
         """Heights of the midpoint with the derivatives of the discrete solution."""
-        answer = self._answer(q, slopes=True)
-        if answer.derivatives is None:
-            raise SoftcatError("the forward model kept no derivatives")
-        return answer.midpoint.copy(), answer.derivatives.copy()
-
-    def gradient(self, q: Floats, weights: Floats) -> Floats:
-        """Derivatives of the weighted sum of the midpoints.
-
-        The interpreted backend uses the adjoint of the discrete solution, the compiled one :meth:`with_derivatives`.
-        """
-        integrator, weights = self._filament.integrator, np.asarray(weights, dtype=float)
-        timing, point = self._timing(q), self._filament.point(self._of_scene(q), slopes=True)
-        if not isinstance(integrator, InterpretedForward) or point is None or not len(timing.model):
-            return np.asarray(weights @ self.with_derivatives(q)[1], dtype=float)
-        begin = point.begin(timing.model)
-        summed = np.zeros((len(timing.model), len(self._seen)))
-        np.add.at(summed[:, 0], timing.row, weights[timing.after] * point.length)
-        path = integrator.run(begin, self._seen, self._max_steps)
-        by_scene = integrator.pull_back(begin, self._seen, self._max_steps, summed)
-        by_scene += point.length * float(weights[~timing.after].sum()) * self._at_start(point)[1]
-        by_scene += point.d_length * float(weights @ self._heights(path, point, timing))
-        by_clock = weights @ self._by_clock(path, point, timing)
-        row = self._gathered(by_scene[None, :], np.array([by_clock]), np.array([weights.sum()]))
-        return np.asarray(row[0], dtype=float)
+        answer = self._midpoints(q, slopes=True)
+        return answer["values"].copy(), answer["derivatives"].copy()
 
     def shapes(self, q: Floats, times: Floats, x: Floats) -> tuple[Floats, Floats]:
-        """Heights of the centre line, interpolated between nodes by a cubic."""
+        """Heights of the centre line at points, with their derivatives."""
         times, x = np.asarray(times, dtype=float), np.asarray(x, dtype=float)
-        q = np.asarray(q, dtype=float)
-
-        def heights() -> Arrays:
-            found = ForwardShapes(self._filament, self.free, times, x, self._max_steps).heights(q)
-            return {"height": found[0], "derivatives": found[1]}
-
-        found = self._stored.of(("shapes", q, times, x), heights)
-        return found["height"], found["derivatives"]
+        if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
+            raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
+        found = self._stored(ShapePoints(self._filament, x), q, times, ("shapes", x), slopes=True)
+        return found["values"], found["derivatives"]
 
     def forces(self, q: Floats, times: Floats, way: int) -> tuple[Floats, Floats]:
-        """Force of the right support on the filament [N], outwards (way 0) or upwards (way 1)."""
-        times, q = np.asarray(times, dtype=float), np.asarray(q, dtype=float)
+        """Force of the right support on the filament [N], with its derivatives; way 0 is outwards, way 1 upwards."""
+        found = self._stored(SupportForce(self._filament, way), q, times, ("forces", way), slopes=True)
+        return found["values"], found["derivatives"]
 
-        def forces() -> Arrays:
-            found = ForwardForces(self._filament, self.free, times, way, self._max_steps).readings(q)
-            return {"force": found[0], "derivatives": found[1]}
-
-        found = self._stored.of(("forces", q, times, way), forces)
-        return found["force"], found["derivatives"]
-
-    def _answer(self, q: Floats, *, slopes: bool) -> _Answer:
-        q = np.asarray(q, dtype=float)
-        key = q.tobytes()
-        if self._last is None or self._last[0] != key or (slopes and self._last[1].derivatives is None):
-            self._last = (key, self._evaluated(q, slopes=slopes))
-        self.message = self._last[1].message
+    def _midpoints(self, q: Floats, *, slopes: bool) -> Arrays:
+        key = np.asarray(q, dtype=float).tobytes()
+        if self._last[0] != key or (slopes and "derivatives" not in self._last[1]):
+            self._last = key, self._stored(self._midpoint, q, self.times, ("midpoint", slopes), slopes=slopes)
+        self.message = str(self._last[1]["message"])
         return self._last[1]
 
-    def _evaluated(self, q: Floats, *, slopes: bool) -> _Answer:
-        def midpoint() -> Arrays:
-            answer = self._integrated(q, slopes=slopes)
-            arrays = {"midpoint": answer.midpoint, "message": np.array(answer.message)}
-            return arrays if answer.derivatives is None else {**arrays, "derivatives": answer.derivatives}
+    def _stored(self, what: Observable, q: Floats, times: Floats, name: tuple[object, ...], *, slopes: bool) -> Arrays:
+        """Readings of an observable, from the store if they were computed before."""
+        q, times, near = np.asarray(q, dtype=float), np.asarray(times, dtype=float), self._filament.near
 
-        found = self._stored.of(("midpoint", slopes, q, self.times), midpoint)
-        return _Answer(found["midpoint"], found.get("derivatives"), str(found["message"]))
+        def evaluated() -> Arrays:
+            with watched():
+                arrays, start = self._observed(what, q, times, slopes=slopes), self._filament.near
+            return arrays if start is None else {**arrays, _X: start.x, _Z: start.z}
 
-    def _integrated(self, q: Floats, *, slopes: bool) -> _Answer:
-        n, k = len(self.times), len(self.free)
-        point = self._filament.point(self._of_scene(q), slopes=slopes)
+        begun = None if near is None else [near.x, near.z]
+        found = stored(key_of("evaluation", self._identity, begun, name, q, times), evaluated, _FORM)
+        self._filament.near = Start(np.asarray(found[_X]), np.asarray(found[_Z])) if _X in found else None
+        return found
+
+    def _observed(self, what: Observable, q: Floats, times: Floats, *, slopes: bool) -> Arrays:
+        filament, rows = self._filament, len(times)
+        point = filament.point(self._of_scene(q), slopes=slopes)
         if point is None:
-            return _Answer(np.full(n, np.nan), np.full((n, k), np.nan), _NO_START)
-        timing, path = self._timing(q), Path(np.zeros((0, len(self._seen))), None, 0)
+            none = {"values": np.full(rows, np.nan), "derivatives": np.full((rows, len(self.free)), np.nan)}
+            return {**none, "message": np.array(_NO_START)}
+        since, shifts = times - self.release(q), TIME_OFFSET in self._paths
+        timing = timing_of(since / filament.scale, beside=shifts and not what.has_rate)
+        seen, message = list(what.seen), ""
+        values = np.tile(np.concatenate([point.start.x, point.start.z])[seen], (rows, 1))
+        d_values = np.repeat(np.concatenate([point.d_x, point.d_z], axis=1)[:, None, seen], rows, axis=1)
+        rates = np.zeros(rows)
         if len(timing.model):
-            run = self._filament.integrator.run_with_slopes if slopes else self._filament.integrator.run
-            path = run(point.begin(timing.model), self._seen, self._max_steps)
-        height = self._heights(path, point, timing)
-        midpoint = point.length * height + self._value(q, INITIAL_SAG)
+            run = filament.integrator.run_with_slopes if slopes else filament.integrator.run
+            path = run(point, timing.model, what.seen, self._max_steps)
+            values[timing.after], message = path.values[timing.row], path.message
+            if slopes:
+                d_values[:, timing.after] = np.nan if path.slopes is None else path.slopes[:, timing.row]
+            if slopes and shifts and what.has_rate:
+                rates[timing.after] = point.length * path.values[timing.row, 1] / filament.scale
+            elif slopes and shifts:
+                ends = [
+                    what.read(path.values[which], point, timing.model[which] * filament.scale, timing.after)
+                    for which in (timing.sooner, timing.later)
+                ]
+                apart = (timing.model[timing.later] - timing.model[timing.sooner]) * filament.scale
+                rates[timing.after] = (ends[1] - ends[0]) / apart
+        read = what.read(values, point, since, np.ones(rows, dtype=bool))
+        answer = {"values": read + what.is_height * self._value(q, INITIAL_SAG), "message": np.array(message)}
         if not slopes:
-            return _Answer(midpoint, None, path.message)
-        by_scene = np.repeat(self._at_start(point)[1][None, :], n, axis=0)
-        if path.slopes is not None:
-            by_scene[timing.after] = path.slopes[:, timing.row, 0].T
-        by_scene = point.length * by_scene + height[:, None] * point.d_length
-        derivatives = self._gathered(by_scene, self._by_clock(path, point, timing), np.ones(n))
-        return _Answer(midpoint, derivatives, path.message)
+            return answer
+        by_zero = np.where(np.isfinite(read), float(what.is_height), np.nan)
+        by_scene = iter(what.slopes(values, d_values, point, since))
+        of_camera = {TIME_OFFSET: -rates, INITIAL_SAG: by_zero}
+        columns = [of_camera[one.path] * one.scale if one.path in of_camera else next(by_scene) for one in self.free]
+        return {**answer, "derivatives": np.stack(columns, axis=1)}
 
     @cached_property
     def _max_steps(self) -> int:
         """Maximum number of time steps: a multiple of the typical filament's, so that absurd values fail soon."""
-        q = self.typical
-
-        def counted() -> int:
-            point, timing = self._filament.point(self._of_scene(q), slopes=False), self._timing(q)
+        near, self._filament.near = self._filament.near, self._first
+        try:
+            point = self._filament.point(self._of_scene(self.typical), slopes=False)
+            since = (self.times - self.release(self.typical)) / self._filament.scale
+            timing = timing_of(since, beside=TIME_OFFSET in self._paths and not self._midpoint.has_rate)
             if point is None or not len(timing.model):
                 return _MAX_STEPS
-            path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MAX_STEPS)
+            path = self._filament.integrator.run(point, timing.model, self._midpoint.seen, _MAX_STEPS)
             return _MAX_STEPS if path.message or not path.steps else max(_MIN_STEPS, _TIMES_TYPICAL * path.steps)
-
-        return self._stored.aside(counted)
+        finally:
+            self._filament.near = near
 
     def _of_scene(self, q: Floats) -> Floats:
         return np.array([x for one, x in zip(self.free, np.asarray(q), strict=True) if not one.of_measurement])
 
     def _value(self, q: Floats, path: str) -> float:
         return next((one.value(float(x)) for one, x in zip(self.free, q, strict=True) if one.path == path), 0.0)
-
-    def _timing(self, q: Floats) -> Timing:
-        times = (self.times - self._value(q, TIME_OFFSET)) / self._filament.scale
-        return timing_of(times, beside=self._shifts and len(self._seen) == 1)
-
-    def _at_start(self, point: Point) -> tuple[float, Floats]:
-        """Height of the midpoint at the start over the rest length, and its derivatives."""
-        start, number = point.start, self._seen[0]
-        both = np.concatenate([start.x, start.z])
-        return float(both[number]), np.concatenate([point.d_x, point.d_z], axis=1)[:, number]
-
-    def _heights(self, path: Path, point: Point, timing: Timing) -> Floats:
-        """Height of the midpoint over the rest length at the times of the data."""
-        height = np.full(len(self.times), self._at_start(point)[0])
-        height[timing.after] = path.values[timing.row, 0]
-        return height
-
-    def _by_clock(self, path: Path, point: Point, timing: Timing) -> Floats:
-        """Derivative of the midpoint by the camera's clock [m/s]: minus its velocity."""
-        result = np.zeros(len(self.times))
-        if not self._shifts or not len(timing.model):
-            return result
-        if len(self._seen) > 1:
-            rate = path.values[timing.row, 1]
-        else:
-            apart = timing.model[timing.later] - timing.model[timing.sooner]
-            rate = (path.values[timing.later, 0] - path.values[timing.sooner, 0]) / apart
-        result[timing.after] = -point.length * rate / self._filament.scale
-        return result
-
-    def _gathered(self, by_scene: Floats, by_clock: Floats, by_zero: Floats) -> Floats:
-        """Derivatives by all unknowns in their order, shape (rows, k), from those of the scene and the camera's."""
-        columns, scene = [], iter(by_scene.T)
-        for one in self.free:
-            if one.path == TIME_OFFSET:
-                columns.append(by_clock * one.scale)
-            elif one.path == INITIAL_SAG:
-                columns.append(by_zero * one.scale)
-            else:
-                columns.append(next(scene))
-        return np.stack(columns, axis=1)
-
-
-def _seen_of(graph: Graph) -> tuple[int, ...]:
-    """Numbers of the midpoint's height and, where it is an unknown, of its velocity, among all unknowns."""
-    middle = int(np.argmin(np.abs(graph.grid.nodes)))
-    unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
-    if ("y", middle) not in unknowns:
-        raise SoftcatError("the filament has no node at midspan")
-    return tuple(unknowns.index((kind, middle)) for kind in ("y", "v") if (kind, middle) in unknowns)

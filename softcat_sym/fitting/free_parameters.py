@@ -20,16 +20,8 @@ from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
-from softcat_sym.scene.material import (
-    CONSTANTS,
-    FROM_SHEAR,
-    INDEXED,
-    POLYMERS,
-    Material,
-    kind_of_constant,
-    poisson_in_shear,
-    tensile_name,
-)
+from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
+from softcat_sym.scene.material import FROM_SHEAR, Material, poisson_in_shear, tensile_name
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
@@ -53,7 +45,7 @@ from softcat_sym.scene.units import (
 TIME_OFFSET, INITIAL_SAG, SCALE, TILT = "time_offset", "initial_sag", "scale", "tilt"
 OF_CAMERA = (TIME_OFFSET, INITIAL_SAG, SCALE, TILT)
 
-_FACTOR = 1e3
+_FACTOR, _ROUNDING = 1e3, 1e-12
 _INDEX = (0.02, 5.0)
 _POISSON = (-0.99, 0.495)
 _ANGLE = 0.999 * math.pi
@@ -62,301 +54,23 @@ _SIGNED = (("filament", "curvature"), ("ends", "drop"), ("ends", "left_angle"), 
 _OF_SHAPE = ("span", "rest_length", "curvature", "twist", "drop", "left_angle", "right_angle", "stretch")
 
 
-@dataclass(frozen=True)
-class Candidate:
-    """A number that may be free, unless there is some `trouble`."""
-
-    name: str  # Leaf, dotted path, SI unit
-    path: str
-    unit: str
-    typical: float  # SI
-    scale: float
-    logarithmic: bool  # Whether it is positive by nature
-    bounds: tuple[float, float]  # By default, and the widest that make sense; SI
-    limits: tuple[float, float]
-    constant: str = ""  # The constant that it determines: the same for shear data and for the tensile constant
-    trouble: str = ""  # Why it cannot be free in this scene, and what would help; empty if it can
-    remedy: str = ""
-
-    def read(self, value: object) -> float:
-        """Read a bound: a number in SI, or text with a unit."""
-        if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
-            number = float(value)
-            if not math.isfinite(number):
-                raise refusal(f"{shown(value)} is not finite", "a finite number")
-            return number
-        accepted = f"a number in {self.unit}, or text with a unit" if self.unit else "a number without a unit"
-        if self.path.startswith("temperature."):
-            # These units contain kelvin and mole.
-            return float(kinds_of(Temperature)[self.name].read(value))
-        try:
-            if self.unit.count("^") and self.path.startswith("material."):
-                # A consistency, whose dimension has no name.
-                return to_si(value, "quantity", self.unit)
-            number, dimension = to_si_of_any(value)
-            if not same_dimension(dimension, to_si_of_any(f"1 {self.unit}" if self.unit else 1.0)[1]):
-                raise refusal(f"{shown(value)} is not in {self.unit or 'plain numbers'}", accepted)
-        except NotAQuantity as found:
-            raise refusal(str(found), accepted) from None
-        return number
-
-
-def candidates(scene: Scene) -> tuple[Candidate, ...]:
-    """List every number of a scene, and of its measurement, that may be free."""
-    of_scene = (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_temperature(scene))
-    return (*(_without_shape(scene, one) for one in of_scene), *_of_measurement(scene))
-
-
-def _without_shape(scene: Scene, one: Candidate) -> Candidate:
-    """A number on which a given curve depends cannot be free, as the curve is sampled once."""
-    curve = "filament.shape" if has_shape(scene) else "initial.centreline" if scene.initial.centreline else ""
-    if not curve or one.name not in _OF_SHAPE or one.trouble:
-        return one
-    return replace(one, trouble=f"{curve} fixes the initial shape for all values", remedy="a known one")
-
-
-_ANY = (0.0, math.inf)
-
-
-def _positive(path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = "") -> Candidate:
-    name = path.rpartition(".")[2]
-    low = limits[0] if limits[0] > 0 else 0.0
-    if value <= 0:
-        found = "zero in the scene, so that its magnitude is unknown, and its physics is left out"
-        return Candidate(
-            name, path, unit, value, 1.0, True, (0, 0), limits, path, found, f"a rough {path} in the scene"
-        )
-    bounds = (max(value / _FACTOR, low), min(value * _FACTOR, limits[1]))
-    return Candidate(name, path, unit, value, value, True, bounds, limits, constant or path)
-
-
-def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[float, float]) -> Candidate:
-    name = path.rpartition(".")[2]
-    return Candidate(name, path, unit, value, scale, False, bounds, (-math.inf, math.inf), path)
-
-
-def _of_history(path: str, unit: str, value: float) -> Iterator[Candidate]:
-    """Values of a table, or quantities of a formula, counted from 1."""
-    if isinstance(value, History):
-        for number, (size, of) in enumerate(value.quantities(unit), start=1):
-            yield _positive(f"{path}_{number}", of, size)
-
-
-def _of_law(material: Material) -> Iterator[Candidate]:
-    for name in CONSTANTS[material.law]:
-        value = getattr(material, name)
-        kind = kind_of_constant(name, material.law, material.index)
-        path = f"material.{name}"
-        limits = (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY
-        yield _positive(path, _unit(kind), float(value), limits)
-        given = {rule.shear: getattr(material, rule.shear) for rule in FROM_SHEAR if rule.constant == name}
-        given = {shear: datum for shear, datum in given.items() if datum is not None} or {name: value}
-        yield from (one for key, datum in given.items() for one in _of_history(f"material.{key}", _unit(kind), datum))
-        for rule in FROM_SHEAR:
-            if rule.constant == name and rule.suits(material.law):
-                shear = getattr(material, rule.shear)
-                factor = rule.factor(material.index, poisson_in_shear(material.law, material.poisson))
-                begins = value / factor if shear is None else float(shear)
-                yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
-
-
-def _of_material(scene: Scene) -> Iterator[Candidate]:
-    material = scene.material
-    yield from _of_law(material)
-    if material.solid_viscosity is not None:
-        yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
-    elif material.loss_modulus is None:
-        yield _positive("material.loss_tangent", "", material.loss_tangent)
-    if material.law in INDEXED:
-        yield _positive("material.index", "", material.index, _INDEX)
-    if material.law not in POLYMERS:
-        ratio = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
-        yield Candidate(**{**vars(ratio), "limits": _POISSON})
-    for number, mode in enumerate(material.modes, start=1):
-        for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
-            one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
-            yield one
-    for path, parameter in scene.named_constants().items():
-        unit = si_unit(parameter.dimension)
-        if parameter.value > 0:
-            yield _positive(path, unit, parameter.value)
-        else:
-            size = abs(parameter.value) or 1.0
-            yield _signed(path, unit, parameter.value, size, (-_ANY_SIGN * size, _ANY_SIGN * size))
-
-
-def _of_filament(scene: Scene) -> Iterator[Candidate]:
-    filament, slack = scene.filament, is_slack(scene)
-    across = distance(scene)
-    span = (filament.thickness * (1 + 1e-9), math.inf)
-    if filament.rest_length is not None:
-        # Beyond this span a taut filament would be slack, or a slack one taut, with an initial shape of another kind.
-        edge = math.sqrt(max(0.0, filament.rest_length**2 - scene.ends.drop**2))
-        span = (span[0], edge * (1 - 1e-9)) if slack else (max(span[0], edge), edge * math.e)
-    yield _positive("filament.span", "m", filament.span, span)
-    length = rest_length(scene)
-    given = filament.rest_length is not None and not math.isclose(length, across, rel_tol=1e-9)
-    limits = (across * (1 + 1e-9), 10 * across) if slack else (across / math.e, across * (1 - 1e-9))
-    if given:
-        yield _positive("filament.rest_length", "m", length, limits)
-    else:
-        found = "as long as the supports are apart: a longer filament hangs in its weight from the start, a shorter not"
-        remedy = "a rough filament.rest_length in the scene, longer or shorter than that"
-        yield Candidate(
-            "rest_length", "filament.rest_length", "m", length, length, True, (0, 0), limits, "", found, remedy
-        )
-    yield _positive("filament.thickness", "m", filament.thickness, (0.0, filament.span * (1 - 1e-9)))
-    if filament.section == "rectangle" or filament.width != filament.thickness:
-        yield _positive("filament.width", "m", filament.width)
-    yield _positive("filament.density", "kg/m^3", filament.density)
-
-
-def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
-    load = scene.load
-    yield _positive("load.gravity", "m/s^2", load.gravity)
-    yield _positive("load.ramp", "s", load.ramp)
-    yield _positive("load.shake", "", load.shake)
-    yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
-    yield _positive("load.point_mass", "kg", load.point_mass)
-    yield _positive("load.tip_mass", "kg", load.tip_mass)
-    yield _surface_tension(scene)
-    yield _bath(scene, "density", "kg/m^3")
-    yield _bath(scene, "viscosity", "Pa*s")
-    yield _stretch(scene)
-    for table, name in (*_SIGNED, *((("filament", "twist"),) if is_spatial(scene) else ())):
-        value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
-        turned = name.endswith("angle")
-        unit = "rad" if turned else "m" if name == "drop" else "1/m"
-        size = abs(value) or 1.0
-        bounds = (-_ANGLE, _ANGLE) if turned else (-_ANY_SIGN * size, _ANY_SIGN * size)
-        plain = _signed(path, unit, value, 1.0 if turned else size, bounds)
-        if value == 0:
-            found, remedy = "zero in the scene, so that its physics is left out", f"a rough {path} in the scene"
-            yield Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
-        elif turned and is_symmetric(scene):
-            found = "only half of a symmetric filament is computed, whose clamps have equal angles"
-            yield Candidate(**{**vars(plain), "trouble": found, "remedy": "clamps at different angles in the scene"})
-        else:
-            yield plain
-
-
-_KELVIN = ("initial", "ambient", "outside", "reference", "T_0")
-
-
-def _of_temperature(scene: Scene) -> Iterator[Candidate]:
-    heat, low = scene.temperature, 0.0
-    if not heat.present:
-        return
-    in_force = choose_effects(scene).terms().heat is not None
-    for name, kind in kinds_of(type(heat)).items():
-        value, path = getattr(heat, name), f"temperature.{name}"
-        if value is None or not isinstance(kind, (Quantity, Number)):
-            continue
-        unit = _unit(kind)
-        if is_history(value):
-            found, remedy = "a table of times in the scene, no number", f"one temperature as {path}"
-            one = Candidate(name, path, unit, float(value), 1.0, True, (0, 0), (0, math.inf), "", found, remedy)
-        elif name in _KELVIN:
-            # Beyond these a law of the viscosity has no value.
-            limits = (low, heat.extremes(scene.run.duration)[0] * (1 - 1e-9)) if name == "T_0" else (low, math.inf)
-            one = Candidate(
-                name, path, unit, value, value / 10, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
-            )
-        elif value >= 0 and name != "A":
-            one = _positive(path, unit, value)
-        else:
-            size = abs(value) or 1.0
-            one = _signed(path, unit, value, size, (-_ANY_SIGN * size, _ANY_SIGN * size))
-        if not one.trouble and not in_force:
-            found, remedy = "no effect in force depends on it", "temperature in run.effects"
-            one = replace(one, trouble=found, remedy=remedy)
-        yield one
-
-
-def _surface_tension(scene: Scene) -> Candidate:
-    plain = _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
-    if plain.trouble or pull_of_surface(scene) > 0:
-        return plain
-    found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
-    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
-
-
-def _bath(scene: Scene, key: str, unit: str) -> Candidate:
-    plain = replace(_positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key)), name=f"bath_{key}")
-    terms = choose_effects(scene).terms()
-    if plain.trouble or terms.drag or (key == "density" and (terms.buoyant or terms.added_mass)):
-        return plain
-    found, remedy = "no effect in force depends on it", "an effect in run.effects that does"
-    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
-
-
-def _stretch(scene: Scene) -> Candidate:
-    stretch = scene.initial.stretch
-    limits = (0.05, 20.0)
-    if not scene.initial.relaxed:
-        limits = (1 + 1e-9, math.e) if stretch > 1 else (0.05, 1 - 1e-9)
-    plain = _positive("initial.stretch", "", stretch, limits)
-    if scene.filament.rest_length is not None:
-        found, remedy = "filament.rest_length is given, and determines the length", "rest_length"
-    elif stretch == 1:
-        found, remedy = "1 in the scene: neither stretched nor slack", "a rough initial.stretch in the scene"
-    else:
-        return plain
-    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
-
-
-def _of_measurement(scene: Scene) -> Iterator[Candidate]:
-    unit = time_scale(scene)
-    span, duration = scene.filament.span, scene.run.duration
-    sag = max(expected_sag(scene) * span, 1e-6 * span)
-    infinite = (-math.inf, math.inf)
-    yield Candidate(TIME_OFFSET, TIME_OFFSET, "s", 0.0, unit, False, (-duration, duration), infinite, TIME_OFFSET)
-    yield Candidate(INITIAL_SAG, INITIAL_SAG, "m", 0.0, sag, False, (-span, span), infinite, INITIAL_SAG)
-    yield _positive(SCALE, "", 1.0, (0.5, 2.0))
-    yield Candidate(TILT, TILT, "rad", 0.0, 1.0, False, (-0.3, 0.3), (-_ANGLE, _ANGLE), TILT)
-
-
-def why_not_free(scene: Scene, name: str, known: Mapping[str, Candidate]) -> Fault:
-    """Say why a name cannot be free: no such constant of the law, no number, or no such name."""
-    where, leaf = f"free {name}", name.rpartition(".")[2]
-    law, usable = scene.material.law, ", ".join(dict.fromkeys(one.name for one in known.values() if not one.trouble))
-    constants = {constant for row in CONSTANTS.values() for constant in row} | {"index"}
-    if (tensile_name(leaf) or leaf) in constants and name in (leaf, f"material.{leaf}"):
-        return Fault(where, f"the law '{law}' has no {leaf}{_other_shear(leaf, known)}", usable)
-    tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
-    if tables and tables != ["groups"]:
-        return Fault(where, "not a number that the motion of a filament depends on", usable)
-    return Fault(where, f"unknown{did_you_mean(leaf, [one.name for one in known.values()])}", usable)
-
-
-def _other_shear(leaf: str, known: Mapping[str, Candidate]) -> str:
-    """The name that the shear datum has for this law."""
-    same = {rule.shear for rule in FROM_SHEAR if rule.constant == tensile_name(leaf)} & set(known)
-    return f" (did you mean '{next(iter(same))}'?)" if same else ""
-
-
-def _unit(kind: Kind) -> str:
-    return kind.unit or SI_UNITS[kind.dimension] if isinstance(kind, Quantity) else ""
-
-
-_ROUNDING = 1e-12
-
-Bounds = Mapping[str, tuple[object, object]]
-
-
 @dataclass(frozen=True, slots=True)
 class FreeParameter:
-    """One unknown of a fit."""
+    """A number that may be free, unless there is some `trouble`; one unknown of a fit."""
 
     name: str  # Leaf name, as in tables and reports
     path: str  # Dotted path in the scene; the name itself for parameters of the measurement
     unit: str  # SI; ``"1"`` for a pure number
     typical: float  # Value in the scene; for parameters of the measurement zero, except for its scale
-    logarithmic: bool  # Whether q = log(value/typical); otherwise q = value/scale
+    logarithmic: bool  # Whether it is positive by nature: q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
     prior: float = math.inf  # Prior standard deviation of q about the typical one; infinite without a prior
     film: int | None = None  # Number of the only film that has it, from 1; None if all films share it
+    limits: tuple[float, float] = (-math.inf, math.inf)  # The widest bounds that make sense; SI
+    constant: str = ""  # The constant that it determines: the same for shear data and for the tensile constant
+    trouble: str = ""  # Why it cannot be free in this scene, and what would help; empty if it can
+    remedy: str = ""
 
     @property
     def of_measurement(self) -> bool:
@@ -390,101 +104,322 @@ class FreeParameter:
         """Return d value/dq [SI]."""
         return self.value(q) if self.logarithmic else self.scale
 
+    def read(self, value: object) -> float:
+        """Read a bound: a number in SI, or text with a unit."""
+        if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
+            number = float(value)
+            if not math.isfinite(number):
+                raise refusal(f"{shown(value)} is not finite", "a finite number")
+            return number
+        is_pure = self.unit == "1"
+        accepted = "a number without a unit" if is_pure else f"a number in {self.unit}, or text with a unit"
+        if self.path.startswith("temperature."):
+            # These units contain kelvin and mole.
+            return float(kinds_of(Temperature)[self.name].read(value))
+        try:
+            if self.unit.count("^") and self.path.startswith("material."):
+                # A consistency, whose dimension has no name.
+                return to_si(value, "quantity", self.unit)
+            number, dimension = to_si_of_any(value)
+            if not same_dimension(dimension, to_si_of_any(1.0 if is_pure else f"1 {self.unit}")[1]):
+                raise refusal(f"{shown(value)} is not in {'plain numbers' if is_pure else self.unit}", accepted)
+        except NotAQuantity as found:
+            raise refusal(str(found), accepted) from None
+        return number
+
+    def bounded(self, low: float, high: float) -> FreeParameter:
+        """The parameter with other bounds; a refusal where they make no sense."""
+        unit = self.unit
+        if not low < high:
+            raise refusal(f"{low:g} is not below {high:g} {unit}", "the lower one first")
+        if self.logarithmic and low <= 0:
+            raise refusal(f"{low:g} {unit}, but {self.name} is positive", "a lower bound above zero")
+        least, most = self.limits
+        if low < least * (1 - math.copysign(_ROUNDING, least)) or high > most * (1 + _ROUNDING):
+            raise refusal(f"{low:g} to {high:g} {unit}", f"within {least:.6g} to {most:.6g} {unit}")
+        if not low <= self.typical <= high and not self.of_measurement:
+            found = f"{low:g} to {high:g} {unit} does not hold the scene's own {self.typical:g}"
+            raise refusal(found, f"bounds around it, or another {self.path} in the scene")
+        return replace(self, bounds=(low, high))
+
+
+def candidates(scene: Scene) -> tuple[FreeParameter, ...]:
+    """List every number of a scene, and of its measurement, that may be free."""
+    of_scene = (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_temperature(scene))
+    # A given curve is sampled once: what it depends on cannot be free.
+    curve = "filament.shape" if has_shape(scene) else "initial.centreline" if scene.initial.centreline else ""
+    found, remedy = f"{curve} fixes the initial shape for all values", "a known one"
+    fixed = (
+        replace(one, trouble=found, remedy=remedy) if curve and one.name in _OF_SHAPE and not one.trouble else one
+        for one in of_scene
+    )
+    return (*fixed, *_of_measurement(scene))
+
+
+_ANY = (0.0, math.inf)
+
+
+def _positive(
+    path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = ""
+) -> FreeParameter:
+    name, low, constant = path.rpartition(".")[2], max(limits[0], 0.0), constant or path
+    if value <= 0:
+        found = "zero in the scene, so that its magnitude is unknown, and its physics is left out"
+        unknown = FreeParameter(name, path, unit, value, True, 1.0, (0, 0), limits=limits, constant=path)
+        return replace(unknown, trouble=found, remedy=f"a rough {path} in the scene")
+    bounds = (max(value / _FACTOR, low), min(value * _FACTOR, limits[1]))
+    return FreeParameter(name, path, unit, value, True, value, bounds, limits=limits, constant=constant)
+
+
+def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[float, float]) -> FreeParameter:
+    return FreeParameter(path.rpartition(".")[2], path, unit, value, False, scale, bounds, constant=path)
+
+
+def _of_any_sign(path: str, unit: str, value: float) -> FreeParameter:
+    """A number whose magnitude in the scene sets its scale and its bounds."""
+    size = abs(value) or 1.0
+    return _signed(path, unit, value, size, (-_ANY_SIGN * size, _ANY_SIGN * size))
+
+
+def _of_history(path: str, unit: str, value: float) -> Iterator[FreeParameter]:
+    """Values of a table, or quantities of a formula, counted from 1."""
+    if isinstance(value, History):
+        for number, (size, of) in enumerate(value.quantities(unit), start=1):
+            yield _positive(f"{path}_{number}", of or "1", size)
+
+
+def _of_law(material: Material) -> Iterator[FreeParameter]:
+    for name in material.spec.constants:
+        value = getattr(material, name)
+        kind = kind_of_constant(name, material.law, material.index)
+        path = f"material.{name}"
+        limits = (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY
+        yield _positive(path, _unit(kind), float(value), limits)
+        given = {rule.shear: getattr(material, rule.shear) for rule in FROM_SHEAR if rule.constant == name}
+        given = {shear: datum for shear, datum in given.items() if datum is not None} or {name: value}
+        yield from (one for key, datum in given.items() for one in _of_history(f"material.{key}", _unit(kind), datum))
+        for rule in FROM_SHEAR:
+            if rule.constant == name and rule.suits(material.law):
+                shear = getattr(material, rule.shear)
+                factor = rule.factor(material.index, poisson_in_shear(material.law, material.poisson))
+                begins = value / factor if shear is None else float(shear)
+                yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
+
+
+def _of_material(scene: Scene) -> Iterator[FreeParameter]:
+    material = scene.material
+    yield from _of_law(material)
+    if material.solid_viscosity is not None:
+        yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
+    elif material.loss_modulus is None:
+        yield _positive("material.loss_tangent", "1", material.loss_tangent)
+    if material.spec.has_index:
+        yield _positive("material.index", "1", material.index, _INDEX)
+    if not material.spec.has_chains:
+        yield replace(_signed("material.poisson", "1", material.poisson, 1.0, _POISSON), limits=_POISSON)
+    for number, mode in enumerate(material.modes, start=1):
+        for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
+            yield _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
+    for path, parameter in scene.named_constants().items():
+        of = _positive if parameter.value > 0 else _of_any_sign
+        yield of(path, si_unit(parameter.dimension) or "1", parameter.value)
+
+
+def _of_filament(scene: Scene) -> Iterator[FreeParameter]:
+    filament, slack = scene.filament, is_slack(scene)
+    across = distance(scene)
+    span = (filament.thickness * (1 + 1e-9), math.inf)
+    if filament.rest_length is not None:
+        # Beyond this span a taut filament would be slack, or a slack one taut, with an initial shape of another kind.
+        edge = math.sqrt(max(0.0, filament.rest_length**2 - scene.ends.drop**2))
+        span = (span[0], edge * (1 - 1e-9)) if slack else (max(span[0], edge), edge * math.e)
+    yield _positive("filament.span", "m", filament.span, span)
+    length = rest_length(scene)
+    given = filament.rest_length is not None and not math.isclose(length, across, rel_tol=1e-9)
+    limits = (across * (1 + 1e-9), 10 * across) if slack else (across / math.e, across * (1 - 1e-9))
+    if given:
+        yield _positive("filament.rest_length", "m", length, limits)
+    else:
+        found = "as long as the supports are apart: a longer filament hangs in its weight from the start, a shorter not"
+        yield replace(
+            _positive("filament.rest_length", "m", length, limits),
+            trouble=found,
+            remedy="a rough filament.rest_length in the scene, longer or shorter than that",
+        )
+    yield _positive("filament.thickness", "m", filament.thickness, (0.0, filament.span * (1 - 1e-9)))
+    if filament.section == "rectangle" or filament.width != filament.thickness:
+        yield _positive("filament.width", "m", filament.width)
+    yield _positive("filament.density", "kg/m^3", filament.density)
+
+
+def _of_surroundings(scene: Scene) -> Iterator[FreeParameter]:
+    load = scene.load
+    yield _positive("load.gravity", "m/s^2", load.gravity)
+    yield _positive("load.ramp", "s", load.ramp)
+    yield _positive("load.shake", "1", load.shake)
+    yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
+    yield _positive("load.point_mass", "kg", load.point_mass)
+    yield _positive("load.tip_mass", "kg", load.tip_mass)
+    for name, stiffness in scene.ends.springs.items():
+        yield _positive(f"ends.{name}", "N*m/rad" if "rotational" in name else "N/m", stiffness)
+    yield _surface_tension(scene)
+    yield _bath(scene, "density", "kg/m^3")
+    yield _bath(scene, "viscosity", "Pa*s")
+    yield _stretch(scene)
+    for table, name in (*_SIGNED, *((("filament", "twist"),) if is_spatial(scene) else ())):
+        value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
+        turned = name.endswith("angle")
+        if turned:
+            one = _signed(path, "rad", value, 1.0, (-_ANGLE, _ANGLE))
+        else:
+            one = _of_any_sign(path, "m" if name == "drop" else "1/m", value)
+        if value == 0:
+            found, remedy = "zero in the scene, so that its physics is left out", f"a rough {path} in the scene"
+            one = replace(one, trouble=found, remedy=remedy)
+        elif turned and is_symmetric(scene):
+            found = "only half of a symmetric filament is computed, whose clamps have equal angles"
+            one = replace(one, trouble=found, remedy="clamps at different angles in the scene")
+        yield one
+
+
+_KELVIN = ("initial", "ambient", "outside", "reference", "T_0")
+
+
+def _of_temperature(scene: Scene) -> Iterator[FreeParameter]:
+    heat = scene.temperature
+    if not heat.present:
+        return
+    in_force = choose_effects(scene).terms().heat is not None
+    for name, kind in kinds_of(type(heat)).items():
+        value, path = getattr(heat, name), f"temperature.{name}"
+        if value is None or not isinstance(kind, (Quantity, Number)):
+            continue
+        unit = _unit(kind)
+        if name in _KELVIN or is_history(value):
+            # Beyond these a law of the viscosity has no value.
+            most = heat.extremes(scene.run.duration)[0] * (1 - 1e-9) if name == "T_0" else math.inf
+            bounds, number = (float(value) / 1.5, min(1.5 * float(value), most)), float(value)
+            one = replace(_signed(path, unit, number, number / 10, bounds), limits=(0.0, most))
+            if is_history(value):
+                found, remedy = "a table of times in the scene, no number", f"one temperature as {path}"
+                one = replace(one, trouble=found, remedy=remedy)
+        else:
+            one = (_positive if value >= 0 and name != "A" else _of_any_sign)(path, unit, value)
+        if not one.trouble and not in_force:
+            found, remedy = "no effect in force depends on it", "temperature in run.effects"
+            one = replace(one, trouble=found, remedy=remedy)
+        yield one
+
+
+def _surface_tension(scene: Scene) -> FreeParameter:
+    plain = _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
+    if plain.trouble or pull_of_surface(scene) > 0:
+        return plain
+    found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
+    return replace(plain, trouble=found, remedy=remedy)
+
+
+def _bath(scene: Scene, key: str, unit: str) -> FreeParameter:
+    plain = replace(_positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key)), name=f"bath_{key}")
+    terms = choose_effects(scene).terms()
+    if plain.trouble or terms.drag or (key == "density" and (terms.buoyant or terms.added_mass)):
+        return plain
+    found, remedy = "no effect in force depends on it", "an effect in run.effects that does"
+    return replace(plain, trouble=found, remedy=remedy)
+
+
+def _stretch(scene: Scene) -> FreeParameter:
+    stretch = scene.initial.stretch
+    limits = (0.05, 20.0)
+    if not scene.initial.relaxed:
+        limits = (1 + 1e-9, math.e) if stretch > 1 else (0.05, 1 - 1e-9)
+    plain = _positive("initial.stretch", "1", stretch, limits)
+    if scene.filament.rest_length is not None:
+        found, remedy = "filament.rest_length is given, and determines the length", "rest_length"
+    elif stretch == 1:
+        found, remedy = "1 in the scene: neither stretched nor slack", "a rough initial.stretch in the scene"
+    else:
+        return plain
+    return replace(plain, trouble=found, remedy=remedy)
+
+
+def _of_measurement(scene: Scene) -> Iterator[FreeParameter]:
+    unit = time_scale(scene)
+    span, duration = scene.filament.span, scene.run.duration
+    sag = max(expected_sag(scene) * span, 1e-6 * span)
+    yield _signed(TIME_OFFSET, "s", 0.0, unit, (-duration, duration))
+    yield _signed(INITIAL_SAG, "m", 0.0, sag, (-span, span))
+    yield _positive(SCALE, "1", 1.0, (0.5, 2.0))
+    yield replace(_signed(TILT, "rad", 0.0, 1.0, (-0.3, 0.3)), limits=(-_ANGLE, _ANGLE))
+
+
+def why_not_free(scene: Scene, name: str, known: Mapping[str, FreeParameter]) -> Fault:
+    """Say why a name cannot be free: no such constant of the law, no number, or no such name."""
+    where, leaf = f"free {name}", name.rpartition(".")[2]
+    law, usable = scene.material.law, ", ".join(dict.fromkeys(one.name for one in known.values() if not one.trouble))
+    if (tensile_name(leaf) or leaf) in (*CONSTANTS, "index") and name in (leaf, f"material.{leaf}"):
+        # The name that the shear datum has for this law.
+        other = next(iter({rule.shear for rule in FROM_SHEAR if rule.constant == tensile_name(leaf)} & set(known)), "")
+        hint = f" (did you mean '{other}'?)" if other else ""
+        return Fault(where, f"the law '{law}' has no {leaf}{hint}", usable)
+    tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
+    if tables and tables != ["groups"]:
+        return Fault(where, "not a number that the motion of a filament depends on", usable)
+    return Fault(where, f"unknown{did_you_mean(leaf, [one.name for one in known.values()])}", usable)
+
+
+def _unit(kind: Kind) -> str:
+    return (kind.unit or SI_UNITS[kind.dimension] if isinstance(kind, Quantity) else "") or "1"
+
+
+Bounds = Mapping[str, tuple[object, object]]
+
 
 def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = None) -> tuple[FreeParameter, ...]:
     """Find the free parameters of a scene by their names."""
     refuse_settled(scene, "the filament is compared at the times of its measurements")
     found, faults = _found(scene, names)
-    chosen, of_bounds = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
-    if faults or of_bounds:
-        raise SceneError([*faults, *of_bounds])
-    return tuple(chosen)
+    bounds = bounds or {}
+    known = {key for one in found for key in (one.name, one.path)}
+    accepted = ", ".join(one.name for one in found) or "names that are free"
+    faults += [Fault(f"bounds of {name}", "not free", accepted) for name in bounds if name not in known]
+    for number, one in enumerate(found):
+        pair = bounds.get(one.name, bounds.get(one.path))
+        if pair is None:
+            continue
+        try:
+            low, high = (one.read(bound) for bound in pair)
+            found[number] = one.bounded(low, high)
+        except PydanticCustomError as error:
+            context = error.context or {}
+            faults.append(Fault(f"bounds of {one.name}", str(context["found"]), str(context["accepted"])))
+    if faults:
+        raise SceneError(faults)
+    return tuple(found)
 
 
-def _found(scene: Scene, names: Sequence[str]) -> tuple[list[Candidate], list[Fault]]:
-    """Candidates with these names, and a fault for every name without one."""
+def _found(scene: Scene, names: Sequence[str]) -> tuple[list[FreeParameter], list[Fault]]:
+    """Parameters with these names, and a fault for every name without one."""
     known = candidates(scene)
     by_name = {one.name: one for one in known} | {one.path: one for one in known}
-    found: list[Candidate] = []
+    found: list[FreeParameter] = []
     faults: list[Fault] = []
     if not names:
         faults.append(Fault("free", "nothing is free", "one name or more, such as youngs_modulus"))
     for name in names:
-        candidate = by_name.get(name)
-        if candidate is None:
+        one = by_name.get(name)
+        if one is None:
             faults.append(why_not_free(scene, name, by_name))
-        elif candidate.trouble:
-            faults.append(Fault(f"free {name}", candidate.trouble, candidate.remedy))
-        elif clash := _clash(candidate, found):
+            continue
+        same = next((other for other in found if other.path == one.path or other.constant == one.constant), None)
+        if one.trouble:
+            faults.append(Fault(f"free {name}", one.trouble, one.remedy))
+        elif same is not None:
+            clash = "named twice" if same.path == one.path else f"the same constant as {same.name}"
             faults.append(Fault(f"free {name}", clash, "each constant once"))
         else:
-            found.append(candidate)
+            found.append(one)
     return found, faults
-
-
-def _clash(candidate: Candidate, found: Sequence[Candidate]) -> str:
-    for other in found:
-        if other.path == candidate.path:
-            return "named twice"
-        if other.constant == candidate.constant:
-            return f"the same constant as {other.name}"
-    return ""
-
-
-def _free(candidate: Candidate) -> FreeParameter:
-    return FreeParameter(
-        name=candidate.name,
-        path=candidate.path,
-        unit=candidate.unit or "1",
-        typical=candidate.typical,
-        logarithmic=candidate.logarithmic,
-        scale=candidate.scale,
-        bounds=candidate.bounds,
-    )
-
-
-def _with_bounds(
-    free: list[FreeParameter], found: Sequence[Candidate], bounds: Bounds
-) -> tuple[list[FreeParameter], list[Fault]]:
-    faults = [
-        Fault(f"bounds of {name}", "not free", ", ".join(one.name for one in free) or "names that are free")
-        for name in bounds
-        if name not in {key for one in found for key in (one.name, one.path)}
-    ]
-    result = []
-    for one, candidate in zip(free, found, strict=True):
-        pair = bounds.get(one.name, bounds.get(one.path))
-        if pair is None:
-            result.append(one)
-            continue
-        try:
-            low, high = (candidate.read(bound) for bound in pair)
-        except PydanticCustomError as error:
-            faults.append(Fault(f"bounds of {one.name}", *_words(error)))
-            continue
-        fault = _of_bounds(one, low, high, candidate.limits)
-        faults += [fault] if fault else []
-        result.append(replace(one, bounds=(low, high)))
-    return result, faults
-
-
-def _words(error: PydanticCustomError) -> tuple[str, str]:
-    context = error.context or {}
-    return str(context["found"]), str(context["accepted"])
-
-
-def _of_bounds(one: FreeParameter, low: float, high: float, limits: tuple[float, float]) -> Fault | None:
-    where, unit = f"bounds of {one.name}", one.unit
-    if not low < high:
-        return Fault(where, f"{low:g} is not below {high:g} {unit}", "the lower one first")
-    if one.logarithmic and low <= 0:
-        return Fault(where, f"{low:g} {unit}, but {one.name} is positive", "a lower bound above zero")
-    if low < limits[0] * (1 - math.copysign(_ROUNDING, limits[0])) or high > limits[1] * (1 + _ROUNDING):
-        return Fault(where, f"{low:g} to {high:g} {unit}", f"within {limits[0]:.6g} to {limits[1]:.6g} {unit}")
-    if not low <= one.typical <= high and not one.of_measurement:
-        found = f"{low:g} to {high:g} {unit} does not hold the scene's own {one.typical:g}"
-        return Fault(where, found, f"bounds around it, or another {one.path} in the scene")
-    return None
 
 
 class Unknowns:

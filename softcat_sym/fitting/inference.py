@@ -85,7 +85,7 @@ class Profile:
     q: Floats  # shape (points,); Values at which the unknown was held, increasing, the optimum among them
     # shape (points,); (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k))
     # otherwise. For a robust loss, the rise of sum rho over
-    # :attr:`softcat_sym.fitting.identifiability.Noise.per_chi_square`.
+    # :attr:`softcat_sym.fitting.identifiability.Spread.per_chi_square`.
     increase: Floats
     others: Floats  # shape (points, k - 1); The other unknowns there
     threshold: float  # Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k)
@@ -440,6 +440,22 @@ class Inference:
     late: bool = False  # Whether the time limit passed before all profiles
 
 
+def information_at(problem: Judged, best: Optimum, loss: Loss) -> Information:
+    """Information of the free parameters at an optimum."""
+    asked = problem.asked
+    return information(
+        problem.names[:asked],
+        best.q[:asked],
+        best.residuals,
+        best.jacobian,
+        (problem.lower[:asked], problem.upper[:asked]),
+        noise_known=problem.noise_known,
+        logarithmic=problem.logarithmic[:asked],
+        loss=loss,
+        readings=problem.readings,
+    )
+
+
 def infer(
     problem: Judged,
     starts: MultiStartResult,
@@ -458,18 +474,7 @@ def infer(
     how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
     while True:
         best = starts.best
-        asked = problem.asked
-        known = information(
-            problem.names[:asked],
-            best.q[:asked],
-            best.residuals,
-            best.jacobian,
-            (problem.lower[:asked], problem.upper[:asked]),
-            noise_known=problem.noise_known,
-            logarithmic=problem.logarithmic[:asked],
-            loss=loss,
-            readings=problem.readings,
-        )
+        known = information_at(problem, best, loss)
         allowed, traced, better, also = None, list[Profile](), None, list[Optimum]()
         if not (known.determined.all() and known.identified.all()):
             allowed = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))

@@ -15,12 +15,12 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
+from softcat_sym.batch.executor import worker_count
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats, Layout
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.interrupts import check_time
@@ -50,7 +50,7 @@ class Starts:
     def __init__(self, assembled: Assembled, newton: Newton | None = None, *, follow: bool = True) -> None:
         self._graph, self._newton = assembled.graph, newton
         # In three dimensions the continuation from the natural shape takes only milliseconds in C.
-        spatial = assembled.theory.is_spatial
+        spatial = assembled.structure.recorded.theory.is_spatial
         self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns no balance is solved: the straight filament is the starting state.
@@ -145,20 +145,27 @@ def _pairs(
 
 
 @dataclass(frozen=True)
-class Begin:
-    """Starting state and parameters of a run, with their derivatives by the unknowns of a fit."""
+class Point:
+    """A filament with given values of its free parameters, ready to run, with derivatives by the k of them."""
 
+    q: Floats  # shape (k,); The unknowns of the scene
     start: Start  # Differential and algebraic states
     parameters: Floats  # shape (p,); In the order of the graph
-    times: Floats  # shape (n,); Increasing and positive, in units of the time scale
-    d_parameters: Floats  # shape (k, p); Derivatives by each unknown
-    d_x: Floats  # Derivatives of the start
+    length: float  # Rest length [m]
+    d_parameters: Floats  # shape (k, p); k = 0 if derivatives were not requested
+    d_x: Floats
     d_z: Floats
+    d_length: Floats
 
-    def moved(self, unknown: int, step: float) -> Begin:
-        """The start of a run with one unknown changed, to first order."""
-        start = Start(self.start.x + step * self.d_x[unknown], self.start.z + step * self.d_z[unknown])
-        return replace(self, start=start, parameters=self.parameters + step * self.d_parameters[unknown])
+    def moved(self, unknown: int, step: float) -> Point:
+        """The filament with one unknown changed, to first order."""
+        return replace(
+            self,
+            q=self.q + step * np.eye(self.q.size)[unknown],
+            start=Start(self.start.x + step * self.d_x[unknown], self.start.z + step * self.d_z[unknown]),
+            parameters=self.parameters + step * self.d_parameters[unknown],
+            length=self.length + step * float(self.d_length[unknown]),
+        )
 
 
 @dataclass(frozen=True)
@@ -212,40 +219,21 @@ class InterpretedForward:
         # One function for each pattern of times and each number of directions; both rarely change.
         self._function = lru_cache(maxsize=8)(self._make)
         self._forward = lru_cache(maxsize=8)(lambda key, count: self._function(*key).forward(count))
-        self._reverse = lru_cache(maxsize=8)(lambda key: self._function(*key).reverse(1))
 
-    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+    def run(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
-        key = self._key(begin, seen, max_steps)
-        values = _called(self._function(*key), *_inputs(begin))
-        return self._path(values, None, begin, seen)
+        values = _called(self._function(*_key(times, seen, max_steps)), *_inputs(point, times))
+        return self._path(values, None, (0, times.size, len(seen)))
 
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+    def run_with_slopes(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with exact forward derivatives."""
-        key, count = self._key(begin, seen, max_steps), len(begin.d_parameters)
-        inputs = _inputs(begin)
+        key, count, inputs = _key(times, seen, max_steps), len(point.d_parameters), _inputs(point, times)
         values = _called(self._function(*key), *inputs)
         slopes = None
         if values is not None and count:
-            seeds = (begin.d_x.T, begin.d_z.T, begin.d_parameters.T, np.zeros((1, count)))
+            seeds = (point.d_x.T, point.d_z.T, point.d_parameters.T, np.zeros((1, count)))
             slopes = _called(self._forward(key, count), *inputs, values, *seeds)
-        return self._path(values, slopes, begin, seen)
-
-    def pull_back(self, begin: Begin, seen: tuple[int, ...], max_steps: int, weights: Floats) -> Floats:
-        """Derivatives of a weighted sum of the requested unknowns, by the adjoint of the discrete solution."""
-        key, inputs = self._key(begin, seen, max_steps), _inputs(begin)
-        values = _called(self._function(*key), *inputs)
-        if values is None:
-            return np.full(len(begin.d_parameters), np.nan)
-        with watched():
-            pulled = self._reverse(key)(*inputs, values, weights.T)
-        x, z, p = (np.asarray(part, dtype=float).ravel() for part in pulled[:3])
-        return np.asarray(begin.d_x @ x + begin.d_z @ z + begin.d_parameters @ p, dtype=float)
-
-    def _key(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> tuple[tuple[float, ...], Any, int]:
-        # Later times are distances from the first, so that a shift of the clock needs no new integrator.
-        later = tuple(round(float(time), 12) for time in begin.times[1:] - begin.times[0])
-        return later, seen, max_steps
+        return self._path(values, slopes, (count, times.size, len(seen)))
 
     def _make(self, later: tuple[float, ...], seen: tuple[int, ...], max_steps: int) -> ca.Function:
         graph = self._graph
@@ -278,20 +266,21 @@ class InterpretedForward:
         found = call(x0=x, p=ca.vertcat(p, start, unit), **algebraic)
         return found["xf"], found["zf"]
 
-    def _path(self, values: ca.DM | None, slopes: ca.DM | None, begin: Begin, seen: tuple[int, ...]) -> Path:
-        count, shape = len(begin.d_parameters), (len(begin.times), len(seen))
+    def _path(self, values: ca.DM | None, slopes: ca.DM | None, shape: tuple[int, int, int]) -> Path:
+        """Values and slopes, shape (unknowns, times, seen), from CasADi's columns, one direction after another."""
         if values is None:
-            return Path(np.full(shape, np.nan), np.full((count, *shape), np.nan), 0, _FAILED)
-        rows = np.asarray(values, dtype=float).T
-        if slopes is None:
-            return Path(rows, None if count else np.zeros((0, *shape)), 0)
-        # Directions stand side by side.
-        each = np.asarray(slopes, dtype=float).T.reshape(count, *shape)
-        return Path(rows, each, 0)
+            return Path(np.full(shape[1:], np.nan), np.full(shape, np.nan), 0, _FAILED)
+        each = None if slopes is None else np.asarray(slopes, dtype=float).T.reshape(shape)
+        return Path(np.asarray(values, dtype=float).T, each, 0)
 
 
-def _inputs(begin: Begin) -> tuple[Floats, Floats, Floats, float]:
-    return begin.start.x, begin.start.z, begin.parameters, float(begin.times[0])
+def _key(times: Floats, seen: tuple[int, ...], max_steps: int) -> tuple[tuple[float, ...], Any, int]:
+    # Later times are distances from the first, so that a shift of the clock needs no new integrator.
+    return tuple(round(float(time), 12) for time in times[1:] - times[0]), seen, max_steps
+
+
+def _inputs(point: Point, times: Floats) -> tuple[Floats, Floats, Floats, float]:
+    return point.start.x, point.start.z, point.parameters, float(times[0])
 
 
 def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
@@ -327,13 +316,13 @@ class CompiledForward:
     # fibres that begin to yield change the Jacobian of a linearly implicit step discontinuously.
     jumps: bool = False
 
-    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+    def run(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
-        run, status = self._run(begin, max_steps), Status()
+        run, status = self._run(point, times, max_steps), Status()
         (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
         return self._path(answer.states, None, seen, status)
 
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+    def run_with_slopes(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with two-sided differences in lock-step; their error is about 1e-9.
 
         The neighbouring runs share the steps of the base run, and may fail where it does not: then the tolerance is
@@ -344,22 +333,22 @@ class CompiledForward:
         tolerance: its neighbours lie nearer, on both sides.
         """
         if self.jumps:
-            return self._separate_runs(begin, seen, max_steps)
+            return self._separate_runs(point, times, seen, max_steps)
         for tightening in _TIGHTENINGS:
-            run = self._run(begin, max_steps, tightening)
-            path, code = self._with_slopes(run, begin, seen)
-            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(begin, (), max_steps).message:
+            run = self._run(point, times, max_steps, tightening)
+            path, code = self._with_slopes(run, point, seen)
+            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(point, times, (), max_steps).message:
                 break
         return path
 
-    def _separate_runs(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
+    def _separate_runs(self, point: Point, times: Floats, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate the base run and one or two neighbours for every unknown, as many at a time as there are cores."""
         rings = self.settings.atol < _RINGING
         size = _APART_RINGING if rings else max(_APART * self.settings.rtol**0.5, _MIN_APART)
         steps = (-size, size) if rings else (size,)
-        count = len(begin.d_parameters)
-        runs = [begin, *(begin.moved(row, step) for row in range(count) for step in steps)]
-        base, *others = self._side_by_side(runs, seen, max_steps)
+        count = len(point.d_parameters)
+        runs = [point, *(point.moved(row, step) for row in range(count) for step in steps)]
+        base, *others = self._side_by_side(runs, times, seen, max_steps)
         ends = np.array([path.values for path in others]).reshape(count, len(steps), *base.values.shape)
         low, across = (ends[:, 0], 2 * size) if rings else (base.values, size)
         slopes = (ends[:, -1] - low) / across
@@ -367,16 +356,16 @@ class CompiledForward:
         moved = np.sqrt(np.mean(slopes**2, axis=(1, 2)))
         near = np.flatnonzero((moved * size < least) & (not rings)).tolist()
         further = least / np.maximum(moved[near], least / _FURTHEST)
-        runs = [begin.moved(row, step) for row, far in zip(near, further, strict=True) for step in (-far, far)]
-        paths = self._side_by_side(runs, seen, max_steps)
+        runs = [point.moved(row, step) for row, far in zip(near, further, strict=True) for step in (-far, far)]
+        paths = self._side_by_side(runs, times, seen, max_steps)
         for row, far, below, above in zip(near, further, paths[::2], paths[1::2], strict=True):
             slope = (above.values - below.values) / (2 * far)
             slopes[row] = np.where(np.isfinite(slope), slope, slopes[row])
         return replace(base, slopes=slopes)
 
-    def _side_by_side(self, runs: Sequence[Begin], seen: tuple[int, ...], max_steps: int) -> list[Path]:
+    def _side_by_side(self, runs: Sequence[Point], times: Floats, seen: tuple[int, ...], max_steps: int) -> list[Path]:
         """Integrate several runs, as many at a time as there are cores."""
-        inputs, statuses = [self._run(run, max_steps) for run in runs], [Status() for _ in runs]
+        inputs, statuses = [self._run(run, times, max_steps) for run in runs], [Status() for _ in runs]
         work = [
             lambda stop, run=run, status=status: self.filament.model.integrate(run, status, stop)
             for run, status in zip(inputs, statuses, strict=True)
@@ -384,18 +373,18 @@ class CompiledForward:
         answers = _watched(*work)
         return [self._path(answer.states, None, seen, status) for answer, status in zip(answers, statuses, strict=True)]
 
-    def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
+    def _with_slopes(self, run: RunInput, point: Point, seen: tuple[int, ...]) -> tuple[Path, int]:
         """Integrate once on each core, each with a share of the neighbouring runs; all take the same steps."""
-        count, sites = len(begin.d_parameters), self.filament.sites
+        count, sites = len(point.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
-        moved[:, sites.x], moved[:, sites.z] = begin.d_x, begin.d_z
+        moved[:, sites.x], moved[:, sites.z] = point.d_x, point.d_z
         shares = np.array_split(np.arange(count), max(1, min(worker_count(None), count)))
         statuses = [Status() for _ in shares]
 
         def part(number: int) -> Callable[[ct.c_int], tuple[Floats, Floats]]:
             own, status = shares[number], statuses[number]
             directions = Directions(
-                begin.d_parameters[own], moved[own].reshape(len(own), *sites.shape), np.full(len(own), _SIZE)
+                point.d_parameters[own], moved[own].reshape(len(own), *sites.shape), np.full(len(own), _SIZE)
             )
             return lambda stop: self.filament.model.sensitivities(run, directions, status, stop)
 
@@ -406,12 +395,12 @@ class CompiledForward:
         states = answers[statuses.index(worst)][0]
         return self._path(states, slopes, seen, worst), int(worst.code)
 
-    def _run(self, begin: Begin, max_steps: int, tightening: float = 1.0) -> RunInput:
+    def _run(self, point: Point, times: Floats, max_steps: int, tightening: float = 1.0) -> RunInput:
         return RunInput(
-            parameters=np.ascontiguousarray(begin.parameters),
+            parameters=np.ascontiguousarray(point.parameters),
             places=self.filament.places,
-            state=self.filament.sites.state(begin.start.x, begin.start.z),
-            times=np.concatenate([[0.0], begin.times]),
+            state=self.filament.sites.state(point.start.x, point.start.z),
+            times=np.concatenate([[0.0], times]),
             relative=self.settings.rtol * tightening,
             absolute=self.settings.atol * tightening,
             work_absolute=self.settings.atol if self.controls_work else 0.0,
@@ -445,23 +434,6 @@ def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
 
 _STEP = 1e-5  # In unknowns of order one; differences of smooth formulas err by 1e-10
 _FURTHER = 1e-3  # In unknowns, to find the supports that free parameters move
-
-
-@dataclass(frozen=True)
-class Point:
-    """The filament with given values."""
-
-    start: Start  # Starting state
-    parameters: Floats  # shape (p,); Of the graph
-    length: float  # Rest length [m]
-    d_parameters: Floats  # Derivatives by each unknown of the scene; k = 0 if they were not requested
-    d_x: Floats
-    d_z: Floats
-    d_length: Floats
-
-    def begin(self, times: Floats) -> Begin:
-        """A run from here through these times, in units of the time scale."""
-        return Begin(self.start, self.parameters, times, self.d_parameters, self.d_x, self.d_z)
 
 
 class FrozenFilament:
@@ -510,9 +482,15 @@ class FrozenFilament:
         """The scene with the values of these unknowns, without those of the measurement."""
         return with_values(self._scene, self.free, [one.value(float(x)) for one, x in zip(self.free, q, strict=True)])
 
-    def parameters(self, q: Floats) -> Floats:
-        """Parameters of the graph for these unknowns of the scene."""
-        return self.graph.vector(parameter_values(self.scene_of(q)) | {TIME_SCALE: self.scale})
+    def parameters(self, scene: Scene) -> Floats:
+        """Parameters of the graph for the scene with other values."""
+        return self.graph.vector(parameter_values(scene) | {TIME_SCALE: self.scale})
+
+    @cached_property
+    def unknowns(self) -> list[_Unknown]:
+        """Kind and place of every unknown of the state, differential ones first."""
+        graph = self.graph
+        return [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
 
     @cached_property
     def support(self) -> Callable[[int], ca.Function]:
@@ -545,14 +523,14 @@ class FrozenFilament:
         scene = self.scene_of(q)
         if not scene.filament.thickness < scene.filament.span:
             return None
-        values = self.parameters(q)
+        values = self.parameters(scene)
         if not np.all(np.isfinite(values)):
             return None
         start = self._starts.at(scene, values, near, settle=settle)
         if start is None:
             return None
         p, x, z = (np.zeros((0, part.size)) for part in (values, start.x, start.z))
-        return Point(start, values, rest_length(scene), p, x, z, np.zeros(0))
+        return Point(q, start, values, rest_length(scene), p, x, z, np.zeros(0))
 
     def _integrator_for(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
         scene = self._scene
@@ -601,6 +579,6 @@ def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) ->
     """The assembled filament; every support that a free parameter can move is an input of its graph."""
     typical = assembled(scene, effects)
     moved = with_values(scene, free, [one.value(one.scaled(one.typical) - _FURTHER) for one in free])
-    if choose_body(moved, choose_grid(scene, effects)).supports == typical.body.supports:
+    if choose_body(moved, choose_grid(scene, effects)).supports == typical.structure.recorded.body.supports:
         return typical
     return assembled(moved, effects)

@@ -86,28 +86,13 @@ class Loss:
 LINEAR = Loss()
 
 
-@dataclass(frozen=True, eq=False)
 class Fixed:
-    """A problem with one unknown held at a value."""
+    """A problem with one unknown held at a value of q."""
 
-    whole: LeastSquares
-    index: int  # Number of the unknown that is held
-    at: float  # Value of q at which it is held
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Names of the other unknowns."""
-        return self.whole.names[: self.index] + self.whole.names[self.index + 1 :]
-
-    @property
-    def lower(self) -> Floats:
-        """Lower bounds of the others."""
-        return np.delete(self.whole.lower, self.index)
-
-    @property
-    def upper(self) -> Floats:
-        """Upper bounds of the others."""
-        return np.delete(self.whole.upper, self.index)
+    def __init__(self, whole: LeastSquares, index: int, at: float) -> None:
+        self.whole, self.index, self.at = whole, index, at
+        self.names = whole.names[:index] + whole.names[index + 1 :]
+        self.lower, self.upper = np.delete(whole.lower, index), np.delete(whole.upper, index)
 
     def residuals(self, q: Floats) -> Floats:
         """Residuals of the whole problem."""
@@ -342,10 +327,6 @@ def check_in_box(problem: LeastSquares, q: Floats) -> Floats:
     return at
 
 
-# Per kind of callback: names of its inputs and outputs, as CasADi's nlpsol expects them.
-_INPUTS = {"value": ("x",), "gradient": ("x", "p"), "hessian": ("x", "p", "lam_f", "lam_g")}
-
-
 def _by_ipopt(model: _Model, max_evaluations: int) -> Optimum:
     """Minimise by IPOPT within the box; the loss is scaled to half the number of data at the start."""
     problem, start, raised = model.problem, model.first.q, list[BaseException]()
@@ -362,7 +343,9 @@ def _by_ipopt(model: _Model, max_evaluations: int) -> Optimum:
         return [ca.DM(scale * point.value), ca.DM(scale * (columns.T @ values))]
 
     x = ca.MX.sym("x", start.size)
-    value, gradient, hessian = (_Callback(outputs, kind, start.size, raised) for kind in _INPUTS)
+    value, gradient, hessian = (
+        _Callback(outputs, kind, start.size, raised) for kind in ("value", "gradient", "hessian")
+    )
     # The model is not evaluated outside the box, and the loss is already scaled.
     own = {"print_level": 0, "sb": "yes", "bound_relax_factor": 0.0, "nlp_scaling_method": "none", "max_soc": 0}
     quiet = {"print_time": False, "show_eval_warnings": False, "error_on_fail": False}
@@ -395,7 +378,7 @@ def _by_ipopt(model: _Model, max_evaluations: int) -> Optimum:
 
 
 class _Callback(ca.Callback):
-    """Value, gradient or Hessian of the loss as a CasADi function."""
+    """Value, gradient or Hessian of the loss as a CasADi function, with the inputs that nlpsol gives it."""
 
     def __init__(
         self,
@@ -405,39 +388,34 @@ class _Callback(ca.Callback):
         raised: list[BaseException],
     ) -> None:
         ca.Callback.__init__(self)
-        self._outputs, self._kind, self._unknowns, self._raised = outputs, kind, unknowns, raised
+        of_all, one = ca.Sparsity.dense(unknowns, 1), ca.Sparsity.dense(1, 1)
+        none = ca.Sparsity(0, 0)
+        self._given = {"value": [of_all], "gradient": [of_all, none], "hessian": [of_all, none, one, none]}[kind]
+        self._taken = {"value": [one], "gradient": [one, of_all], "hessian": [ca.Sparsity.upper(unknowns)]}[kind]
+        self._outputs, self._kind, self._raised = outputs, kind, raised
         self.construct(f"model_{kind}", {})
 
     def get_n_in(self) -> int:
-        return len(_INPUTS[self._kind])
+        return len(self._given)
 
     def get_n_out(self) -> int:
-        return 2 if self._kind == "gradient" else 1
-
-    def get_name_in(self, k: int) -> str:
-        return _INPUTS[self._kind][k]
-
-    def get_name_out(self, k: int) -> str:
-        return "triu_hess_gamma_x_x" if self._kind == "hessian" else ("f", "grad_f_x")[k]
+        return len(self._taken)
 
     def get_sparsity_in(self, k: int) -> ca.Sparsity:
-        shapes = {"x": (self._unknowns, 1), "p": (0, 0), "lam_f": (1, 1), "lam_g": (0, 0)}
-        return ca.Sparsity.dense(*shapes[_INPUTS[self._kind][k]])
+        return self._given[k]
 
     def get_sparsity_out(self, k: int) -> ca.Sparsity:
-        if self._kind == "hessian":
-            return ca.Sparsity.upper(self._unknowns)
-        return ca.Sparsity.dense(1 if k == 0 else self._unknowns, 1)
+        return self._taken[k]
 
     def eval(self, arguments: Sequence[ca.DM]) -> list[ca.DM]:
         if not self._raised:
             try:
                 if found := self._outputs(self._kind, arguments):
-                    return found[: self.get_n_out()]
+                    return found[: len(self._taken)]
             except BaseException as error:  # noqa: BLE001 - CasADi would swallow it; the caller of IPOPT raises it
                 self._raised.append(error)
         # IPOPT shortens its step at NaN, and ends soon if every further value is NaN.
-        return [ca.DM(self.get_sparsity_out(k), np.nan) for k in range(self.get_n_out())]
+        return [ca.DM(one, np.nan) for one in self._taken]
 
 
 SAME_FIT = 0.1

@@ -31,6 +31,7 @@ from softcat_sym.scene.csv_reader import (
     text_of,
     unit_of,
 )
+from softcat_sym.scene.scene import known_keys
 from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
 
 TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
@@ -171,8 +172,6 @@ _FORM = "key = value, such as # filament.span = 5 mm"
 
 def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
     """Read the overrides among the comments of a file."""
-    from softcat_sym.scene.scene import known_keys
-
     tables = {name: keys for name, keys in known_keys().items() if name}
     overrides: dict[str, str] = {}
     faults: list[Fault] = []

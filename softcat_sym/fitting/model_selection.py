@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import pandas as pd
@@ -15,19 +14,17 @@ from scipy.optimize import minimize_scalar
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
-from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import fit
-from softcat_sym.fitting.flow_curve import REPLACED, FlowCurve
+from softcat_sym.fitting.fit import FitOptions, fit
+from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit
-from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, kind_of_constant
+from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
-from softcat_sym.solvers.solution import Progress
 
 CLOSE = 10.0
 """Difference of the criterion above which a law is ruled out (Burnham and Anderson 2002, section 2.6) if the penalty of
@@ -77,23 +74,11 @@ class ModelChoice:
 def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, independent: float = 1.0) -> ModelChoice:
     """Rank laws that were fitted to the same data.
 
-    Parameters
-    ----------
-    laws : sequence of FittedLaw
-        The fits.
-    points : int
-        Number m of data.
-    noise_known : bool
-        Whether the squares are chi^2: then the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
-        :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
-    independent : float
-        Share of the data that are independent of each other; differences count by this share.
-
-    Returns
-    -------
-    ModelChoice
-        The best law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the
-        best and gains less by its further constants than half their penalty.
+    If the noise is known, the squares are chi^2 and the criterion is chi^2 + 2 k, Akaike's. Otherwise it is
+    :data:`softcat_sym.fitting.criterion.CRITERION`, and AIC and BIC count the variance as one more constant.
+    `independent` is the share of the data that are independent of each other; differences count by this share. The best
+    law is the verdict if all laws were fitted, and every other is ruled out (see `CLOSE`) or contains the best and
+    gains less by its further constants than half their penalty.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
@@ -123,7 +108,7 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool, i
 
 
 def _contains(wider: str, narrower: str) -> bool:
-    inside = LIMITS.get(wider, {})
+    inside = spec_of(wider).limits
     return narrower in inside or any(_contains(one, narrower) for one in inside)
 
 
@@ -174,40 +159,40 @@ def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, fl
     sag = max((float(np.max(np.abs(height))) for _, height in seen), default=0.0) / span or _SAG
     as_string, as_beam = 3 / 64 * weight / sag**3, weight * span**2 / (32 * sag * thickness**2)
     modulus = 1 / (1 / as_string + 1 / as_beam)
-    held = law in ("kelvin-voigt", "standard-linear", "bingham", "herschel-bulkley")
-    solid = law in ("elastic", "kelvin-voigt")
+    spec = LAWS[law]
+    held = spec.is_solid or spec.yields
     return {
-        "youngs_modulus": modulus * (1.0 if solid else _STIFFER),
+        "youngs_modulus": modulus * (_STIFFER if spec.flows else 1.0),
         "second_modulus": modulus,
         "yield_stress": weight / (8 * sag),
         "viscosity": modulus * longest * (_SOONER if held else 1.0),
     }
 
 
-FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("custom", *POLYMERS))
+FITTED = tuple(one.name for one in LAWS.values() if one.constants and not one.lists and not one.has_chains)
 """Laws with a fixed set of constants that a sag determines roughly; a film cannot separate polymer and solvent."""
 
 
 def constants_of(law: str) -> tuple[str, ...]:
     """Names of all constants of one of :data:`FITTED`, its index included."""
-    return (*CONSTANTS[law], *(("index",) if law in INDEXED else ()))
+    return (*LAWS[law].constants, *(("index",) if LAWS[law].has_index else ()))
 
 
 def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
     """Give a scene another law, with the scene's own constants where it has them and rough ones otherwise."""
-    material, rough = scene.material, rough_constants(scene, films, law)
-    index = material.index if law in INDEXED and material.law in INDEXED else 1.0
+    material, spec, rough = scene.material, LAWS[law], rough_constants(scene, films, law)
+    index = material.index if spec.has_index else 1.0
     # A consistency is not a viscosity, and the rough value holds only for an index of one.
-    same = (material.law in INDEXED) == (law in INDEXED) or material.index == 1
+    same = material.spec.has_index == spec.has_index or material.index == 1
     changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes["material.law"] = law
-    if law not in FITTED or "youngs_modulus" not in CONSTANTS[law]:
+    if law not in FITTED or "youngs_modulus" not in spec.constants:
         changes["material.youngs_modulus"] = None
-    for name in CONSTANTS[law]:
+    for name in spec.constants:
         own = getattr(material, name)
         keeps = own is not None and (name != "viscosity" or same)
         changes[f"material.{name}"] = kind_of_constant(name, law, index).write(own if keeps else rough[name])
-    if law in INDEXED:
+    if spec.has_index:
         changes["material.index"] = index
     if isinstance(scene.run.effects, str):
         return scene.replace(changes)
@@ -226,47 +211,10 @@ def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
     return names
 
 
-# Factors on rough constants in the limit of a narrower law: a modulus so large that elastic stretch is negligible, or a
-# stress or modulus so small that it carries no load. A fit's bounds are a thousand times wider either way.
-_STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
-
-
-@dataclass(frozen=True)
-class _Limit:
-    """Constants with which a wider law behaves as a narrower one."""
-
-    factors: Mapping[str, float]  # Factors on rough constants, for constants that only the wider law has
-    # Constants of the wider law that equal a constant of another name of the narrower law.
-    renamed: Mapping[str, str] = field(default_factory=dict)
-
-
-# Keys are the wider law, then the narrower one; an index starts at one. The elastic law is left out: a law that flows
-# has a relaxation time that distinguishes it.
-LIMITS: dict[str, dict[str, _Limit]] = {
-    "maxwell": {"newtonian": _Limit({"youngs_modulus": _STIFF})},
-    "kelvin-voigt": {"newtonian": _Limit({"youngs_modulus": _WEAK})},
-    "standard-linear": {
-        "maxwell": _Limit({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
-        "kelvin-voigt": _Limit({"second_modulus": _STIFFER_THAN_WIDER}),
-    },
-    "bingham": {
-        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-        "maxwell": _Limit({"yield_stress": _WEAK}),
-    },
-    "power-law": {"newtonian": _Limit({"youngs_modulus": _STIFF}), "maxwell": _Limit({})},
-    "herschel-bulkley": {
-        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-        "maxwell": _Limit({"yield_stress": _WEAK}),
-        "bingham": _Limit({}),
-        "power-law": _Limit({"yield_stress": _WEAK}),
-    },
-}
-
-
 def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
     """Write a fitted filament in the constants of a law that contains its own."""
     narrower = fitted.material.law
-    limit = LIMITS[law][narrower]
+    limit = LAWS[law].limits[narrower]
     scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
     values = {name: factor * rough[name] for name, factor in limit.factors.items()}
     values |= {name: float(getattr(fitted.material, own)) for name, own in limit.renamed.items()}
@@ -464,49 +412,24 @@ _NO_WORSE = 1e-6
 Bounds = Mapping[str, tuple[object, object]]
 
 
-@dataclass(frozen=True)
-class _Request:
-    """Options with which every law is fitted."""
-
-    films: Measurements
-    also_free: tuple[str, ...]
-    bounds: Bounds
-    how: Mapping[str, Any]  # Further arguments of a fit
-
-    def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: Progress | None = None) -> Fit:
-        """Fit all constants of the scene's own law."""
-        names = [*constants_of(scene.material.law), *self.also_free]
-        leaves = {name.rpartition(".")[2] for name in names}
-        bounds = {name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves}
-        # Films without corrections: a fit makes and notes its own.
-        how: dict[str, Any] = {"starts": starts, "profiles": profiles, "progress": progress, **self.how}
-        return fit(self.films, scene, names, bounds=bounds, **how)
+def _fitted(films: Measurements, scene: Scene, also_free: Sequence[str], options: FitOptions) -> Fit:
+    """Fit all constants of the scene's own law, within their bounds among those of all laws."""
+    names = [*constants_of(scene.material.law), *also_free]
+    leaves = {name.rpartition(".")[2] for name in names}
+    bounds = options.get("bounds") or {}
+    own = {name: pair for name, pair in bounds.items() if name.rpartition(".")[2] in leaves}
+    bounded: FitOptions = {**options, "bounds": own}
+    # Films without corrections: a fit makes and notes its own.
+    return fit(films, scene, names, **bounded)
 
 
 def fit_law(
-    measurements: Films,
-    scene: Scene,
-    law: str,
-    *,
-    also_free: Sequence[str] = (),
-    bounds: Bounds | None = None,
-    loss: Loss = LINEAR,
-    starts: int = STARTS,
-    profiles: bool = True,
-    seed: int = 0,
-    calibrated: bool = False,
-    discrepancy: bool = True,
-    time_limit: float | None = None,
-    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
-    progress: Progress | None = None,
+    measurements: Films, scene: Scene, law: str, *, also_free: Sequence[str] = (), **options: Unpack[FitOptions]
 ) -> Fit:
     """Fit every constant of one law, which may differ from the scene's; the arguments are those of :func:`fit_laws`."""
-    _refuse([law], also_free, bounds or {}, fewest=1)
+    _refuse([law], also_free, options.get("bounds") or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    how = {"loss": loss, "seed": seed, "calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
-    how |= {"flow_curve": flow_curve}
-    request = _Request(read, tuple(also_free), bounds or {}, how)
-    return request.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
+    return _fitted(read, scene_of_law(scene, law, checked(read, scene)), also_free, options)
 
 
 def fit_laws(
@@ -515,18 +438,7 @@ def fit_laws(
     laws: Sequence[str],
     *,
     also_free: Sequence[str] = (),
-    bounds: Bounds | None = None,
-    loss: Loss = LINEAR,
-    starts: int = STARTS,
-    profiles: bool = False,
-    backend: str = "auto",
-    rtol: float | None = None,
-    seed: int = 0,
-    calibrated: bool = False,
-    discrepancy: bool = True,
-    time_limit: float | None = None,
-    flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[FitOptions],
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by :data:`softcat_sym.fitting.criterion.CRITERION`.
 
@@ -535,62 +447,63 @@ def fit_laws(
 
     Parameters
     ----------
+    measurements : Measurements, path or sequence of paths
+        As for :func:`softcat_sym.fitting.fit`.
     scene : Scene
         The filament; the constants of its material are starting values of every law that has them.
     laws : sequence of str
         Two or more of :data:`FITTED`.
     also_free : sequence of str
         Further free parameters, such as ``["time_offset"]``.
-    bounds : mapping, optional
-        As for :func:`softcat_sym.fitting.fit`; each law takes those of its own constants.
-    profiles : bool
-        Whether the law that ranks first is fitted again, with intervals from profile likelihoods.
-    time_limit : float, optional
-        Seconds for each law.
-    measurements, loss, starts, backend, rtol, seed, calibrated, discrepancy, flow_curve, progress
-        As for :func:`softcat_sym.fitting.fit`.
+    **options
+        As for :func:`softcat_sym.fitting.fit`; each law takes the bounds of its own constants, and the time limit.
+        With ``profiles``, by default not, the law that ranks first is fitted again, with profile likelihoods.
 
     Raises
     ------
     SoftcatError
         If a law is unknown or named twice, or none can be fitted.
     """
-    _refuse(laws, also_free, bounds or {})
+    _refuse(laws, also_free, options.get("bounds") or {})
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    seen = checked(read, scene)
-    how = {"loss": loss, "backend": backend, "rtol": rtol, "seed": seed}
-    how |= {"calibrated": calibrated, "discrepancy": discrepancy, "time_limit": time_limit}
-    how |= {"flow_curve": flow_curve}
-    request = _Request(read, tuple(also_free), bounds or {}, how)
+    seen, loss, progress = checked(read, scene), options.get("loss", LINEAR), options.get("progress")
+    quick: FitOptions = {**options, "profiles": False}
+    again: FitOptions = {**quick, "starts": 0, "progress": None}
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}
     restarted: dict[str, str] = {}
     # Every law is fitted after those that it contains.
-    for number, law in enumerate(sorted(laws, key=lambda law: len(LIMITS.get(law, {})))):
+    for number, law in enumerate(sorted(laws, key=lambda law: len(LAWS[law].limits))):
         if progress is not None:
             progress.stage(law)
             progress.reach(number / len(laws), f"{number + 1} of {len(laws)}")
         try:
-            fits[law] = request.fitted(scene_of_law(scene, law, seen), starts)
+            fits[law] = _fitted(read, scene_of_law(scene, law, seen), also_free, {**quick, "progress": None})
         except SoftcatError as error:
             failures[law] = str(error)
         narrower = _better_contained(law, fits, loss)
-        if narrower and _restarted(law, narrower, request, seen, fits):
+        if not narrower:
+            continue
+        try:
+            wider = _fitted(read, widened(fits[narrower].fitted_scene, law, seen), also_free, again)
+        except SoftcatError:
+            continue
+        if _is_better(wider, fits.get(law), loss):
+            fits[law], restarted[law] = wider, narrower
             failures.pop(law, None)
-            restarted[law] = narrower
     found = compared(laws, fits, failures, loss, len(also_free))
     found = replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
-    if not profiles:
+    if not options.get("profiles"):
         return found
     # The best law is fitted again with profiles, from the scene of its best fit.
     name = found.choice.table[0].law.name
-    again = request.fitted(found.best.scene, starts, profiles=True, progress=progress)
-    return replace(found, fits={**found.fits, name: again})
+    best = _fitted(read, found.best.scene, also_free, {**options, "profiles": True})
+    return replace(found, fits={**found.fits, name: best})
 
 
 def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     """The best law that this one contains, if this one has no fit or a worse one; otherwise empty."""
-    near = {name: fits[name] for name in (law, *LIMITS.get(law, {})) if name in fits and fits[name].outcome.converged}
+    near = {name: fits[name] for name in (law, *LAWS[law].limits) if name in fits and fits[name].outcome.converged}
     if not near or set(near) == {law}:
         return ""
     values = loss_values(loss, near, known=next(iter(near.values())).noise_known)
@@ -599,19 +512,12 @@ def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     return best if own > values[best] * (1 + _NO_WORSE) else ""
 
 
-def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, fits: dict[str, Fit]) -> bool:
-    """Fit a law from the optimum of a narrower one; keep that fit if it is better, and return whether it is."""
-    try:
-        again = request.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
-    except SoftcatError:
-        return False
-    former = fits.get(law)
-    if former is not None and former.outcome.converged:
-        values = loss_values(request.how["loss"], {"former": former, "again": again}, known=former.noise_known)
-        if not (again.outcome.converged and values["again"] < values["former"]):
-            return False
-    fits[law] = again
-    return True
+def _is_better(one: Fit, former: Fit | None, loss: Loss) -> bool:
+    """Whether a fit has converged to a lower loss than a former one, or that has not converged."""
+    if former is None or not former.outcome.converged:
+        return True
+    values = loss_values(loss, {"former": former, "again": one}, known=former.noise_known)
+    return one.outcome.converged and values["again"] < values["former"]
 
 
 def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:

@@ -21,7 +21,7 @@ from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.identifiability import Noise, is_identified
+from softcat_sym.fitting.identifiability import Spread, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
 from softcat_sym.fitting.problem import Marginal
@@ -46,6 +46,8 @@ _STEPS = 4
 _MAX_DEPTH = 6
 # Smallest distance of the centre from a bound, as a share of the width between the bounds.
 _EDGE = 1e-4
+# Difference of q for the curvature of a prior.
+_CURVED = 1e-3
 # Value of the function that is minimised for the mode, where the model has no answer.
 _NO_ANSWER = 1e15
 _LEVEL = 0.95
@@ -88,34 +90,20 @@ class PosteriorOutcome(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
-    """Draws of the parameters, given the data.
+    """Draws of the parameters, given the data."""
 
-    Attributes
-    ----------
-    data : arviz.InferenceData
-        Groups `posterior` (SI, by the names of the parameters), `sample_stats`, `prior` and `observed_data`.
-    parameters : dict of str to dict
-        For each: mean, sd, median, hdi95 and eti95 (interval of highest density, and between quantiles), ess_bulk,
-        ess_tail, r_hat.
-    priors : tuple of Prior
-        In the order of the parameters.
-    outcome : PosteriorOutcome
-        Whether the posterior can be used.
-    divergences, draws, asked : int
-        Steps that failed after tuning; draws of each chain, and the requested number of draws.
-    evaluations, seconds : int, float
-        Evaluations of the model with its derivatives, and their duration.
-    """
-
+    # arviz.InferenceData with the groups `posterior` (SI, by names), `sample_stats`, `prior` and `observed_data`
     data: Any
+    # For each: mean, sd, median, hdi95 and eti95 (interval of highest density, and between quantiles), ess_bulk,
+    # ess_tail, r_hat
     parameters: dict[str, dict[str, Any]]
-    priors: tuple[Prior, ...]
-    outcome: PosteriorOutcome
-    divergences: int
-    draws: int
-    asked: int
-    evaluations: int
-    seconds: float
+    priors: tuple[Prior, ...]  # In the order of the parameters
+    outcome: PosteriorOutcome  # Whether the posterior can be used
+    divergences: int  # Steps that failed after tuning
+    draws: int  # Of each chain
+    asked: int  # Requested number of draws
+    evaluations: int  # Of the model with its derivatives
+    seconds: float  # Their duration
 
     @property
     def message(self) -> str:
@@ -176,19 +164,8 @@ def posterior_of(
 ) -> Posterior:
     """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
-    Parameters
-    ----------
-    fit : Fit
-        With an optimum.
-    priors : mapping of str to str, optional
-        Prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them.
-    draws, seed, time_limit, progress
-        As for :func:`sample`.
-
-    Raises
-    ------
-    SoftcatError
-        As for :func:`sample`; or if no optimum was found, or with a robust loss.
+    `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them; the other
+    arguments are those of :func:`sample`. A fit without an optimum, or with a robust loss, is refused.
     """
     if fit.loss.kind != "linear":
         raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
@@ -213,49 +190,22 @@ def sample(
     chains: int = CHAINS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
-    noise: Noise | None = None,
+    noise: Spread | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
-    """Draw from the posterior of a problem of least squares.
+    """Draw from the posterior of a problem of least squares, around its best fit.
 
     The likelihood is Gaussian. Where the noise is not known, its deviation has Jeffreys' prior 1/s and is integrated
     out: the logarithm is then -m/2 log(r.r) of m residuals r. If r has rows of priors, which do not tell the noise, it
     is -(f + k)/2 log(f s^2 + r.r - r0.r0), where s and f are the deviation and degrees of freedom of the readings at
-    the best fit, and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+    the best fit (`noise`), and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+    Where residuals are NaN the model has no answer, and there is no density.
 
     Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the mode, so that a short
     tuning suffices. Chains run one after another: a model with a memory of its last evaluation gives the same draws
-    again.
-
-    Parameters
-    ----------
-    problem : Sampled
-        Residuals with derivatives; where they are NaN the model has no answer, and there is no density.
-    best : ndarray, shape (k,)
-        The unknowns at the best fit.
-    priors : sequence of Prior
-        Of the k unknowns: :func:`softcat_sym.fitting.priors.read_priors`.
-    draws, tune, chains, seed : int
-        Draws of each chain after `tune` tuning steps; convergence cannot be assessed with a single chain.
-    time_limit : float
-        Seconds. A longer estimate is refused beforehand; chains that reach the limit end with the draws so far.
-    noise : Noise, optional
-        Of the readings at the best fit; without it all residuals are readings.
-    observed : mapping of str to ndarray, optional
-        Measurements, stored with the draws.
-    progress : Progress, optional
-        Receiver of progress reports.
-
-    Returns
-    -------
-    Posterior
-        Draws and an outcome, which tells whether they can be used.
-
-    Raises
-    ------
-    SoftcatError
-        If nutpie is missing, the time does not suffice, or the model has no answer near the best fit.
+    again. Convergence cannot be assessed with a single chain. If the estimated duration exceeds `time_limit` [s] the
+    posterior is refused beforehand; chains that reach the limit end with the draws so far.
     """
     nutpie, arviz = packages()
     if min(draws, tune, chains) < 1:
@@ -288,7 +238,8 @@ def sample(
         )
     data = arviz.concat([part.isel(draw=slice(least)) for part in parts], dim="chain")
     random = np.random.default_rng([seed, chains])
-    before = {one.free.name: _in_si(one, one.draw(random, _PRIOR_DRAWS))[None] for one in priors}
+    drawn = {one.free.name: one.draw(random, _PRIOR_DRAWS).tolist() for one in priors}
+    before = {one.free.name: np.array([[one.free.value(q) for q in drawn[one.free.name]]]) for one in priors}
     data.extend(arviz.from_dict(prior=before, observed_data=dict(observed) if observed else None))
     for one in priors:
         for group in (data.posterior, data.prior):
@@ -323,7 +274,7 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Noise | None = None) -> None:
+    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Spread | None = None) -> None:
         self._problem, self._priors, self._noise = problem, priors, noise
         # Added to r.r, and the number of readings that count, where the noise is integrated out.
         self._added, self._count = 0.0, 0
@@ -392,17 +343,14 @@ class _Density:
         squares = float(residuals @ residuals) + self._added
         variance = 1.0 if self._problem.noise_known else max(squares, _TINY) / self._count
         scaled = jacobian * stretch / math.sqrt(variance)
-        curvature = [max(-_second(one, float(x)), 0.0) for one, x in zip(self._priors, q, strict=True)]
-        precision = scaled.T @ scaled + np.diag(stretch**2 * curvature + 2 * share * (1 - share))
+        curvature = []
+        for one, x in zip(self._priors, q.tolist(), strict=True):
+            low, high = max(x - _CURVED, one.lower), min(x + _CURVED, one.upper)
+            curvature.append(max((one.slope(low) - one.slope(high)) / (high - low), 0.0))
+        precision = scaled.T @ scaled + np.diag(stretch**2 * np.array(curvature) + 2 * share * (1 - share))
         lower = np.linalg.cholesky(precision)
         self._centre = logit(share)
         self._spread = solve_triangular(lower, np.eye(q.size), lower=True, trans="T")
-
-
-def _second(prior: Prior, q: float, step: float = 1e-3) -> float:
-    """Second derivative of a prior's logarithm."""
-    low, high = max(q - step, prior.lower), min(q + step, prior.upper)
-    return (prior.slope(high) - prior.slope(low)) / (high - low)
 
 
 def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int, seed: list[int], until: float) -> Any:
@@ -456,10 +404,6 @@ def _chain(nutpie: Any, density: _Density, report: Any, *, draws: int, tune: int
                 raise SoftcatError(f"no chain could start near the best fit: {reason}") from None
     finally:
         run.cancel()
-
-
-def _in_si(prior: Prior, q: Floats) -> Floats:
-    return np.array([prior.free.value(float(x)) for x in q])
 
 
 def _summary(arviz: Any, data: Any) -> dict[str, dict[str, Any]]:

@@ -35,24 +35,12 @@ _ENDS = {"loguniform": ("a", "b"), "reciprocal": ("a", "b")}
 
 @dataclass(frozen=True, eq=False)
 class Prior:
-    """The prior of one unknown, between its bounds.
-
-    Attributes
-    ----------
-    free : FreeParameter
-        The unknown.
-    law : frozen distribution of scipy.stats or None
-        Distribution of the value in SI; None is flat in q, which is the logarithm of a positive parameter.
-    text : str
-        The prior as the user wrote it.
-    lower, upper : float
-        Bounds of q, restricted to where the density is not zero.
-    """
+    """The prior of one unknown, between its bounds."""
 
     free: FreeParameter
-    law: Any
-    text: str
-    lower: float
+    law: Any  # Frozen distribution of scipy.stats of the value in SI; None is flat in q
+    text: str  # The prior as the user wrote it
+    lower: float  # Bounds of q, restricted to where the density is not zero
     upper: float
 
     def log_density(self, q: float) -> float:
@@ -82,24 +70,9 @@ class Prior:
 def read_priors(texts: Mapping[str, str], free: Sequence[FreeParameter]) -> tuple[Prior, ...]:
     """Read the priors of all unknowns; an unknown without one has a flat prior in q between its bounds.
 
-    Parameters
-    ----------
-    texts : mapping of str to str
-        For a parameter's name, a continuous distribution of :mod:`scipy.stats` of its value, such as
-        ``"lognorm(s=0.5, scale=30 Pa*s)"``, ``"loguniform(1 kPa, 1 MPa)"`` or ``"norm(0 ms, 2 ms)"``. The order of the
-        arguments is SciPy's: shapes, `loc`, `scale`. Arguments of the parameter's dimension have a unit, others none.
-    free : sequence of FreeParameter
-        The unknowns of the fit.
-
-    Returns
-    -------
-    tuple of Prior
-        In the order of the unknowns.
-
-    Raises
-    ------
-    SceneError
-        If a name is not free, or a distribution is unknown or invalid; all faults at once.
+    `texts` has, for a parameter's name, a continuous distribution of :mod:`scipy.stats` of its value, such as
+    ``"lognorm(s=0.5, scale=30 Pa*s)"``, ``"loguniform(1 kPa, 1 MPa)"`` or ``"norm(0 ms, 2 ms)"``. The order of the
+    arguments is SciPy's: shapes, `loc`, `scale`. Arguments of the parameter's dimension have a unit, others none.
     """
     names = [one.name for one in free]
     faults = [

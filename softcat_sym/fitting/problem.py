@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -108,6 +108,20 @@ class Filmed:
         ways = [np.full(one.time.size, WAYS.index(one.way)) for one in self.series.forces]
         return np.concatenate([np.full(int(np.sum(~self.is_force)), -1), *ways])
 
+    def own(self, q: Floats) -> Floats:
+        """The unknowns of the model among those of the whole problem."""
+        return q[list(self.columns)]
+
+    def scene(self, q: Floats) -> Scene:
+        """The scene of this filament with the values of the unknowns."""
+        return self.model.scene(self.own(q))
+
+    def run_scene(self, q: Floats) -> tuple[Scene, float]:
+        """That scene with its effects and its filmed duration, and the release on the camera's clock [s]."""
+        scene, begin = self.scene(q), self.model.release(self.own(q))
+        lasts = max(float(self.time.max()) - begin, 1e-6 * scene.run.duration)
+        return scene.replace({"run.effects": list(self.model.effects), "run.duration": f"{lasts!r} s"}), begin
+
     @property
     def name(self) -> str:
         """Label of the film, or the name of its file; empty if it has neither."""
@@ -115,7 +129,7 @@ class Filmed:
 
     def heights(self, q: Floats) -> Floats:
         """Values of the model at every reading [m], [N], shape (n,), for the unknowns of the whole problem."""
-        own, shapes = q[list(self.columns)], self.series.shapes
+        own, shapes = self.own(q), self.series.shapes
         parts = [self.model.midpoints(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
@@ -128,7 +142,7 @@ class Filmed:
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Values of the model, with derivatives by the unknowns of the whole problem, shape (n, k)."""
-        own, shapes = q[list(self.columns)], self.series.shapes
+        own, shapes = self.own(q), self.series.shapes
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
             parts.append(self.model.shapes(own, shapes.time, shapes.x))
@@ -202,21 +216,10 @@ class FilamentProblem(Unknowns):
     covariance (:mod:`softcat_sym.fitting.discrepancy`). Every unknown with a prior adds a row to the residuals, after
     those of the data.
 
-    Parameters
-    ----------
-    scene, measurements, names, bounds
-        As :func:`softcat_sym.fitting.fit` has them.
-    backend, rtol : str, float, optional
-        Of the models.
-    camera, theory : bool
-        Whether the camera's parameters and the theory's error are unknowns.
-    noise : Noise, optional
-        Of readings without a stated error; by default an initial guess by second differences.
-    near : sequence of (Scene, ndarray), optional
-        For each film, a scene near the best fit and its heights [m], which scale the theory's error; by default the
-        given scene and the measured heights, smoothed.
-    flow_curve : FlowCurve, optional
-        Flow curve of the same material.
+    `camera` and `theory` say whether the camera's parameters and the theory's error are unknowns; `noise` is that of
+    readings without a stated error, by default a guess by second differences; `near` has for each film a scene near the
+    best fit and its heights [m], which scale the theory's error, by default the given scene and the measured heights,
+    smoothed. An evaluation beyond the `deadline` of the monotonic clock ends with TimeLimitError.
     """
 
     def __init__(
@@ -233,6 +236,7 @@ class FilamentProblem(Unknowns):
         noise: Noise | None = None,
         near: Sequence[tuple[Scene, Floats]] | None = None,
         flow_curve: FlowCurve | None = None,
+        deadline: float = math.inf,
     ) -> None:
         series = measurements.series
         scenes = [own_scene(film, scene) for film in series]
@@ -248,9 +252,20 @@ class FilamentProblem(Unknowns):
         stated = [
             all(np.all(np.isfinite(one.std[one.is_force == force])) for one in readings) for force in (False, True)
         ]
-        self.noise = noise or _first_guess(series, readings)
-        self.deadline = math.inf
-        self._how = (scene, measurements, names, bounds, backend, rtol, camera, theory, flow_curve)
+        self.noise, self._several = noise or _first_guess(series, readings), len(series) > 1
+        self.deadline, self._scene = deadline, scene
+        self._with = partial(
+            FilamentProblem,
+            measurements=measurements,
+            names=names,
+            bounds=bounds,
+            backend=backend,
+            rtol=rtol,
+            camera=camera,
+            theory=theory,
+            flow_curve=flow_curve,
+            deadline=deadline,
+        )
         films = []
         for film, one, places, given in zip(series, scenes, columns, readings, strict=True):
             unknowns = [(number, self.free[number]) for number in places]
@@ -286,7 +301,10 @@ class FilamentProblem(Unknowns):
 
     def _with_theory(self, film: Filmed, near: tuple[Scene, Floats] | None, number: int) -> Filmed:
         """The film with the largest principal components of the theory's error among its unknowns."""
-        scene, heights = near or (film.model.scene(self.typical[list(film.columns)]), _smoothed(film))
+        scene, heights = near or (film.scene(self.typical), film.data.copy())
+        count = film.series.time.size
+        if near is None and count >= _FEWEST:
+            heights[:count] = make_smoothing_spline(film.series.time, film.series.midpoint)(film.series.time)
         error, seen = discrepancy(scene, film.model.effects, film.model.terms), ~film.is_force
         if not seen.any():
             return film
@@ -309,7 +327,7 @@ class FilamentProblem(Unknowns):
         left, singular, _ = np.linalg.svd(heights[:, None] * relative / std[:, None], full_matrices=False)
         count = min(int(np.sum(singular**2 > _MIN_VARIANCE)), _MAX_DIRECTIONS)
         begin = len(self.free)
-        several = f"_{number + 1}" if len(self._how[1].series) > 1 else ""
+        several = f"_{number + 1}" if self._several else ""
         self.free += tuple(
             FreeParameter(f"{THEORY}{several}_{k + 1}", THEORY, "1", 0.0, False, 1.0, (-_WIDE, _WIDE), 1.0)
             for k in range(count)
@@ -400,33 +418,25 @@ class FilamentProblem(Unknowns):
 
     def at(self, resolution: Resolution, q: Floats) -> tuple[FilamentProblem, Floats]:
         """The problem at another resolution, and the point of it that corresponds to q."""
-        scene, *rest = self._how
-        return self._again((resolution.of(scene), *rest), q, self.noise)
+        return self._again(resolution.of(self._scene), q, self.noise)
 
     def settled(self, q: Floats, noise: Noise) -> tuple[FilamentProblem, Floats]:
         """The problem with another noise and the theory's error at q, and the point of it that corresponds to q."""
-        return self._again(self._how, q, noise)
+        return self._again(self._scene, q, noise)
 
     def has(self, noise: Noise, q: Floats) -> bool:
         """Whether the problem uses this noise and the theory's error at this point."""
         errors = [
-            (film, discrepancy(self._scene_of(film, q), film.model.effects, film.model.terms))
+            (film, discrepancy(film.scene(q), film.model.effects, film.model.terms))
             for film in self.films
             if film.theory
         ]
         alike = all(abs(error.amplitude / film.theory_size - 1) < _SAME_NOISE for film, error in errors)
         return noise.is_like(self.noise) and alike
 
-    @staticmethod
-    def _scene_of(film: Filmed, q: Floats) -> Scene:
-        return film.model.scene(q[list(film.columns)])
-
-    def _again(self, how: tuple, q: Floats, noise: Noise) -> tuple[FilamentProblem, Floats]:  # type: ignore[type-arg]
-        scene, measurements, names, bounds, backend, rtol, camera, theory, curve = how
-        near = [(self._scene_of(film, q), film.heights(q) - film.error(q)) for film in self.films]
-        given: dict[str, Any] = {"camera": camera, "theory": theory, "noise": noise, "near": near, "flow_curve": curve}
-        made = FilamentProblem(scene, measurements, names, bounds, backend, rtol, **given)
-        made.deadline = self.deadline
+    def _again(self, scene: Scene, q: Floats, noise: Noise) -> tuple[FilamentProblem, Floats]:
+        near = [(film.scene(q), film.heights(q) - film.error(q)) for film in self.films]
+        made = self._with(scene=scene, noise=noise, near=near)
         moved = np.array([free.scaled(free.typical) for free in made.free])
         known = dict(zip(((one.name, one.path) for one in self.free), q, strict=True))
         for k, free in enumerate(made.free):
@@ -588,14 +598,6 @@ def _flow_readings(curve: FlowCurve, scene: Scene, free: Sequence[FreeParameter]
         raise SceneError([Fault(f"free {one.name}", found, one.name.partition("@")[0]) for one in alone])
     shared = [(k, one) for k, one in enumerate(free) if one.film is None and one.path.startswith("material.")]
     return FlowReadings.of(curve, scene, [one for _, one in shared], [k for k, _ in shared])
-
-
-def _smoothed(film: Filmed) -> Floats:
-    """Measured heights [m], smoothed by a spline with generalised cross-validation; shapes are not smoothed."""
-    count, heights = film.series.time.size, film.data.copy()
-    if count >= _FEWEST:
-        heights[:count] = make_smoothing_spline(film.series.time, film.series.midpoint)(film.series.time)
-    return heights
 
 
 def _camera_parameters(scene: Scene, film: Series, asked: set[str]) -> tuple[FreeParameter, ...]:

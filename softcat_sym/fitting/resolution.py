@@ -22,7 +22,6 @@ from softcat_sym.error_control.estimate import (
 )
 from softcat_sym.error_control.refinement import refined
 from softcat_sym.errors import SceneError
-from softcat_sym.fitting.free_parameters import TIME_OFFSET
 from softcat_sym.fitting.identifiability import Information
 from softcat_sym.fitting.least_squares import Floats, Optimum
 from softcat_sym.fitting.problem import FilamentProblem, Filmed, time_steps
@@ -59,7 +58,9 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
     """Estimate the shifts by runs of the best fit on half the cells, with a looser tolerance and with more fibres."""
     shifts, found = np.zeros((3, len(known.names))), list[Resolution]()
     for film in problem.films:
-        scene, begin = _filmed(film, problem, best.q)
+        scene, begin = film.run_scene(best.q)
+        steps = time_steps(film.series, scene, None)
+        scene = scene.replace({"run.frames": _FRAMES} | ({} if steps is None else {"numerics.rtol": steps}))
         effects = choose_effects(scene)
         at = resolution_of(scene, effects, compiled=film.model.compiled)
         found.append(at)
@@ -105,7 +106,7 @@ def first_look(scene: Scene) -> Scene:
 def tighter(problem: FilamentProblem) -> Resolution:
     """The same grid with smaller time steps, for a search that integration error has stopped."""
     film = problem.films[0]
-    scene = film.model.scene(problem.typical[list(film.columns)])
+    scene = film.scene(problem.typical)
     at = resolution_of(scene, choose_effects(scene), compiled=film.model.compiled)
     return replace(at, rtol=_TIGHTER * at.rtol)
 
@@ -118,16 +119,6 @@ def finer(found: Moved, given: Scene) -> Resolution | None:
     asked = given.model_copy(update={"run": given.run.model_copy(update={"accuracy": SHARE})})
     following = refined(found.at, found.shares, asked, lambda cells: choose_grading(given, cells, effects))
     return None if following == found.at else following
-
-
-def _filmed(film: Filmed, problem: FilamentProblem, q: Floats) -> tuple[Scene, float]:
-    """The best-fitting scene with its filmed duration, and the time of the release on the camera's clock [s]."""
-    begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
-    scene = film.model.scene(q[list(film.columns)])
-    lasts = max(float(film.time.max()) - begin, 1e-6 * scene.run.duration)
-    changes = {"run.effects": list(film.model.effects), "run.duration": f"{lasts!r} s", "run.frames": _FRAMES}
-    steps = time_steps(film.series, scene, None)
-    return scene.replace(changes | ({} if steps is None else {"numerics.rtol": steps})), begin
 
 
 def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:

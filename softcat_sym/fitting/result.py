@@ -23,7 +23,7 @@ from softcat_sym.fitting.identifiability import (
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judged
 from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import FilamentProblem
+from softcat_sym.fitting.problem import FilamentProblem, Filmed
 from softcat_sym.fitting.resolution import Moved
 from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.scene import Scene
@@ -86,41 +86,18 @@ class FitOutcome(Enum):
 
 @dataclass(frozen=True)
 class FittedParameter:
-    """One parameter.
+    """One parameter, in SI."""
 
-    Attributes
-    ----------
-    name, unit : str
-        Name of the free parameter; SI unit.
-    value : float or None
-        None where the parameter is not identified.
-    best : float
-        Value at the optimum, identified or not.
-    std : float or None
-        Standard error, to first order; None with the value.
-    ci95 : (float or None, float or None)
-        95 % interval; None where it does not end.
-    verdict : str
-        ``"identified"``, ``"poorly determined"`` (the ends of its interval differ by a factor of two or more),
-        ``"one-sided"``, ``"not identified"`` or ``"at a bound"``.
-    reason : str
-        Why it is not identified; empty if it is.
-    typical : float
-        Value in the scene.
-    bounds : (float, float)
-        Bounds of the fit.
-    """
-
-    name: str
-    unit: str
-    value: float | None
-    best: float
-    std: float | None
-    ci95: tuple[float | None, float | None]
-    verdict: Word
-    reason: str
-    typical: float
-    bounds: tuple[float, float]
+    name: str  # Of the free parameter
+    unit: str  # SI
+    value: float | None  # None where the parameter is not identified
+    best: float  # Value at the optimum, identified or not
+    std: float | None  # Standard error, to first order; None with the value
+    ci95: tuple[float | None, float | None]  # 95 % interval; None where it does not end
+    verdict: Word  # ``"poorly determined"`` where the ends of the interval differ by a factor of two or more
+    reason: str  # Why it is not identified; empty if it is
+    typical: float  # Value in the scene
+    bounds: tuple[float, float]  # Of the fit
 
     discretization: float = 0.0
     """Error by grid, fibres and time steps [its unit]; the interval includes it where it matters."""
@@ -144,6 +121,12 @@ class FittedFilm:
     # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
     name: str  # File or number
+
+    @classmethod
+    def of(cls, film: Filmed, model: Floats, unit: float, features: Features | None, name: str) -> FittedFilm:
+        """Compare a film with the heights of its model; `unit` is the noise over the film's standard errors."""
+        residuals = (model - film.data) / (unit * film.std)
+        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, name)
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """The film with some of its readings."""
@@ -246,18 +229,7 @@ class Fit(drawing.Drawable):
     message: str = ""
 
     def plot(self, what: str = "curves") -> Figure:
-        """Draw one picture of the fit.
-
-        Parameters
-        ----------
-        what : str
-            ``curves``, ``profiles``, ``correlation`` or ``starts``.
-
-        Raises
-        ------
-        SoftcatError
-            If there is no such picture.
-        """
+        """Draw ``curves``, ``profiles``, ``correlation`` or ``starts`` of the fit."""
         return drawing.plot(self, what)
 
     def __repr__(self) -> str:
@@ -326,7 +298,14 @@ class Fit(drawing.Drawable):
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``fit.json``: plain SI."""
-        checks, problem, series = self.checks, self.problem, self.measurements.series
+        checks, problem, series, moved = self.checks, self.problem, self.measurements.series, self.resolution
+        # Cells, tolerance and fibres, each with the largest shift of a constant in standard errors.
+        shares = {} if moved is None else {"cells": "space", "rtol": "time", "fibres": "section"}
+        resolution = {
+            name: {"value": getattr(moved.at, name), "standard_errors": getattr(moved.shares, share)}
+            for name, share in shares.items()
+            if moved is not None
+        }
         starts = [
             {
                 "start": problem.values(result.start),
@@ -347,7 +326,7 @@ class Fit(drawing.Drawable):
             "noise_correlation": self.problem.noise.correlation,
             "camera": {name: dict(zip(_OF_CAMERA, one, strict=True)) for name, one in self.camera.items()},
             "theory_error": self.theory,
-            "resolution": None if self.resolution is None else self._resolution(self.resolution),
+            "resolution": resolution or None,
             "outliers": [{"film": film, "time_s": time} for film, time in self.outlying],
             "flow_curve": self._flow_curve(),
             "late": self.late,
@@ -386,11 +365,6 @@ class Fit(drawing.Drawable):
             return None
         stress = {"measured_Pa": flow.curve.shear_stress.tolist(), "model_Pa": flow.stress(best.q).tolist()}
         return {"shear_rate_1_s": flow.curve.shear_rate.tolist(), **stress, "contradiction": vars(test)}
-
-    def _resolution(self, moved: Moved) -> dict[str, Any]:
-        """Cells, tolerance and fibres, each with the largest shift of a constant in standard errors."""
-        shares = {"cells": moved.shares.space, "rtol": moved.shares.time, "fibres": moved.shares.section}
-        return {name: {"value": getattr(moved.at, name), "standard_errors": share} for name, share in shares.items()}
 
     def _profile(self, one: Profile) -> dict[str, Any]:
         free = next(free for free in self.problem.free if free.name == one.name)

@@ -11,7 +11,7 @@ Comments of a file in pixels state the size of a pixel and the position of the s
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,7 +26,6 @@ _KEYS = {
     "origin": "camera.origin = 640 212",
     "release": "camera.release = 12",
 }
-_LINE = re.compile(r"#\s*camera\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
 _DLTDV = re.compile(r"pt\d+(?:_cam\d+)?_[XY]", re.IGNORECASE)
 _LIKELY = 0.6
 """Smallest likelihood of DeepLabCut at which a point is kept."""
@@ -42,15 +41,21 @@ class Camera:
     release: float = 0.0  # Frame of the release
 
 
+def comments_in(text: str, table: str) -> Iterator[tuple[str, str, str]]:
+    """Yield place, key and value of each comment ``# table.key = value``."""
+    line_of = re.compile(rf"#\s*{table}\.(?P<key>\w+)\s*=\s*(?P<value>[^#]*)")
+    for number, line in enumerate(text.splitlines(), start=1):
+        if match := line_of.match(line.strip()):
+            # A spreadsheet ends a short line with the separators of its empty cells.
+            yield f"line {number}, {table}.{match['key']}", match["key"], match["value"].strip().rstrip(",;\t ")
+
+
 def camera_in(text: str) -> tuple[Camera, list[Fault]]:
     """Read the comments about the camera; comments of other programs are ignored."""
     found, faults = dict[str, list[float]](), list[Fault]()
-    for number, line in enumerate(text.splitlines(), start=1):
-        match = _LINE.match(line.strip())
-        if match is None or match["key"] not in _KEYS:
+    for where, key, value in comments_in(text, "camera"):
+        if key not in _KEYS:
             continue
-        key, value = match["key"], match["value"].strip().rstrip(",;\t ")
-        where = f"line {number}, camera.{key}"
         found[key] = [_or_nan(part) for part in value.replace(",", " ").split()]
         try:
             if key == "pixel":

@@ -1,13 +1,11 @@
-"""Cross-sections as numbers, which a run and its estimates ask for.
-
-The expressions that they belong to are those of :mod:`softcat_sym.physics.sections`, ``reissner``, ``loads`` and
-``necking``; a test proves both equal.
-"""
+"""Cross-sections as numbers; what is rational is a fraction, exact in expressions too."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
 
 PLANE_STRAIN = math.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width."""
@@ -20,16 +18,16 @@ class CrossSection:
     """Numbers of one shape of section."""
 
     name: str  # As in the scene
-    zeta_squared: float  # <zeta^2>
+    zeta_squared: Fraction  # <zeta^2>; the second moment of area is I = A (h/2)^2 <zeta^2>
     mean_lever: float  # <|zeta|>: the fully plastic moment is sigma_Y A (h_0/2) of it
-    shear_correction: float  # kappa_s
+    shear_correction: Fraction  # kappa_s, from the energy of a parabolic shear stress
     area_power: int = 1  # The area goes with this power of a relative thickness that varies along the filament
     plane_strain: bool = False  # Whether it is too wide to change its width
 
     @property
     def gyration(self) -> float:
         """K = I/(A h_0^2) = <zeta^2>/4 (before 2.18)."""
-        return self.zeta_squared / 4
+        return float(self.zeta_squared / 4)
 
     def stiffness(self, modulus: float, poisson: float) -> float:
         """E, or E/(1 - nu^2) where the width is held."""
@@ -46,16 +44,16 @@ class CrossSection:
         terms = (math.tanh(n * math.pi / 2 * aspect) / n**5 for n in range(1, _ODD_TERMS, 2))
         return (1 - 192 / math.pi**5 / aspect * sum(terms)) / 3
 
-    def neck(self, aspect: float) -> float:
-        """Beta of the gradient term beta h_0^2 T/s^4, at a width over thickness."""
-        return {"rectangle": (1 + aspect**2) / 48, "circle": 1 / 32, "sheet": 1 / 12}[self.name]
+    def neck(self, aspect: Any) -> Any:
+        """Beta of the gradient term beta h_0^2 T/s^4, at a width over thickness, a number or a symbol."""
+        return (1 + aspect**2) / 48 if self.name == "rectangle" else Fraction(1, 32 if self.name == "circle" else 12)
 
 
 CROSS_SECTIONS: dict[str, CrossSection] = {
     one.name: one
     for one in (
-        CrossSection("rectangle", 1 / 3, 1 / 2, 5 / 6),
-        CrossSection("circle", 1 / 4, 4 / (3 * math.pi), 9 / 10, area_power=2),
-        CrossSection("sheet", 1 / 3, 1 / 2, 5 / 6, plane_strain=True),
+        CrossSection("rectangle", Fraction(1, 3), 1 / 2, Fraction(5, 6)),
+        CrossSection("circle", Fraction(1, 4), 4 / (3 * math.pi), Fraction(9, 10), area_power=2),
+        CrossSection("sheet", Fraction(1, 3), 1 / 2, Fraction(5, 6), plane_strain=True),
     )
 }

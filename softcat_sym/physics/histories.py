@@ -9,7 +9,7 @@ import sympy as sp
 
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.clocks import Clock
-from softcat_sym.physics.laws import OPERATIONS, Constant, Law, growth_of
+from softcat_sym.physics.laws import SYMBOLS, Constant, Law, expression_of, growth_of
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.formula import Formula, parse_formula
@@ -61,24 +61,16 @@ def _of_table(name: str, rows: int) -> Varying:
 def _of_formula(name: str, formula: Formula, count: int) -> Varying:
     constants = _constants(name, count)
     symbols = {TIME_NAME: t, **{f"quantity_{k}": one.symbol for k, one in enumerate(constants)}}
-    value = formula.fold(_number, symbols.__getitem__, lambda operation, values: OPERATIONS[operation](*values))
+    value = expression_of(formula, symbols.__getitem__)
     # Cases instead of functions whose slope would have a jump in it.
     rate = sp.diff(value.rewrite([sp.Min, sp.Max, sp.Abs, sp.sign], sp.Piecewise), t)
     return Varying(value, rate, constants)
 
 
-def _number(value: float) -> sp.Expr:
-    return sp.Integer(int(value)) if value.is_integer() else sp.Float(value, 17)
-
-
-_SHARED = (Constant("youngs_modulus", sy.E), Constant("viscosity", sy.eta), Constant("yield_stress", sy.sigma_Y))
-"""Constants that several laws have; a law with others of these names has them among its own."""
-
-
 def curing_clock(courses: tuple[Course, ...], law: Law) -> Clock:
     """Constants of the material that change in time; a modulus that grows does so by springs without stress."""
     replaces, constants, grows = list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
-    symbols = {one.name: one.symbol for one in (*_SHARED, *law.constants)}
+    symbols = SYMBOLS | {one.name: one.symbol for one in law.constants}
     moduli = {branch.modulus for branch in law.branches}
     for course in courses:
         symbol, found = symbols[course.name], varying(course)

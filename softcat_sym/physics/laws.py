@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Protocol, TypeVar, cast
@@ -27,6 +27,8 @@ from softcat_sym.physics.symbols import (
     sigma_1,
     sigma_Y,
 )
+from softcat_sym.scene.formula import parse_formula
+from softcat_sym.scene.laws import LAWS, LINEAR, POWER, LawSpec
 
 MeansOf = Callable[[Section], SectionMeans]
 
@@ -133,9 +135,6 @@ class Law:
         return any(branch.flow_beyond_yield is not None for branch in self.branches)
 
 
-ELASTIC = Law("elastic")
-
-
 def growth_of(modulus: sp.Symbol) -> sp.Symbol:
     """Rate at which a modulus grows, over it; zero while it falls."""
     name = f"g_{modulus.name}"
@@ -145,9 +144,6 @@ def growth_of(modulus: sp.Symbol) -> sp.Symbol:
 
 
 plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
-
-
-ELASTIC_LAW = ELASTIC
 
 
 def maxwell_rate(viscosity: sp.Expr = eta) -> sp.Expr:
@@ -171,19 +167,7 @@ def linear_flow(viscosity: sp.Expr) -> Flow:
     return Flow(maxwell_rate(viscosity), closed_means=partial(maxwell_means, viscosity=viscosity))
 
 
-MAXWELL_LAW = Law("maxwell", branches=(Branch(flow=linear_flow(eta)),))
-
-NEWTONIAN_LAW = Law("newtonian", branches=(), viscosity=eta)
-
-KELVIN_VOIGT_LAW = Law("kelvin-voigt", branches=(Branch(),), viscosity=eta)
-
 E_2 = enter("E_2", "E_2", STRESS, "modulus of the spring in line with the dashpot", "Zener 1948", positive=True)
-
-STANDARD_LINEAR_LAW = Law(
-    "standard-linear",
-    branches=(Branch(), Branch(E_2, flow=linear_flow(eta))),
-    constants=(Constant("second_modulus", E_2),),
-)
 
 _SOURCE = "Wiechert 1893"
 
@@ -266,18 +250,12 @@ def _one_sided(section: Section, overstress: sp.Expr, slope: sp.Expr) -> _OneSid
     )
 
 
-BINGHAM_LAW = Law(
-    "bingham", branches=(Branch(flow=linear_flow(eta), flow_beyond_yield=Flow(bingham_rate(), sigma_Y, bingham_means)),)
-)
-
 n = enter("n", "n", ONE, "flow index", "Ostwald 1925", positive=True)
 K = enter("K", "K", cast("Dimension", (1, -1, n - 2)), "tensile consistency, in Pa s^n", "Ostwald 1925", positive=True)
 
 # |sigma|^(1/n) has an infinite slope at zero stress if n > 1. Within this many E of zero the rule is linear instead;
 # at a thousand times that it is off by less than a millionth. For n = 1 nothing is changed.
 SMALL_STRESS = sp.Rational(1, 10**9)
-
-CONSTANTS = (Constant("viscosity", K), Constant("index", n))
 
 
 def power_of(stress: sp.Expr) -> sp.Expr:
@@ -294,21 +272,38 @@ def power_law_rate() -> sp.Expr:
     return power_of(sigma)
 
 
-FLOW = Flow(power_law_rate())
-
-POWER_LAW_LAW = Law("power-law", branches=(Branch(flow=FLOW),), constants=CONSTANTS)
-
-
 def herschel_bulkley_rate() -> sp.Expr:
     """phi(sigma) = (<|sigma| - sigma_Y>/K)^(1/n) sign(sigma)."""
     return sp.sign(sigma) * power_of(sp.Max(sp.Abs(sigma) - sigma_Y, 0))
 
 
-HERSCHEL_BULKLEY_LAW = Law(
-    "herschel-bulkley",
-    branches=(Branch(flow=FLOW, flow_beyond_yield=Flow(herschel_bulkley_rate(), sigma_Y)),),
-    constants=CONSTANTS,
-)
+FLOW_RULES: dict[str, tuple[Flow, Flow]] = {
+    LINEAR: (linear_flow(eta), Flow(bingham_rate(), sigma_Y, bingham_means)),
+    POWER: (Flow(power_law_rate()), Flow(herschel_bulkley_rate(), sigma_Y)),
+}
+"""Without a yield stress and with one."""
+
+SYMBOLS = {
+    "youngs_modulus": E,
+    "second_modulus": E_2,
+    "viscosity": eta,
+    "yield_stress": sigma_Y,
+    "relaxation_time": conformation.relaxation_time,
+    "solvent_viscosity": conformation.solvent_viscosity,
+    "finite_extensibility": conformation.extensibility,
+    "mobility": conformation.mobility,
+    "ptt_epsilon": conformation.destruction,
+}
+"""Symbols of constants by the names of the scene."""
+SHARED = (E, eta, sigma_Y)
+"""Constants that every filament has."""
+
+CHAINS = {
+    "oldroyd-b": conformation.OLDROYD_B,
+    "fene-p": conformation.FENE_P,
+    "giesekus": conformation.GIESEKUS,
+    "ptt": conformation.PTT,
+}
 
 Folded = TypeVar("Folded")
 
@@ -355,7 +350,18 @@ OPERATIONS: dict[str, Callable[..., sp.Expr]] = {
 }
 
 
-def custom_law(formula: Formula, *, yields: bool) -> Law:
+def expression_of(formula: Formula, symbol_of: Callable[[str], sp.Expr]) -> sp.Expr:
+    """The expression of a formula, given what its names stand for.
+
+    Raises
+    ------
+    ValueError
+        If the formula asks for an operation that is not among :data:`OPERATIONS`.
+    """
+    return formula.fold(_number, symbol_of, _operation)
+
+
+def custom_law(formula: Formula, *, yields: bool = False) -> Law:
     """The law whose plastic strain rate is a formula in ``sigma`` and parameters.
 
     Parameters
@@ -365,22 +371,14 @@ def custom_law(formula: Formula, *, yields: bool) -> Law:
     yields : bool
         Whether it is zero up to a stress, which the law then has as its yield stress. The rule knows its threshold by
         itself: it is the same with yielding and without.
-
-    Raises
-    ------
-    ValueError
-        If the formula asks for an operation that is not among :data:`OPERATIONS`.
     """
     constants: dict[str, sp.Symbol] = {}
 
     def named(name: str) -> sp.Expr:
-        if name == sigma.name:
-            return sigma
         # The prefix keeps a user's "s" or "eta" apart from the theory's.
-        return constants.setdefault(name, sp.Symbol(f"custom_{name}", real=True))
+        return constants.setdefault(name, sp.Symbol(f"custom_{name}", real=True)) if name != sigma.name else sigma
 
-    rate = formula.fold(_number, named, _operation)
-    flow = Flow(rate, sigma_Y if yields else sp.S.Zero)
+    flow = Flow(expression_of(formula, named), sigma_Y if yields else sp.S.Zero)
     branch = Branch(flow=flow, flow_beyond_yield=flow if yields else None)
     return Law(
         "custom", branches=(branch,), constants=tuple(Constant(name, symbol) for name, symbol in constants.items())
@@ -396,48 +394,6 @@ def _operation(name: str, values: Sequence[sp.Expr]) -> sp.Expr:
     if name not in OPERATIONS:
         raise ValueError(f"no operation {name}: there are {', '.join(sorted(OPERATIONS))}")
     return OPERATIONS[name](*values)
-
-
-RELAXATION_TIME = Constant("relaxation_time", conformation.relaxation_time)
-
-
-def chain_law(name: str, chains: Chains, *constants: Constant) -> Law:
-    """A law of polymer chains in a solvent."""
-    solvent = Constant("solvent_viscosity", conformation.solvent_viscosity)
-    return Law(
-        name,
-        branches=(),
-        viscosity=solvent.symbol,
-        constants=(RELAXATION_TIME, solvent, *constants),
-        chains=chains,
-    )
-
-
-OLDROYD_B_LAW = chain_law("oldroyd-b", conformation.OLDROYD_B)
-
-FENE_P_LAW = chain_law("fene-p", conformation.FENE_P, Constant("finite_extensibility", conformation.extensibility))
-
-GIESEKUS_LAW = chain_law("giesekus", conformation.GIESEKUS, Constant("mobility", conformation.mobility))
-
-PTT_LAW = chain_law("ptt", conformation.PTT, Constant("ptt_epsilon", conformation.destruction))
-
-FIXED: dict[str, Law] = {
-    law.name: law
-    for law in (
-        ELASTIC_LAW,
-        MAXWELL_LAW,
-        NEWTONIAN_LAW,
-        KELVIN_VOIGT_LAW,
-        STANDARD_LINEAR_LAW,
-        BINGHAM_LAW,
-        POWER_LAW_LAW,
-        HERSCHEL_BULKLEY_LAW,
-        OLDROYD_B_LAW,
-        FENE_P_LAW,
-        GIESEKUS_LAW,
-        PTT_LAW,
-    )
-}
 
 
 def law_of(
@@ -463,13 +419,33 @@ def law_of(
     ValueError
         If there is no such law, or it lacks its modes or its formula.
     """
-    if name == "multimode-maxwell":
+    if name not in LAWS:
+        raise ValueError(f"no law {name}: there are {', '.join(LAWS)}")
+    spec = LAWS[name]
+    if "modes" in spec.lists:
         return multimode_maxwell(modes)
-    if name == "custom":
+    if "flow" in spec.lists:
         if formula is None:
             raise ValueError("a custom law is made of a formula")
         return custom_law(formula, yields=yields)
-    if name not in FIXED:
-        raise ValueError(f"no law {name}: there are custom, multimode-maxwell, {', '.join(FIXED)}")
-    law = FIXED[name]
-    return law if solvent or law.chains is None else replace(law, viscosity=None)
+    symbols = SYMBOLS | ({"viscosity": K, "index": n} if spec.has_index else {})
+    flow, beyond = _flows_of(spec, symbols)
+    branches = [Branch(symbols[modulus]) for modulus in spec.springs]
+    branches += [Branch(symbols[modulus], flow, beyond if spec.yields else None) for modulus in spec.flowing]
+    own = [Constant(key, symbols[key]) for key in (*spec.constants, "index") if symbols.get(key) not in (None, *SHARED)]
+    return Law(
+        name,
+        branches=tuple(branches),
+        viscosity=symbols[spec.viscous_stress] if spec.viscous_stress and (solvent or not spec.has_chains) else None,
+        constants=tuple(own),
+        chains=CHAINS[name] if spec.has_chains else None,
+    )
+
+
+def _flows_of(spec: LawSpec, symbols: Mapping[str, sp.Symbol]) -> tuple[Flow | None, Flow | None]:
+    """The flow rules of a law without its yield stress and with it."""
+    if not spec.flow or spec.flow in FLOW_RULES:
+        return FLOW_RULES.get(spec.flow, (None, None))
+    known = {**symbols, sigma.name: sigma}
+    rates = [expression_of(parse_formula(text), known.__getitem__) for text in (spec.flow, spec.flow_without_yield)]
+    return Flow(rates[1] if spec.yields else rates[0]), Flow(rates[0], sigma_Y)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.symbols import ONE, PER_LENGTH, T, enter, h0, s
 
 s_slope = enter("s_slope", "s_{XX}", PER_LENGTH, "change of the stretch per unit material length", "THEORY 10")
@@ -38,10 +39,8 @@ class Neck:
         return self.stiffness() * s_slope
 
 
-RECTANGLE = Neck("rectangle", beta=(1 + aspect**2) / 48, power=4)
-PLANE_STRESS = Neck("plane stress", beta=sp.Rational(1, 48), power=4)
-SQUARE = Neck("square", beta=sp.Rational(1, 24), power=4)
-CIRCLE = Neck("circle", beta=sp.Rational(1, 32), power=4)
-SHEET = Neck("sheet", beta=sp.Rational(1, 12), power=5)
+RECTANGLE = Neck("rectangle", beta=CROSS_SECTIONS["rectangle"].neck(aspect), power=4)
+CIRCLE = Neck("circle", beta=sp.Rational(CROSS_SECTIONS["circle"].neck(aspect)), power=4)
+SHEET = Neck("sheet", beta=sp.Rational(CROSS_SECTIONS["sheet"].neck(aspect)), power=5)
 
-NECKS: dict[str, Neck] = {neck.name: neck for neck in (RECTANGLE, PLANE_STRESS, SQUARE, CIRCLE, SHEET)}
+NECKS: dict[str, Neck] = {neck.name: neck for neck in (RECTANGLE, CIRCLE, SHEET)}

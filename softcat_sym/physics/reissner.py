@@ -62,11 +62,6 @@ n_1 = enter("n_1", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")
 n_2 = enter("n_2", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")
 m_c = enter("m_c", "m", MOMENT, "moment conjugate to k, minus M", "THEORY 12")
 
-RECTANGLE_SHEAR = sp.Rational(5, 6)
-"""kappa_s of a rectangle, from the energy of a parabolic shear stress."""
-CIRCLE_SHEAR = sp.Rational(9, 10)
-"""kappa_s of a circle, likewise."""
-
 
 def director_strains() -> tuple[sp.Expr, sp.Expr]:
     """(Lam, Gam) of (r_X, psi)."""
@@ -295,12 +290,6 @@ def rotary_inertia(section: Section) -> sp.Expr:
     return mass_per_length() * h0**2 * section.zeta_squared / 4
 
 
-SHEAR_CORRECTION: dict[str, sp.Rational] = {
-    "rectangle": RECTANGLE_SHEAR,
-    "circle": CIRCLE_SHEAR,
-    "sheet": RECTANGLE_SHEAR,
-}
-
 RIGIDITY = 1000
 """How many times stiffer in shear a section is made that is not to shear: what remains of the shear is a thousandth."""
 
@@ -348,7 +337,7 @@ def resolve(
     shape: Section, law: Law, *, shear: bool, curved: bool = False, shrinks: bool = False, hardens: bool = False
 ) -> ResolvedSection:
     """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides."""
-    correction = SHEAR_CORRECTION[shape.name] * (1 if shear else RIGIDITY)
+    correction = shape.shear_correction * (1 if shear else RIGIDITY)
     cell = shearing_cell(shape.contraction).corrected(correction)
     relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)
     natural, natural_rate = (

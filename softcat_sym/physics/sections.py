@@ -9,6 +9,7 @@ from functools import cache
 import sympy as sp
 from sympy.integrals.quadrature import gauss_legendre
 
+from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.symbols import A0, E, c, h0, s, sigma, sigma_0, sigma_1, zeta
 
 # Inside (-1, 1) by this much, acos and sqrt keep finite derivatives; its effect on a mean is of order 1e-21.
@@ -36,20 +37,36 @@ class Section:
 
     name: str  # As in the scene
     weight: sp.Expr  # w(zeta), integral one over [-1, 1]
-    zeta_squared: sp.Rational  # <zeta^2>; the second moment of area is I = A (h/2)^2 <zeta^2>
     area: sp.Expr  # Fraction of the section beyond c: integral of w from c to 1
     overstress_mean: sp.Expr  # K_n(c) = integral of (zeta - c) zeta^n w(zeta) from c to 1, for n = 0 and 1
     overstress_moment: sp.Expr
     interval: tuple[sp.Expr, sp.Expr]  # Where c may lie for these closed forms to have finite derivatives
     contraction: Contraction = UNIFORM  # How it shrinks when the filament stretches
-    area_power: int = 1  # The area goes with this power of a relative thickness that varies along the filament
-    plane_strain: bool = False  # Whether it is too wide to change its width
+
+    @property
+    def zeta_squared(self) -> sp.Rational:
+        """<zeta^2>; the second moment of area is I = A (h/2)^2 <zeta^2>."""
+        return sp.Rational(CROSS_SECTIONS[self.name].zeta_squared)
+
+    @property
+    def shear_correction(self) -> sp.Rational:
+        """kappa_s, from the energy of a parabolic shear stress."""
+        return sp.Rational(CROSS_SECTIONS[self.name].shear_correction)
+
+    @property
+    def area_power(self) -> int:
+        """With which the area goes with a relative thickness that varies along the filament."""
+        return CROSS_SECTIONS[self.name].area_power
+
+    @property
+    def plane_strain(self) -> bool:
+        """Whether it is too wide to change its width."""
+        return CROSS_SECTIONS[self.name].plane_strain
 
 
 RECTANGLE = Section(
     name="rectangle",
     weight=sp.Rational(1, 2),
-    zeta_squared=sp.Rational(1, 3),
     area=(1 - c) / 2,
     overstress_mean=(1 - c) ** 2 / 4,
     overstress_moment=(1 - c) ** 2 * (2 + c) / 12,
@@ -61,16 +78,14 @@ _half_chord = sp.sqrt(1 - c**2)
 CIRCLE = Section(
     name="circle",
     weight=2 * sp.sqrt(1 - zeta**2) / sp.pi,
-    zeta_squared=sp.Rational(1, 4),
     area=(sp.acos(c) - c * _half_chord) / sp.pi,
     overstress_mean=((2 + c**2) * _half_chord / 3 - c * sp.acos(c)) / sp.pi,
     overstress_moment=(sp.acos(c) / 4 - c * (5 - 2 * c**2) * _half_chord / 12) / sp.pi,
     interval=(-1 + _EDGE, 1 - _EDGE),
-    area_power=2,
 )
 
 # A wide section: one of unit relative width, like the rectangle, but its width is held while it thins.
-SHEET = replace(RECTANGLE, name="sheet", contraction=WIDE, plane_strain=True)
+SHEET = replace(RECTANGLE, name="sheet", contraction=WIDE)
 
 SECTIONS: dict[str, Section] = {section.name: section for section in (RECTANGLE, CIRCLE, SHEET)}
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from softcat_sym.physics.bulk import shear_modulus, sigma_eq
 from softcat_sym.physics.laws import Law
-from softcat_sym.physics.reissner import CARRY, SHEAR_CORRECTION, Gam, Lam, eps_e, eps_p
+from softcat_sym.physics.reissner import CARRY, Gam, Lam, eps_e, eps_p
 from softcat_sym.physics.sections import Section
 from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0, sigma
 
@@ -211,7 +211,7 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSectio
         raise ValueError("a sheet twists and bends as a plate: take a rectangle")
     if law.chains is not None or any(branch.growth is not None for branch in law.branches):
         raise ValueError("chains and springs that grow are those of a filament in its plane")
-    correction = SHEAR_CORRECTION[shape.name]
+    correction = shape.shear_correction
     return SpatialSection(
         strain=point_strain(correction, natural=natural),
         power=power(correction),

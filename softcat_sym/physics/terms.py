@@ -12,13 +12,10 @@ from typing import TYPE_CHECKING, Literal
 
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.history import History
-from softcat_sym.scene.material import POLYMERS
+from softcat_sym.scene.laws import LAWS, LawSpec
 
 if TYPE_CHECKING:
     from softcat_sym.physics.densities import Densities
-
-_RIGID = ("elastic", "kelvin-voigt", "newtonian")
-_BY_QUADRATURE = ("power-law", "herschel-bulkley", "custom")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,34 +29,19 @@ class Rheology:
     solvent: bool = True  # Whether a viscous solvent is beside polymer chains
 
     @property
-    def has_chains(self) -> bool:
-        """Whether polymer chains are in the place of springs."""
-        return self.name in POLYMERS
-
-    @property
-    def has_springs(self) -> bool:
-        """Whether it has springs, with a flow rule each or without."""
-        return not self.has_chains and self.name != "newtonian"
-
-    @property
-    def flows(self) -> bool:
-        """Whether any spring is in line with a flow rule, or chains relax."""
-        return self.name not in _RIGID
+    def spec(self) -> LawSpec:
+        """Properties of the law."""
+        return LAWS[self.name]
 
     @property
     def yields(self) -> bool:
         """Whether it has a yield stress."""
-        return self.threshold or self.name in ("bingham", "herschel-bulkley")
+        return self.threshold or self.spec.yields
 
     @property
     def is_viscous(self) -> bool:
         """Whether it has a stress proportional to the rate of strain."""
-        return self.name in ("newtonian", "kelvin-voigt") or (self.has_chains and self.solvent)
-
-    @property
-    def has_closed_means(self) -> bool:
-        """Whether the means of its flow rules over a section have a closed form."""
-        return self.name not in _BY_QUADRATURE
+        return bool(self.spec.viscous_stress) and (self.solvent or not self.spec.has_chains)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +130,7 @@ class Terms:
     @property
     def grows(self) -> bool:
         """Whether springs without stress join those that there are, so that every branch remembers its strain."""
-        return self.law.has_springs and any(one.name.endswith("modulus") for one in self.curing)
+        return self.law.spec.has_springs and any(one.name.endswith("modulus") for one in self.curing)
 
     @property
     def shrinks(self) -> bool:

@@ -298,7 +298,7 @@ class Animation(Pictures):
 
     def _section(self, number: int) -> Section:
         ends = self._scene.ends
-        return section_at(self.film, number, (ends.left == "clamped", ends.right == "clamped"))
+        return section_at(self.film, number, [one.holds_angle for one in ends.supports])
 
     def _stress(self, number: int) -> Floats:
         """Magnitude of the axial stress amid every strip of every cell [Pa]."""

@@ -210,7 +210,7 @@ def card_figure(card: Card) -> Figure:
     fields, summary = shown_part(card.run.fields, card.summary)
     card = replace(card, run=replace(card.run, fields=fields))
     ends, filament = card.scene.ends, card.scene.filament
-    section = section_at(fields, -1, (ends.left == "clamped", ends.right == "clamped"))
+    section = section_at(fields, -1, [one.holds_angle for one in ends.supports])
     stretch = vertical_stretch(float(np.ptp(section.y)), filament.thickness, filament.span)
     wide, high = np.ptp(outline(section), axis=0)
     tall = min(max(1.1 * float(high / wide) * stretch * _WIDE, _FLATTEST), _TALLEST)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
-from softcat_sym.fitting.flow_curve import CONVERSION, Candidate, FlowCurveFit
+from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, Candidate, FlowCurveFit
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, number_axis
 from softcat_sym.plotting.terminal import text_table
@@ -23,12 +24,14 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.identifiability import Estimate
     from softcat_sym.scene.scene import Scene
 
-_LOOKS: dict[str, tuple[str, Any, str]] = {
-    "newtonian": (style.GREY, "-.", "v"),
-    "bingham": (style.BLUE, (0, (5, 1.5)), "s"),
-    "power-law": (style.GREEN, (0, (1.5, 1.2)), "^"),
-    "herschel-bulkley": (style.VERMILLION, "-", "o"),
-}
+_LOOKS: tuple[tuple[str, Any, str], ...] = (
+    (style.GREY, "-.", "v"),
+    (style.BLUE, (0, (5, 1.5)), "s"),
+    (style.GREEN, (0, (1.5, 1.2)), "^"),
+    (style.VERMILLION, "-", "o"),
+    (style.PURPLE, (0, (3, 1, 1, 1)), "D"),
+)
+"""Of the laws that are fitted, in their order."""
 
 
 @drawing.plot.register(FlowCurveFit)
@@ -45,8 +48,9 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
         measured: dict[str, Any] = {"color": style.BLACK, "marker": "o", "markersize": 4.5, "linestyle": ""}
         above.plot(rate, curve.shear_stress, label="measured", alpha=0.6, **measured)
         below.axhline(0.0, color=style.GREY, linewidth=0.8)
+        looks = {law.name: look for law, look in zip(FITTED, cycle(_LOOKS), strict=False)}
         for one in fit.candidates:
-            color, dashes, marker = _LOOKS[one.law]
+            color, dashes, marker = looks[one.law]
             percent = 100 * one.relative_rms
             name = f"{one.law} ({significant(percent) if percent >= 0.01 else '< 0.01'} %)"
             wide = 2.0 if one is fit.best else 1.2
@@ -71,19 +75,19 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
-    """Lay the candidates out side by side, the best first."""
-    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
-    rows = zip(names, *(_column(one, fit) for one in fit.candidates), strict=True)
+    """A row for each candidate, the best first."""
+    header = ("law", "τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
+    rows = [_row(one, fit) for one in fit.candidates]
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"
-    header, right = ["", *(one.law for one in fit.candidates)], range(1, 5)
-    looks: dict[str, Any] = {"right": right, "whole": [0], "padding": (0, 1, 0, 0)}
-    return text_table(header, list(rows), title=title, caption=caption, **looks)
+    looks: dict[str, Any] = {"right": range(1, len(header)), "whole": [0], "padding": (0, 1, 0, 0)}
+    return text_table(header, rows, title=title, caption=caption, **looks)
 
 
-def _column(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
+def _row(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
     tensile = one.tensile
     return (
+        one.law,
         _with_interval(one.tau_Y),
         _with_interval(one.k),
         _with_interval(one.n) if one.n else "1",

@@ -145,11 +145,13 @@ def _draw(axes: Axes, shape: Shape, strength: float) -> None:
 
 def _hold(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
     """What holds the ends: a wall for a clamp, a dot for a pin, nothing for a free end."""
-    for place, kind in ((0, scene.ends.left), (-1, scene.ends.right)):
+    for place, support in zip((0, -1), scene.ends.supports, strict=True):
         x, y = float(shape.section.x[place]), float(shape.section.y[place])
-        if kind == "pinned":
+        if support.is_free:
+            continue
+        if not support.carries_moment:
             axes.plot([x], [y], "o", ms=4.5, mfc="white", mec=style.BLACK, mew=0.9, zorder=6, clip_on=False)
-        elif kind == "clamped":
+        else:
             outside = -size if place == 0 else 0.0
             tall = max(0.11 * float(np.ptp(axes.get_ylim())), 0.65 * float(shape.section.thickness[place]))
             axes.fill_between([x + outside, x + outside + size], y - tall, y + tall, color=style.GREY, lw=0, zorder=5)

@@ -16,6 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from softcat_sym.batch.phase_runs import CLAMPS_ONLY
 from softcat_sym.drawing import Report
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import phase, style
@@ -37,7 +38,6 @@ from softcat_sym.studies.paper_figures import (
     Panel,
     scene_facts,
 )
-from softcat_sym.studies.phase_runs import CLAMPS_ONLY
 
 if TYPE_CHECKING:
     import xarray as xr

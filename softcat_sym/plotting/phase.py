@@ -14,11 +14,11 @@ from matplotlib.lines import Line2D
 from rich.text import Text
 
 from softcat_sym import drawing
+from softcat_sym.batch.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
-from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
@@ -139,16 +139,16 @@ def _key(axes: Axes) -> None:
 
 _LOW, _HIGH = 1e-3, 3.0
 _PLACES: Final[tuple[tuple[str, Callable[[PhaseRun], float]], ...]] = (
-    ("at the clamp", lambda run: run.clamp.largest),
-    ("at midspan", lambda run: run.midspan.largest),
+    ("at the clamp", lambda run: run.clamp_strain),
+    ("at midspan", lambda run: run.midspan_strain),
 )
 
 
 def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw two maps of one plane: every run at its place, coloured by a strain."""
     title = f"Local strain over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
-    answers = [point.run for point in sheet.points if point.run.regime is not None]
-    others = [point.run for point in sheet.points if point.run.regime is None]
+    answers = [point.run for point in sheet.points if point.run.regime]
+    others = [point.run for point in sheet.points if not point.run.regime]
     with style.styled():
         figure, body = style.sheet(title, height=3.3, notes=diagram.strain_caption, columns=128)
         panels = body.subplots(1, 2, sharey=True)

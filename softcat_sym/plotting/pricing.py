@@ -14,7 +14,7 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.pricing import Pricing, PricingRow, percent
+from softcat_sym.studies.effect_importance import Pricing, PricingRow, percent
 
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
 

@@ -218,7 +218,7 @@ def shapes_of(data: Fields, scene: Scene, frames: list[int]) -> list[Shape]:
     clock, lengths = time_unit(float(np.abs(times).max())), np.diff(array(data, "X_node"))
     shapes = []
     for frame in frames:
-        section = section_at(data, frame, (scene.ends.left == "clamped", scene.ends.right == "clamped"))
+        section = section_at(data, frame, [one.holds_angle for one in scene.ends.supports])
         sag = float(sags[frame])
         lines = [
             f"t = {clock.text(float(times[frame]))}",

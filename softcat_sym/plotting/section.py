@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -73,7 +74,7 @@ class Section:
         return points
 
 
-def section_at(data: Fields, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
+def section_at(data: Fields, frame: int, clamped: Sequence[bool] = (False, False)) -> Section:
     """Read the filament of one frame."""
     x, y = array(data, "x")[frame], array(data, "y")[frame]
     thickness = np.interp(array(data, "X_node"), array(data, "X_cell"), array(data, "thickness")[frame])

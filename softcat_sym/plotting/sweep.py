@@ -19,6 +19,7 @@ from matplotlib.lines import Line2D
 from rich import box
 
 from softcat_sym import drawing
+from softcat_sym.batch.sweep import Sweep
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
@@ -26,7 +27,6 @@ from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
-from softcat_sym.studies.sweep import Sweep
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -111,7 +111,7 @@ def sweep_report(sweep: Sweep) -> Report:
     def shares(found: Counter[str]) -> list[tuple[str, str]]:
         return [(f"  {_words(name)}", f"{n} ({n / len(sweep):.0%})") for name, n in found.most_common()]
 
-    rows = [("members", f"{len(sweep)} ({how}){before}"), *shares(counts.outcomes), ("grid", sweep.centre.words)]
+    rows = [("members", f"{len(sweep)} ({how}){before}"), *shares(counts.outcomes), ("grid", str(sweep.centre))]
     rows += [("regimes", ""), *shares(counts.regimes)] if counts.regimes else []
     if ran:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))

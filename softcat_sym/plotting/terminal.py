@@ -208,7 +208,7 @@ def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     largest, moved = float(summary.get("midpoint_largest_m", abs(place))), summary.get("displacement")
     if moved and (moved["midpoint_m"] < _HARDLY * moved["scale_m"] or largest > moved["largest_m"] / _FAR):
         return _displacement(summary, scene, refused=refused)
-    sags = place <= 0 and "free" not in (ends.left, ends.right) and ends.drop == 0 and not ends.motion
+    sags = place <= 0 and not any(one.is_free for one in ends.supports) and ends.drop == 0 and not ends.motion
     ruler = length_unit(abs(place), scene.filament.span)
     where = f"{ruler.text(abs(place))}{'' if sags else ' down' if place <= 0 else ' up'}"
     if refused and total is None:

@@ -23,11 +23,12 @@ import numpy.typing as npt
 
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.files import fill_atomically
+from softcat_sym.files import replace_atomically
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.reference.material_point import LAWS, PointCode
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
+from softcat_sym.store import packed, unpacked
 
 _ONLY: dict[str, object] = {
     "model": "filament",
@@ -310,14 +311,8 @@ def fingerprint(problem: Problem, mesh: Mesh, clamp: Clamp, step_factor: float, 
 
 def write_checkpoint(path: Path, key: str, state: State) -> None:
     """Write a state whole or not at all."""
-    arrays: dict[str, Any] = {_KEY: np.array(key), **state}
-
-    def fill(passing: Path) -> None:
-        with passing.open("xb") as stream:
-            np.savez(stream, **arrays)
-
     try:
-        fill_atomically(path, fill)
+        replace_atomically(path, packed({_KEY: np.array(key), **state}))
     except OSError as error:
         raise SoftcatError(f"cannot write the checkpoint {path}: {error.strerror or error}") from error
 
@@ -327,10 +322,8 @@ def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[Any]] | None:
     if not path.exists():
         return None
     try:
-        # Opened here: NumPy leaves the file open where it is no archive.
-        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
-            state = {name: archive[name] for name in archive.files}
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
+        state = unpacked(path.read_bytes())
+    except (OSError, ValueError, EOFError, zipfile.BadZipFile, TypeError) as error:
         raise SoftcatError(f"{path} is no checkpoint of elements ({error}); delete it or name another") from error
     if str(state.pop(_KEY, "")) != key:
         raise SoftcatError(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -37,7 +37,7 @@ from softcat_sym.reference.element_loop import (
 from softcat_sym.reference.material_point import MaterialPoint, point_code
 from softcat_sym.scene.scene import Scene, elastic_time
 
-# Fields kept, evenly spaced; the last output time is always among them.
+# Fields kept unless their times are named, evenly spaced; the last output time is always among them.
 _FIELDS = 21
 ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "potential")
 
@@ -45,16 +45,17 @@ ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "pote
 class Records:
     """Arrays that fill up as a run goes on."""
 
-    def __init__(self, problem: Problem, strip: Strip) -> None:
+    def __init__(self, problem: Problem, strip: Strip, shares: Sequence[float] = ()) -> None:
         frames, elements = problem.frames, len(strip.corner)
-        self.frame_of_field = np.unique(np.linspace(0, frames - 1, min(_FIELDS, frames)).round().astype(int))
-        fields = len(self.frame_of_field)
+        fields = np.array(shares) if len(shares) else np.linspace(0, 1, min(_FIELDS, frames))
+        self.frame_of_field = np.unique((fields * (frames - 1)).round().astype(int))
+        count = len(self.frame_of_field)
         shapes: dict[str, tuple[int, ...]] = {
             "centreline": (frames, len(strip.centreline), 2),
             **dict.fromkeys(("thinning", "clamp_strain", "clamp_strain_largest", "steps", *ENERGIES), (frames,)),
-            "rate": (fields, elements, len(POINTS)),
-            "displacement": (fields, *strip.position.shape),
-            "flow": (fields, elements, len(POINTS), POINT_STATE),
+            "rate": (count, elements, len(POINTS)),
+            "displacement": (count, *strip.position.shape),
+            "flow": (count, elements, len(POINTS), POINT_STATE),
         }
         self.arrays: dict[str, Floats] = {name: np.full(shape, np.nan) for name, shape in shapes.items()}
 
@@ -246,7 +247,7 @@ _FOLDS = 0.5
 class March:
     """Marches an element loop through the output times of a problem."""
 
-    def __init__(self, problem: Problem, loop: ElementLoop, step_factor: float) -> None:
+    def __init__(self, problem: Problem, loop: ElementLoop, step_factor: float, shares: Sequence[float] = ()) -> None:
         self._problem, self._loop, self._factor = problem, loop, step_factor
         interval = problem.duration / (problem.frames - 1)
         self._per_frame = math.ceil(interval / _STRETCH)
@@ -254,7 +255,7 @@ class March:
         self._stretches = 0
         self._steps = 0
         self._work = 0.0
-        self.records = Records(problem, loop.strip)
+        self.records = Records(problem, loop.strip, shares)
         self._begin()
         loop.evaluate(loop.step, 0.0)
         self.records.take(0, loop, 0)
@@ -331,6 +332,15 @@ class Progress(Protocol):
         ...
 
 
+def checkpoint_key(
+    scene: Scene, mesh: Mesh, clamp: Clamp, step_factor: float = 1.0, fields: Sequence[float] = ()
+) -> str:
+    """Hash of all that decides a checkpoint of a scene."""
+    problem = problem_of(scene)
+    sources = element_sources(point_code(problem.law)) | ({"fields": str(list(fields))} if len(fields) else {})
+    return fingerprint(problem, mesh, clamp, step_factor, sources)
+
+
 def run_elements(
     scene: Scene,
     mesh: Mesh | None = None,
@@ -339,6 +349,7 @@ def run_elements(
     step_factor: float = 1.0,
     checkpoint: Path | None = None,
     checkpoint_every: float = 30.0,
+    fields: Sequence[float] = (),
     progress: Progress | None = None,
 ) -> ElementRun:
     """Run the elements over a scene.
@@ -361,6 +372,8 @@ def run_elements(
         File that holds the complete state. If it is there the run goes on from it, to the very same numbers.
     checkpoint_every : float
         Seconds between two checkpoints; one is also written at the end and on Ctrl-C, which is then passed on.
+    fields : sequence of float
+        Shares of the duration, 0 to 1, at which fields are kept; by default 21 evenly spaced ones.
     progress : Progress, optional
         Told the simulated time.
 
@@ -389,11 +402,11 @@ def run_elements(
             [Fault("surroundings.surface_tension", found, "a smaller one, or fewer elements along the span")]
         )
     supports = half_span_supports(strip, clamp)
-    key = fingerprint(problem, strip.mesh, clamp, step_factor, element_sources(code))
+    key = checkpoint_key(scene, strip.mesh, clamp, step_factor, fields)
     loop = ElementLoop(
         strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
     )
-    march, second = March(problem, loop, step_factor), elastic_time(scene)
+    march, second = March(problem, loop, step_factor, fields), elastic_time(scene)
     if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:
         march.restore(state)
         began -= float(state["wall"].item())

@@ -24,7 +24,6 @@ from softcat_sym.effects.forecast import (
     tension_share,
 )
 from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor, retardation, solvent_lag
 from softcat_sym.effects.scaling_estimates import (
     effective_viscosity,
@@ -312,7 +311,7 @@ def _limit(scene: Scene, time: Floats, midpoint: Floats) -> float | None:
             return None
         found.append(float(rest / (1 - ratio)))
     agree = abs(found[1] - found[0]) <= AGREE * abs(found[0] - float(midpoint[-1]))
-    return found[0] if is_solid(scene) and agree else None
+    return found[0] if scene.material.spec.is_solid and agree else None
 
 
 def last_fifth(time: Floats, midpoint: Floats) -> float:
@@ -411,7 +410,7 @@ def regime_of(
     Under shaken gravity a filament that has yielded never comes to rest: it is "descending" where it flows on in the
     last tenth and the last period, and otherwise "shaken", of which nothing more is claimed.
     """
-    if is_solid(scene):
+    if scene.material.spec.is_solid:
         return "elastic"
     if not (effects.terms().flows or effects.terms().viscous):
         stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])

@@ -52,7 +52,8 @@ class Watched:
             if largest > least[DISPLACEMENT]:
                 sizes["sideways"] = np.abs(moved[..., 2])
             # A clamp holds its section, and is no unknown.
-            free = [scene.ends.left != "clamped", *[True] * (len(places[0]) - 2), scene.ends.right != "clamped"]
+            free = np.ones(len(places[0]), dtype=bool)
+            free[[0, -1]] = [not support.holds_angle for support in scene.ends.supports]
             sizes["turn"] = turn_of(fields) * free
             bounds = {"sideways": largest, "turn": largest / length, "torque": max(pull, *map(float, moments))}
             least |= {name: NOTHING * bound for name, bound in bounds.items()}

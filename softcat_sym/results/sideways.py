@@ -19,10 +19,10 @@ import numpy.typing as npt
 from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.free_vibration import solid_viscosity
-from softcat_sym.effects.law import has_chains
 from softcat_sym.effects.scaling_estimates import instant_modulus, section_of
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.ends import Support
 from softcat_sym.scene.scene import Scene, undeformed_area
 
 Bools = npt.NDArray[np.bool_]
@@ -104,7 +104,7 @@ def seeded(scene: Scene) -> Scene | None:
 def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
     modulus = instant_modulus(scene)
-    if is_spatial(scene) or modulus is None or has_chains(scene) or section_of(scene).plane_strain:
+    if is_spatial(scene) or modulus is None or scene.material.spec.has_chains or section_of(scene).plane_strain:
         return None
     if "moment" not in fields or not np.any(fields["moment"]):
         return None
@@ -115,12 +115,16 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     time, held = fields["time"], _held(scene, fields["x"].shape[1])
     mass = _masses(scene, fields, held)
     cells = _Cells.of(scene, fields)
-    if cells.stay(modulus, (scene.ends.left, scene.ends.right)):
+    if cells.stay(modulus, scene.ends.supports):
         return None
     # Of forces and moments, and of each unit of a modulus.
     carried, elastic = (cells.tangent(share, force=one) for share, one in ((0.0, 1.0), (1.0, 0.0)))
+    for cell, first, side in ((0, 0, "left"), (-1, _FREE, "right")):
+        place, turn = scene.ends.stiffness(side)
+        spring = [k if k < math.inf else 0.0 for k in (place, turn, turn)]
+        carried[:, cell, range(first, first + _FREE), range(first, first + _FREE)] += spring
     viscosity = solid_viscosity(scene)
-    if scene.material.law == "kelvin-voigt":
+    if scene.material.spec.viscous_stress:
         viscosity += float(scene.material.viscosity or 0.0)
     stiffness, damping = _Matrix.of(carried + modulus * elastic, held), _Matrix.of(viscosity * elastic, held)
     rates = _growth_rates(stiffness, damping, mass, float(time[-1]))
@@ -162,7 +166,7 @@ class _Cells:
             points = warping_rule(4, 4, filament.width / filament.thickness)
             torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
         shear = size / (2 * (1 + scene.material.poisson))
-        correction = section_of(scene).shear_correction
+        correction = float(section_of(scene).shear_correction)
         # n_1 of the tension (THEORY3D 4), in the plane.
         force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * shears
         force = force + 1.5 * fields["moment"] * fields["curvature"]
@@ -172,7 +176,7 @@ class _Cells:
         strains = Lam, shears * Lam, fields["curvature"] * Lam * length
         return cls(length, *strains, force, fields["shear_force"], fields["moment"], stiffness)
 
-    def stay(self, modulus: float, ends: tuple[str, str]) -> bool:
+    def stay(self, modulus: float, ends: tuple[Support, Support]) -> bool:
         """Whether they surely stay in their plane.
 
         In frames that do not turn with the filament the two turns phi of a section have the energy (A p^2 + B r^2 +
@@ -184,8 +188,8 @@ class _Cells:
         straight.
         """
         whole, at = float(self.length.sum()), np.cumsum(self.length) - self.length / 2
-        clamped = [end == "clamped" for end in ends]
-        if ends == ("pinned", "pinned"):
+        clamped = [end.holds_height and end.holds_angle for end in ends]
+        if all(end.holds_height and not end.carries_moment for end in ends):
             weight = whole / 3 - at * (whole - at) / whole
             if np.abs(np.cumsum(self.turn, axis=1)).max() > _NEARLY_STRAIGHT:
                 return False
@@ -307,8 +311,8 @@ def _are_positive(blocks: Floats) -> Bools:
 def _held(scene: Scene, nodes: int) -> Bools:
     """Which unknowns the ends hold: all at a clamp, all but the turn about d2 at a pin."""
     held = np.zeros(_FREE * nodes, dtype=bool)
-    for kind, first in ((scene.ends.left, 0), (scene.ends.right, _FREE * (nodes - 1))):
-        held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[kind]] = True
+    for support, first in zip(scene.ends.supports, (0, _FREE * (nodes - 1)), strict=True):
+        held[first : first + _FREE] = support.holds_height, support.holds_height, support.holds_angle
     return held
 
 

@@ -16,7 +16,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.results.breaking import breakable, first_break
 from softcat_sym.results.fields import audit_of, energies_of, is_loss, min_energy
-from softcat_sym.scene.material import POLYMERS, SOLIDS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 from softcat_sym.solvers.solution import Solution
@@ -180,9 +179,9 @@ def _place(nodes: Floats, cell: int) -> float:
 
 def largest_stretch(scene: Scene) -> float:
     """The stretch at which a filament counts as ruptured."""
-    if scene.material.law in POLYMERS:
+    if scene.material.spec.has_chains:
         return POLYMER_THREAD
-    return STRONGEST if scene.material.law in SOLIDS else THREAD
+    return STRONGEST if scene.material.spec.is_solid else THREAD
 
 
 def rupture_frame(scene: Scene, stretch: Floats) -> int | None:
@@ -250,7 +249,7 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     requested = scene.numerics.grading
     if requested is None or requested <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
         return None
-    ends = [place for place, end in ((0, scene.ends.left), (-1, scene.ends.right)) if end == "clamped"]
+    ends = [place for place, one in zip((0, -1), scene.ends.supports, strict=True) if one.carries_moment]
     lengths = np.diff(nodes) / scene.filament.thickness
     short = [float(lengths[end]) for end in ends if np.max(yielded[:, end]) > 0.5 and lengths[end] < SHORTEST_CELL]
     return min(short, default=None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule
 from softcat_sym.scene.tables import Tables
@@ -56,21 +57,27 @@ def needed_in_space(scene: Tables) -> str:
     return f"three dimensions: {reason_for_dimensions(scene)}" if is_spatial(scene) else ""
 
 
+def needs_section_angles(scene: Tables) -> str:
+    """Reason why the angle of a section is an unknown of its own; empty where none is known."""
+    springs = any(support.angle is Hold.SPRING for support in scene.ends.supports)
+    return needed_in_space(scene) or ("a rotational spring turns the section of an end" if springs else "")
+
+
 def dimension_rules(scene: Tables) -> Iterator[Rule]:
     """List what goes neither with the ends nor with the dimensions of a scene."""
-    ends, load, out = scene.ends, scene.load, "leaving it out"
+    ends, load, out, right = scene.ends, scene.load, "leaving it out", scene.ends.supports[1]
     found = f"given, but the right end is {ends.right}"
     loose = f'{out}, or ends.right = "free"'
     slides = ends.right_slides
-    pulled = any(load.tip_force) and ends.right != "free" and not slides
+    pulled = any(load.tip_force) and not right.is_free and not slides
     yield pulled, "load.tip_force", found, f"{loose}, or ends.right_slides"
     along = "a force along the span, right or left"
     yield slides and any(load.tip_force[1:]), "load.tip_force", "across the way that the clamp slides", along
-    yield load.tip_mass > 0 and ends.right != "free", "load.tip_mass", found, loose
-    yield any(load.tip_torque) and ends.right != "free", "load.tip_torque", found, loose
+    yield load.tip_mass > 0 and not right.is_free, "load.tip_mass", found, loose
+    yield any(load.tip_torque) and not right.is_free, "load.tip_torque", found, loose
     clamped = f'{out}, or ends.right = "clamped"'
-    yield ends.right_twist and ends.right != "clamped", "ends.right_twist", found, clamped
-    yield slides and ends.right != "clamped", "ends.right_slides", found, clamped
+    yield ends.right_twist and not right.holds_angle, "ends.right_twist", found, clamped
+    yield slides and not (right.holds_height and right.holds_angle), "ends.right_slides", found, clamped
     yield slides and ends.right_angle, "ends.right_angle", "given, but the clamp slides along the span", out
     pushed = slides and any(row[1] for row in ends.motion)
     yield pushed, "ends.motion", "along the span, where ends.right_slides leaves the end free", "rows with dx = 0"
@@ -93,7 +100,7 @@ def _of_centreline(scene: Tables) -> Iterator[Rule]:
     yield scene.initial.stretch != 1, "initial.stretch", given, out
     yield scene.initial.surface != "fresh", "initial.surface", given, out
     newtonian = f"given, but a fluid has no strain to begin with: the law is '{scene.material.law}'"
-    yield scene.material.law == "newtonian", "initial.centreline", newtonian, "another law"
+    yield not scene.material.spec.is_elastic, "initial.centreline", newtonian, "another law"
 
 
 def _of_space(scene: Tables) -> Iterator[Rule]:
@@ -104,7 +111,7 @@ def _of_space(scene: Tables) -> Iterator[Rule]:
     yield filament.section == "sheet", "filament.section", f"'sheet', whose torsion is a plate's ({asked})", "rectangle"
     yield scene.model == "small-deflection", "model", f"'small-deflection', {only}", "filament"
     yield scene.run.closure == "printed", "run.closure", f"'printed', {only}", "material"
-    yield material.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
+    yield material.spec.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
     histories = (*material.histories(), *material.natural_strains())
     given = (
         *((f"material.{name}", True) for name in histories),

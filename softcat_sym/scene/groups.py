@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -11,23 +11,13 @@ from pydantic import ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
 
 from softcat_sym.errors import Fault
-from softcat_sym.scene.material import (
-    CONSTANTS,
-    FROM_SHEAR,
-    GROUPED,
-    INDEXED,
-    POISSON,
-    Law,
-    Material,
-    kind_of_constant,
-    power,
-    shear_names,
-)
+from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
+from softcat_sym.scene.material import FROM_SHEAR, POISSON, Material, power, shear_names
 from softcat_sym.scene.parts import Filament, Load, Part, kinds_of
 from softcat_sym.scene.units import LARGEST, SMALLEST, Choice, Kind, Number, fault_of, refusal, shown, with_unit
 
 TimeUnit = Literal["gravity", "elastic"]
-_GROUPED = f"one of the laws {', '.join(GROUPED)}"
+_GROUPED = [one.name for one in LAWS.values() if one.has_groups]
 Positive = Annotated[float | None, Number(above=0)]
 
 
@@ -38,7 +28,7 @@ class GroupBlock(Part):
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
-    law: Annotated[Law, Choice(Law)]
+    law: Annotated[str, Choice(tuple(LAWS))]
     """Constitutive law: how the material answers to stress."""
     G: Positive = None
     """Gravity over yield stress, rho g L/sY."""
@@ -65,12 +55,14 @@ class GroupBlock(Part):
     @classmethod
     def _of_the_law(cls, value: Any, info: ValidationInfo) -> Any:
         law = info.data.get("law", value)
-        if info.field_name == "law" and law not in GROUPED:
-            raise refusal(f"the law '{law}' has more constants than groups", f"give physical values; or {_GROUPED}")
-        if info.field_name == "n" and value != 1 and law in CONSTANTS and law not in INDEXED:
-            raise refusal(f"given, but the law '{law}' has no index", f"leaving it out, or {' or '.join(INDEXED)}")
-        if (value, law) == ("elastic", "newtonian"):
-            raise refusal("'elastic', but the law 'newtonian' has no Young's modulus", "gravity")
+        if info.field_name == "law" and law not in _GROUPED:
+            accepted = f"give physical values; or one of the laws {', '.join(_GROUPED)}"
+            raise refusal(f"the law '{law}' has more constants than groups", accepted)
+        if info.field_name == "n" and value != 1 and law in LAWS and not LAWS[law].has_index:
+            others = " or ".join(one.name for one in LAWS.values() if one.has_index)
+            raise refusal(f"given, but the law '{law}' has no index", f"leaving it out, or {others}")
+        if value == "elastic" and info.field_name == "time_unit" and law in LAWS and not LAWS[law].is_elastic:
+            raise refusal(f"'elastic', but the law '{law}' has no Young's modulus", "gravity")
         return value
 
 
@@ -79,14 +71,15 @@ GROUND = "1"
 _WITH_INDEX = "groups.V, K/(rho g L (L/g)^(n/2))"
 _WORDS = {"youngs_modulus": "Young's modulus", "viscosity": "the viscosity", "yield_stress": "the yield stress"}
 
-# What each group relates; the ratio of the two comes with the numbers.
-RELATES = {
-    "G": ("yield_stress", GROUND),
-    "eps_Y": ("yield_stress", "youngs_modulus"),
-    "E_star": ("youngs_modulus", GROUND),
-    "V": ("viscosity", GROUND),
-    "B": ("viscosity", GROUND),
-    "tau": ("viscosity", "youngs_modulus"),
+# The two constants that each group relates, and their ratio: of the group, the stress rho g L [Pa], the time sqrt(L/g)
+# [s] and the index [3.9, 3.10].
+RELATES: dict[str, tuple[str, str, Callable[[float, float, float, float], float]]] = {
+    "G": ("yield_stress", GROUND, lambda group, stress, time, n: stress / group),
+    "eps_Y": ("yield_stress", "youngs_modulus", lambda group, stress, time, n: group),
+    "E_star": ("youngs_modulus", GROUND, lambda group, stress, time, n: stress * group),
+    "V": ("viscosity", GROUND, lambda group, stress, time, n: stress * power(time, n) * group),
+    "B": ("viscosity", GROUND, lambda group, stress, time, n: stress * time / (2 * group)),
+    "tau": ("viscosity", "youngs_modulus", lambda group, stress, time, n: time * group),
 }
 
 
@@ -100,12 +93,18 @@ class Relation:
     ratio: float  # SI
 
 
+def relation_of(key: str, group: float, stress: float, time: float, index: float) -> Relation:
+    """What a group says of two constants, from the stress rho g L [Pa] and the time sqrt(L/g) [s]."""
+    constant, other, ratio = RELATES[key]
+    return Relation(f"groups.{key}", constant, other, ratio(group, stress, time, index))
+
+
 def faults_of(relations: list[Relation], law: str) -> list[Fault]:
     """List what is said twice, what the law does not use, and what is missing."""
     faults: list[Fault] = []
     tree: list[Relation] = []
     for relation in relations:
-        unused = [name for name in (relation.constant, relation.other) if name not in (*CONSTANTS[law], GROUND)]
+        unused = [name for name in (relation.constant, relation.other) if name not in (*LAWS[law].constants, GROUND)]
         if unused:
             # Constants given as such are refused by the material itself.
             if relation.path.startswith("groups."):
@@ -120,10 +119,10 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
         own = relation.path.removeprefix("groups.")
         found = f"given twice: {names} and {own} together fix more than there is to fix"
         faults.append(Fault(relation.path, found, "leaving one of them out"))
-    loose = [name for name in CONSTANTS[law] if _chain(tree, name, GROUND) is None]
+    loose = [name for name in LAWS[law].constants if _chain(tree, name, GROUND) is None]
     if loose:
         given = {relation.path for relation in relations}
-        ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair) & set(loose)]
+        ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair[:2]) & set(loose)]
         ways = [path for path in (*ways, *(f"material.{name}" for name in loose)) if path not in given]
         found = f"missing: nothing fixes {' and '.join(_WORDS[name] for name in loose)}"
         faults.append(Fault("groups", found, f"one more of {', '.join(ways)}"))
@@ -186,7 +185,8 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
     if not isinstance(groups, Mapping):
         return frozenset(_STANDS_FOR.values()) if "groups" in table else frozenset()
     filled = {path for key, path in _STANDS_FOR.items() if key in groups or key in ("delta", "law")}
-    constants = CONSTANTS.get(str(groups.get("law")), ("youngs_modulus", "viscosity", "yield_stress"))
+    law = str(groups.get("law"))
+    constants = LAWS[law].constants if law in LAWS else ("youngs_modulus", "viscosity", "yield_stress")
     given = _section(table, "material")
     for name in constants:
         if not {name, *shear_names(name)} & set(given):
@@ -223,8 +223,7 @@ def resolve_groups(table: Table) -> Resolved:
         faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
     scaled = span > 0 and density > 0 and gravity > 0
     stress, time = density * gravity * span, math.sqrt(span / gravity) if scaled else 0.0
-    ratios = _ratios(block, stress, time, index) if block is not None and scaled else {}
-    relations = _relations(raw, rest, ratios, index if scaled else 1.0)
+    relations = _relations(raw, rest, block if scaled else None, (stress, time, index if scaled else 1.0))
     faults += _of_law(raw, rest, block, relations, index)
     if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
         return Resolved(rest, tuple(faults), determined, complete=False)
@@ -243,13 +242,13 @@ def _of_law(
 ) -> list[Fault]:
     """Fill in the law with its index, and find what does not belong to it."""
     law, faults = raw.get("law"), list[Fault]()
-    if isinstance(law, str) and law in GROUPED:
+    if isinstance(law, str) and law in _GROUPED:
         faults += faults_of(relations, law)
-        if law in INDEXED and index != 1:
+        if spec_of(law).has_index and index != 1:
             found = f"given, but with an index of {index:g} there is no viscosity to scale"
             faults += [Fault(f"groups.{key}", found, _WITH_INDEX) for key in ("tau", "B") if key in raw]
         _fill(rest, "material.law", law)
-    if block is not None and "n" in raw and block.law in INDEXED:
+    if block is not None and "n" in raw and LAWS[block.law].has_index:
         _fill(rest, "material.index", block.n)
     return faults
 
@@ -260,7 +259,7 @@ def _fill_physical(rest: Table, block: GroupBlock, sizes: Mapping[str, float], u
     for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if times is not None:
             _fill(rest, path, with_unit(times * unit, "time"))
-    for name in CONSTANTS[block.law]:
+    for name in LAWS[block.law].constants:
         if not set(shear_names(name)) & set(_section(rest, "material")):
             _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(sizes[name]))
 
@@ -275,20 +274,11 @@ def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]
         return None, [fault_of(detail, known, accepted) for detail in details]  # type: ignore[arg-type]
 
 
-def _ratios(block: GroupBlock, stress: float, time: float, index: float) -> dict[str, float]:
-    """Turn each group into the ratio of its two constants, SI [3.9, 3.10]."""
-    growing = {"eps_Y": 1.0, "E_star": stress, "V": stress * power(time, index), "tau": time}
-    ratios = {key: scale * group for key, scale in growing.items() if (group := getattr(block, key)) is not None}
-    if block.G is not None:
-        ratios["G"] = stress / block.G
-    if block.B is not None:
-        ratios["B"] = stress * time / (2 * block.B)
-    return ratios
-
-
-def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float], index: float) -> list[Relation]:
-    """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
-    relations, given = [], _section(rest, "material")
+def _relations(
+    raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, scales: tuple[float, float, float]
+) -> list[Relation]:
+    """All that was said of the constants. Without a sound block the ratios of groups are 0: only who fixes whom."""
+    relations, given, index = [], _section(rest, "material"), scales[-1]
     poisson = _value(Material, rest, "poisson", POISSON)
     for name in ("youngs_modulus", "viscosity", "yield_stress"):
         shear = [(rule.shear, rule.factor(index, poisson)) for rule in FROM_SHEAR if rule.constant == name]
@@ -296,9 +286,10 @@ def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float],
             if key in given:
                 value = times * _read(kind_of_constant(key, str(raw.get("law")), index), given[key], 0.0)
                 relations.append(Relation(f"material.{key}", name, GROUND, value))
-    for key, (constant, other) in RELATES.items():
+    for key, (constant, other, _) in RELATES.items():
         if raw.get(key) is not None:
-            relations.append(Relation(f"groups.{key}", constant, other, ratios.get(key, 0.0)))
+            plain = Relation(f"groups.{key}", constant, other, 0.0)
+            relations.append(plain if block is None else relation_of(key, getattr(block, key), *scales))
     if not {*_MODULUS_GROUPS} & set(raw) and not {"youngs_modulus", *shear_names("youngs_modulus")} & set(given):
         modulus = _read(kind_of_constant("youngs_modulus", None, 1.0), PAPER_MODULUS, 0.0)
         relations.append(Relation("groups", "youngs_modulus", GROUND, modulus))

@@ -10,7 +10,8 @@ from pydantic.fields import FieldInfo
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
-from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, tensile_name
+from softcat_sym.scene.laws import LAWS, spec_of
+from softcat_sym.scene.material import tensile_name
 from softcat_sym.scene.parts import Part, dotted, kinds_of, meanings_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
@@ -71,18 +72,25 @@ def keys_in_markdown() -> str:
     return "\n".join([*lines, ""])
 
 
-LAWS = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("standard-linear", "custom"))
-"""Laws whose constants a template asks for: each has some, and nothing besides."""
-
 _GEOMETRY = {"filament.span": "5 mm", "filament.thickness": "0.4 mm", "filament.density": "2200 kg/m^3"}
 _CHOICES = ("filament.section", "material.law", "ends.left", "ends.right")
-_CHAINS = {
+_INK = {
+    "youngs_modulus": "300 kPa",
+    "shear_yield_stress": "200 Pa",
+    "shear_viscosity": "10 Pa*s",
     "relaxation_time": "0.1 s",
     "shear_solvent_viscosity": "10 Pa*s",
     "finite_extensibility": "1000",
     "mobility": "0.2",
     "ptt_epsilon": "0.1",
 }
+"""Constants of an ink, and of polymer chains in a solvent, in the order of the file."""
+TEMPLATES = tuple(
+    one.name
+    for one in LAWS.values()
+    if one.constants and not one.lists and set(one.constants) <= {tensile_name(name) or name for name in _INK}
+)
+"""Laws whose constants a template asks for: each has some, with values here, and nothing besides."""
 _NUMBERS = ("material.index", "material.finite_extensibility", "material.mobility", "material.ptt_epsilon")
 _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", "run.effects")
 """Keys whose defaults are written as comments, for who wants to change them next."""
@@ -91,32 +99,26 @@ _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", 
 def example_values(given: Mapping[str, str]) -> dict[str, str]:
     """Return values of an ink for all that a scene of a law needs, in the order of the file."""
     law = given.get("material.law", "bingham")
-    constants = CONSTANTS.get(law, ())
-    values = {**_GEOMETRY, "material.law": law}
-    if "youngs_modulus" in constants:
-        values["material.youngs_modulus"] = "300 kPa"
-    if "yield_stress" in constants:
-        values["material.shear_yield_stress"] = "200 Pa"
-    if law in INDEXED:
+    constants = spec_of(law).constants
+    own = {name: text for name, text in _INK.items() if (tensile_name(name) or name) in constants}
+    if spec_of(law).has_index:
         index = given.get("material.index", "0.5")
-        values["material.index"] = index
         number = _value("material.index", index)
-        values["material.shear_consistency"] = f"10 {consistency_unit(number if isinstance(number, float) else 1.0)}"
-    elif "viscosity" in constants:
-        values["material.shear_viscosity"] = "10 Pa*s"
-    # In the order of the file: of polymer chains in a solvent, not of an ink.
-    values |= {f"material.{name}": text for name, text in _CHAINS.items() if (tensile_name(name) or name) in constants}
-    if law in POLYMERS:
-        values["material.youngs_modulus"] = "300 Pa"
+        del own["shear_viscosity"]
+        own["index"] = index
+        own["shear_consistency"] = f"10 {consistency_unit(number if isinstance(number, float) else 1.0)}"
+    if spec_of(law).has_chains:
+        own["youngs_modulus"] = "300 Pa"
+    values = {**_GEOMETRY, "material.law": law, **{f"material.{name}": text for name, text in own.items()}}
     return {**values, "surroundings.surface_tension": "0 N/m", "run.duration": "0.5 s"}
 
 
 def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
     """Write a scene of a round strand, with a comment on every value, and validate it."""
-    law = given.get("material.law", LAWS[0])
-    if law in CONSTANTS and law not in LAWS:
+    law = given.get("material.law", TEMPLATES[0])
+    if law in LAWS and law not in TEMPLATES:
         found = f"'{law}', whose constants are more than are asked for here"
-        raise SceneError([Fault("material.law", found, f"{', '.join(LAWS)}; softcat show NAME writes others")])
+        raise SceneError([Fault("material.law", found, f"{', '.join(TEMPLATES)}; softcat show NAME writes others")])
     values = {**example_values(given), **given}
     lines = [
         "# Every value has its unit. What else may stand here, and what it means: softcat keys",

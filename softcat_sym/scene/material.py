@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from keyword import iskeyword
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
-from pydantic_core import PydanticCustomError, ValidationError
+from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene.formula import (
     FORMULA_CONSTANTS,
@@ -22,11 +23,13 @@ from softcat_sym.scene.formula import (
     threshold,
 )
 from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
+from softcat_sym.scene.laws import CONSTANTS, LAWS, STRESS, VISCOSITY, LawSpec, kind_of_constant, laws_with, spec_of
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.structure import Structure, StructureTable
 from softcat_sym.scene.units import (
-    SI,
-    STRESS,
+    STRESS as PASCAL,
+)
+from softcat_sym.scene.units import (
     Choice,
     Dimension,
     Kind,
@@ -34,8 +37,8 @@ from softcat_sym.scene.units import (
     Number,
     Quantity,
     Text,
-    consistency_unit,
-    each_refusal,
+    read_each,
+    read_fields,
     refusal,
     refusals,
     same_dimension,
@@ -88,29 +91,15 @@ class Modes(Kind):
         items = self.listed(value, "a list")
         if len(items) > _MOST:
             raise refusal(f"{len(items)} modes", f"at most {_MOST} modes")
-        faults: list[Refused] = []
-        modes = [self._mode(item, str(number), faults) for number, item in enumerate(items, start=1)]
-        if faults:
-            raise refusals("modes", faults)
-        return tuple(modes)
+        reads = {str(number): partial(self._mode, item) for number, item in enumerate(items, start=1)}
+        return tuple(read_each("modes", reads).values())
 
-    def _mode(self, item: object, number: str, faults: list[Refused]) -> Mode:
+    def _mode(self, item: object) -> Mode:
         if isinstance(item, Mode):
             return item
         if not isinstance(item, Mapping):
-            faults.append(((number,), self.refuse(f"{shown(item)} is not a mode")))
-            item = {name: SI(1.0) for name in _MODE}
-        for key in set(item) - set(_MODE):
-            faults.append(((number, str(key)), refusal("unknown key", ", ".join(_MODE))))
-        read = dict.fromkeys(_MODE, math.nan)
-        for name, kind in _MODE.items():
-            try:
-                if name not in item:
-                    raise kind.refuse("missing")
-                read[name] = kind.read(item[name])
-            except (PydanticCustomError, ValidationError) as error:
-                faults += [((number, name, *steps), one) for steps, one in each_refusal(error)]
-        return Mode(**read)
+            raise self.refuse(f"{shown(item)} is not a mode")
+        return Mode(**read_fields("mode", item, _MODE, _MODE))
 
     def write(self, value: tuple[Mode, ...]) -> object:
         return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
@@ -130,16 +119,8 @@ class Parameters(Kind):
             raise self.refuse(f"{shown(value)} is not a table")
         if len(value) > _MOST:
             raise refusal(f"{len(value)} parameters", f"at most {_MOST} parameters")
-        faults: list[Refused] = []
-        parameters = []
-        for name, given in value.items():
-            try:
-                parameters.append(_parameter(name, given))
-            except PydanticCustomError as error:
-                faults.append(((str(name),), error))
-        if faults:
-            raise refusals("parameters", faults)
-        return tuple(sorted(parameters, key=lambda parameter: parameter.name))
+        read = read_each("parameters", {str(name): partial(_parameter, name, one) for name, one in value.items()})
+        return tuple(sorted(read.values(), key=lambda parameter: parameter.name))
 
     def write(self, value: tuple[Parameter, ...]) -> object:
         return {
@@ -158,14 +139,12 @@ class EffectTables(Kind):
             return value
         if not isinstance(value, Mapping):
             raise self.refuse(f"{shown(value)} is not a table")
-        faults = [
-            ((str(name),), self.refuse(f"{shown(table)} is not a table"))
-            for name, table in value.items()
-            if not isinstance(table, Mapping)
-        ]
-        if faults:
-            raise refusals("effects", faults)
-        return tuple((str(name), Parameters().read(table)) for name, table in sorted(value.items()))
+        return tuple(sorted(read_each("effects", {str(k): partial(self._table, v) for k, v in value.items()}).items()))
+
+    def _table(self, value: object) -> tuple[Parameter, ...]:
+        if not isinstance(value, Mapping):
+            raise self.refuse(f"{shown(value)} is not a table")
+        return Parameters().read(value)
 
     def write(self, value: tuple[EffectTable, ...]) -> object:
         return {name: Parameters().write(table) for name, table in value}
@@ -192,10 +171,6 @@ def _parameter(name: object, given: object) -> Parameter:
     return Parameter(name, value + 0.0, dimension)
 
 
-# Laws whose viscosity is a consistency, and which have an index.
-INDEXED = ("power-law", "herschel-bulkley")
-
-
 @dataclass(frozen=True, slots=True)
 class Conversion:
     """One tensile constant from one shear datum, by von Mises' equivalence; Trouton's 3 of a Newtonian fluid."""
@@ -207,7 +182,7 @@ class Conversion:
 
     def suits(self, law: str | None) -> bool:
         """Tell whether a law takes this datum."""
-        return self.indexed is None or self.indexed == (law in INDEXED)
+        return self.indexed is None or self.indexed == spec_of(law).has_index
 
     def factor(self, index: float, poisson: float) -> float:
         """Return the tensile value over the shear one; infinite where it overflows."""
@@ -245,7 +220,7 @@ _SAME = (
 
 def poisson_in_shear(law: str | None, poisson: float) -> float:
     """Return Poisson's ratio between a shear modulus and Young's: 1/2 of polymer chains, which keep their volume."""
-    return 0.5 if law in POLYMERS else poisson
+    return 0.5 if spec_of(law).has_chains else poisson
 
 
 def shear_names(constant: str) -> tuple[str, ...]:
@@ -273,109 +248,37 @@ def tensile_name(shear: str) -> str:
     return next((conversion.constant for conversion in FROM_SHEAR if conversion.shear == shear), "")
 
 
-Law = Literal[
-    "elastic",
-    "maxwell",
-    "newtonian",
-    "kelvin-voigt",
-    "standard-linear",
-    "multimode-maxwell",
-    "bingham",
-    "power-law",
-    "herschel-bulkley",
-    "custom",
-    "oldroyd-b",
-    "fene-p",
-    "giesekus",
-    "ptt",
-]
-
-_OF_CHAINS = ("youngs_modulus", "relaxation_time", "solvent_viscosity")
-
-# A constant that a law does not use is refused, never ignored. The index, modes and formulas stand apart.
-CONSTANTS: dict[str, tuple[str, ...]] = {
-    "elastic": ("youngs_modulus",),
-    "maxwell": ("youngs_modulus", "viscosity"),
-    "newtonian": ("viscosity",),
-    "kelvin-voigt": ("youngs_modulus", "viscosity"),
-    "standard-linear": ("youngs_modulus", "second_modulus", "viscosity"),
-    "multimode-maxwell": (),
-    "bingham": ("youngs_modulus", "viscosity", "yield_stress"),
-    "power-law": ("youngs_modulus", "viscosity"),
-    "herschel-bulkley": ("youngs_modulus", "viscosity", "yield_stress"),
-    "custom": ("youngs_modulus",),
-    "oldroyd-b": _OF_CHAINS,
-    "fene-p": (*_OF_CHAINS, "finite_extensibility"),
-    "giesekus": (*_OF_CHAINS, "mobility"),
-    "ptt": (*_OF_CHAINS, "ptt_epsilon"),
-}
-# Laws of polymer chains in a solvent. Their fibres keep their volume: E is three times the modulus in shear.
-POLYMERS = ("oldroyd-b", "fene-p", "giesekus", "ptt")
-# The laws that a scene may give by its dimensionless groups.
-GROUPED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "bingham", "power-law", "herschel-bulkley")
-# Laws of a solid that remembers its shape: what they leave behind is no plastic strain.
-SOLIDS = ("elastic", "kelvin-voigt", "standard-linear")
-# Laws that consist of more than their constants.
-_LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"}
-
-OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
-"""Keys whose unit may depend on the law and its index."""
-
-_STRESS, _VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
-
-
-_OWN_KINDS: dict[str, Quantity | Number] = {
-    "relaxation_time": Quantity("time", "0.1 s"),
-    "solvent_viscosity": Quantity("viscosity", "3 mPa*s", "non-negative"),
-    "shear_solvent_viscosity": Quantity("viscosity", "1 mPa*s", "non-negative"),
-    "finite_extensibility": Number(above=3),
-    "mobility": Number(above=0, below=1),
-    "ptt_epsilon": Number(above=0),
-}
-
-
-def kind_of_constant(name: str, law: str | None, index: float) -> Timed | Quantity | Number:
-    """Return how a constant is read and written: a consistency has a unit of its own."""
-    if name in _OWN_KINDS:
-        return _OWN_KINDS[name]
-    if name not in OF_THE_INDEX:
-        return _STRESS
-    if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
-        unit = consistency_unit(index)
-        return Timed("consistency", f"120 {unit}", unit=unit)
-    return _VISCOSITY
-
-
 def check_against_law(name: str, law: str | None, value: object, accepted: str) -> None:
     """Refuse a constant or list that the law needs and has not, or has and does not use; `law` None: faulty itself."""
     if law is None:
         return
-    used = _LISTS[name] == law if name in _LISTS else name in CONSTANTS[law]
-    missing = value is None or value in ((), "")
+    laws = laws_with(name)
+    used, missing = law in laws, value is None or value in ((), "")
     if missing and used and name != "parameters":
         raise refusal(f"missing: the law '{law}' needs it", accepted)
     if not missing and not used:
-        laws = _LISTS.get(name) or ", ".join(other for other, constants in CONSTANTS.items() if name in constants)
         verb = {"yield_stress": "yield", "viscosity": "flow"}.get(name, "use it")
-        raise refusal(f"given, but the law '{law}' does not {verb}", f"leaving it out, or one of the laws {laws}")
+        accepted = f"leaving it out, or one of the laws {', '.join(laws)}"
+        raise refusal(f"given, but the law '{law}' does not {verb}", accepted)
 
 
-_HARDENS = ("bingham", "herschel-bulkley")
-_BUILDS_UP = ("maxwell", "bingham", "power-law", "herschel-bulkley")
+def _named(has: str) -> str:
+    """Name the laws that have a property."""
+    return ", ".join(one.name for one in LAWS.values() if getattr(one, has))
 
 
 def structure_faults(structure: Structure, data: Mapping[str, Any]) -> Iterator[Refused]:
     """What of a structure the other constants of the material leave no room for."""
     law = data["law"]
-    if law not in _BUILDS_UP:
+    if not LAWS[law].has_structure:
         found = f"given, but the law '{law}' has no flow that it would change"
-        yield (), refusal(found, f"one of the laws {', '.join(_BUILDS_UP)}")
+        yield (), refusal(found, f"one of the laws {_named('has_structure')}")
         return
     for name in ("yield_stress", "viscosity"):
         for end in ("structured", "destroyed"):
             if getattr(structure, f"{end}_{name}") is None:
                 continue
-            if data.get(name) is None or (name == "viscosity" and law in INDEXED):
+            if data.get(name) is None or (name == "viscosity" and spec_of(law).has_index):
                 found = f"given, but the law '{law}' has no {name.replace('_', ' ')}"
                 yield (f"{end}_{name}",), refusal(found, "leaving it out")
             elif isinstance(data[name], History):
@@ -408,7 +311,7 @@ def _ends_and_start(structure: Structure, limit: float | None) -> Iterator[Refus
 
 def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
     """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
-    sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
+    sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, PASCAL)]
     return tuple(size for size in (*sizes, youngs_modulus) if size)
 
 
@@ -435,15 +338,10 @@ def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_mo
         raise refusals("material", faults)
 
 
-Viscosity = Annotated[float | None, _VISCOSITY]
-Stress = Annotated[float | None, _STRESS]
+Viscosity = Annotated[float | None, VISCOSITY]
+Stress = Annotated[float | None, STRESS]
 POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
-
-_CONSTANTS = (
-    *("youngs_modulus", "second_modulus", "viscosity", "yield_stress"),
-    *("relaxation_time", "solvent_viscosity", "finite_extensibility", "mobility", "ptt_epsilon"),
-)
 
 
 class Material(Part):
@@ -454,7 +352,7 @@ class Material(Part):
 
     table_name: ClassVar[str] = "material"
 
-    law: Annotated[Law, Choice(Law)]
+    law: Annotated[str, Choice(tuple(LAWS))]
     """Constitutive law: how the material answers to stress."""
     # Before the consistency, whose unit depends on it.
     index: Annotated[float, Number(above=0)] = 1.0
@@ -479,23 +377,23 @@ class Material(Part):
     """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
     yield_stress: Stress = Field(default=None, validate_default=True)
     """Tensile stress below which nothing flows, sY."""
-    relaxation_time: Annotated[float | None, _OWN_KINDS["relaxation_time"]] = Field(default=None, validate_default=True)
+    relaxation_time: Annotated[float | None, CONSTANTS["relaxation_time"]] = Field(default=None, validate_default=True)
     """Time in which the polymer chains of a law of them forget a strain; their tensile viscosity is E times it."""
-    shear_solvent_viscosity: Annotated[float | None, _OWN_KINDS["shear_solvent_viscosity"]] = Field(
+    shear_solvent_viscosity: Annotated[float | None, Quantity("viscosity", "1 mPa*s", "non-negative")] = Field(
         default=None, exclude=True, repr=False
     )
     """Viscosity of the solvent as a rheometer measures it, three times as much in tension."""
-    solvent_viscosity: Annotated[float | None, _OWN_KINDS["solvent_viscosity"]] = Field(
+    solvent_viscosity: Annotated[float | None, CONSTANTS["solvent_viscosity"]] = Field(
         default=None, validate_default=True
     )
     """Extensional viscosity of the solvent beside the chains; 0 for chains alone (upper-convected Maxwell)."""
-    finite_extensibility: Annotated[float | None, _OWN_KINDS["finite_extensibility"]] = Field(
+    finite_extensibility: Annotated[float | None, CONSTANTS["finite_extensibility"]] = Field(
         default=None, validate_default=True
     )
     """L^2 of fene-p: trace of the conformation, 3 at rest, of chains drawn out straight."""
-    mobility: Annotated[float | None, _OWN_KINDS["mobility"]] = Field(default=None, validate_default=True)
+    mobility: Annotated[float | None, CONSTANTS["mobility"]] = Field(default=None, validate_default=True)
     """Mobility factor alpha of giesekus: how much less drag there is along stretched chains."""
-    ptt_epsilon: Annotated[float | None, _OWN_KINDS["ptt_epsilon"]] = Field(default=None, validate_default=True)
+    ptt_epsilon: Annotated[float | None, CONSTANTS["ptt_epsilon"]] = Field(default=None, validate_default=True)
     """Factor epsilon of ptt, linear: chains relax 1 + epsilon (tr A - 3) times as fast."""
     loss_modulus: Annotated[float | None, Quantity("stress", "9.32 kPa")] = Field(
         default=None, exclude=True, repr=False
@@ -530,9 +428,9 @@ class Material(Part):
     @classmethod
     def _of_laws_with_an_index(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
         index, law = handler(value), info.data.get("law")
-        if index != 1 and law is not None and law not in INDEXED:
-            laws = ", ".join(INDEXED)
-            raise refusal(f"{shown(value)}, but the law '{law}' has no index", f"leaving it out, or one of {laws}")
+        if index != 1 and law is not None and not spec_of(law).has_index:
+            accepted = f"leaving it out, or one of {_named('has_index')}"
+            raise refusal(f"{shown(value)}, but the law '{law}' has no index", accepted)
         return index
 
     @field_validator("poisson", mode="wrap")
@@ -541,7 +439,7 @@ class Material(Part):
         cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
     ) -> Any:
         poisson, law = handler(value), info.data.get("law")
-        if poisson != POISSON and law in POLYMERS:
+        if poisson != POISSON and spec_of(law).has_chains:
             raise refusal(f"{shown(value)}, but the chains of the law '{law}' keep their volume", "leaving it out")
         return poisson
 
@@ -552,13 +450,13 @@ class Material(Part):
         if value is None:
             return None
         if law is not None and not next(rule for rule in FROM_SHEAR if rule.shear == name).suits(law):
-            other = "shear_consistency" if law in INDEXED else "shear_viscosity"
+            other = "shear_consistency" if spec_of(law).has_index else "shear_viscosity"
             raise refusal(f"given, but the law '{law}' has no {name.removeprefix('shear_')} in shear", other)
         if name == "consistency" and _is_given("shear_consistency", info):
             raise _given_twice("shear_consistency")
         return _read(name, value, info)
 
-    @field_validator(*_CONSTANTS, mode="plain")
+    @field_validator(*CONSTANTS, mode="plain")
     @classmethod
     def _as_the_law_needs(cls, value: Any, info: ValidationInfo) -> float | None:
         name, law = str(info.field_name), info.data.get("law")
@@ -601,11 +499,9 @@ class Material(Part):
             # G' of a Young's modulus that was given itself.
             own = (data.get("youngs_modulus") or math.nan) / (2 * (1 + data.get("poisson", math.nan)))
             loss = modulus / (data.get("storage_modulus") or own)
-        why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
-        why |= dict.fromkeys(POLYMERS, "has this viscosity as material.solvent_viscosity")
-        if loss and (law := data.get("law")) in why:
-            others = ", ".join(other for other in CONSTANTS if other not in why)
-            raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
+        if loss and (law := data.get("law")) and (why := LAWS[law].loss_refused):
+            others = ", ".join(one.name for one in LAWS.values() if not one.loss_refused)
+            raise refusal(f"given, but the law '{law}' {why}", f"leaving it out, or one of the laws {others}")
         return loss
 
     @field_validator("natural_strain", "natural_strain_difference", mode="wrap")
@@ -647,14 +543,14 @@ class Material(Part):
             return number
         if info.field_name == "hardening_recovery" and info.data.get("hardening_modulus", math.nan) is None:
             raise refusal("given without material.hardening_modulus: no backstress recovers", "both, or neither")
-        if info.field_name == "hardening_modulus" and law not in _HARDENS:
+        if info.field_name == "hardening_modulus" and not LAWS[law].yields:
             found = f"given, but the law '{law}' has no yield stress of its own that would harden"
-            raise refusal(found, f"leaving it out, or one of the laws {', '.join(_HARDENS)}")
+            raise refusal(found, f"leaving it out, or one of the laws {_named('yields')}")
         return number
 
     @model_validator(mode="after")
     def _make_sense_of_the_own_law(self) -> Material:
-        if self.law == "custom":
+        if self.flow:
             check_own_law(parse_formula(self.flow), self.parameters, self.youngs_modulus)
         return self
 
@@ -665,24 +561,24 @@ class Material(Part):
         return {**super().kinds(), **own}
 
     @property
+    def spec(self) -> LawSpec:
+        """Properties of the law."""
+        return LAWS[self.law]
+
+    @property
     def has_loss(self) -> bool:
         """Whether a viscous stress acts beside spring and flow."""
         return self.loss_tangent > 0 or self.solid_viscosity is not None
 
     @property
-    def has_chains(self) -> bool:
-        """Whether it is made of polymer chains, whose stress is not linear in the strain."""
-        return self.law in POLYMERS
-
-    @property
     def formula(self) -> Formula | None:
-        """The flow rule of a custom law, as a tree; None for other laws."""
-        return parse_formula(self.flow) if self.flow else None
+        """The flow rule as a tree, of a law that has a formula; None for other laws."""
+        return parse_formula(self.flow or self.spec.flow) if self.spec.has_formula else None
 
     @property
     def threshold(self) -> float:
         """Stress below which nothing flows [Pa]; 0 if there is none."""
-        if self.law != "custom":
+        if not self.flow:
             return self.yield_stress or 0.0
         values = tuple((parameter.name, parameter.value) for parameter in self.parameters)
         return threshold(self.flow, values, stress_scales(self.parameters, self.youngs_modulus))
@@ -693,14 +589,14 @@ class Material(Part):
         Modes are ``mode_1_youngs_modulus`` and so on; the parameters of a custom law go by the user's names, and its
         threshold, if there is one, is ``yield_stress``.
         """
-        found = {name: value for name in _CONSTANTS if (value := getattr(self, name)) is not None}
-        if self.law in INDEXED:
+        found = {name: value for name in CONSTANTS if (value := getattr(self, name)) is not None}
+        if self.spec.has_index:
             found["index"] = self.index
         for number, mode in enumerate(self.modes, start=1):
             found[f"mode_{number}_youngs_modulus"] = mode.youngs_modulus
             found[f"mode_{number}_viscosity"] = mode.viscosity
         found |= {parameter.name: parameter.value for parameter in self.parameters}
-        if self.law == "custom" and self.threshold > 0:
+        if self.flow and self.threshold > 0:
             found["yield_stress"] = self.threshold
         return found
 
@@ -735,7 +631,7 @@ class Material(Part):
 
     def at(self, time: float) -> Material:
         """Return the material as it is at a time [s], and stays: of constants only."""
-        names = (*_CONSTANTS, *(rule.shear for rule in FROM_SHEAR))
+        names = (*CONSTANTS, *(rule.shear for rule in FROM_SHEAR))
         given = {name: value for name in names if isinstance(value := getattr(self, name), History)}
         update: dict[str, Any] = {name: value_at(value, time) for name, value in given.items()}
         update["modes"] = tuple(
@@ -781,7 +677,7 @@ def _is_given(name: str, info: ValidationInfo) -> bool:
 def _read(name: str, value: object, info: ValidationInfo) -> float:
     law = info.data.get("law")
     of_the_index = name in ("viscosity", "shear_consistency", "consistency")
-    if of_the_index and (law is None or law in INDEXED) and "index" not in info.data:
+    if of_the_index and (law is None or spec_of(law).has_index) and "index" not in info.data:
         # There is a fault already, and without an index no unit to compare with.
         return math.nan
     return kind_of_constant(name, law, info.data.get("index", 1.0)).read(value)

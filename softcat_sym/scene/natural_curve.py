@@ -93,7 +93,7 @@ def shape_rules(scene: Tables) -> Iterator[Rule]:
     yield ends.right_angle, "ends.right_angle", f"{given}: a clamp holds its end as it is", out
     yield ends.right_slides, "ends.right_slides", given, out
     fluid = f"{shape!r}, but a fluid has no shape of its own: the law is '{scene.material.law}'"
-    yield scene.material.law == "newtonian", "filament.shape", fluid, "another law"
+    yield not scene.material.spec.is_elastic, "filament.shape", fluid, "another law"
     if shape == ARC:
         yield from _of_arc(filament, math.hypot(filament.span, ends.drop))
         return
@@ -133,8 +133,8 @@ def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
 def misses_supports(scene: Tables, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
     """List the ends that are held away from those of a curve."""
     ends, span = scene.ends, scene.filament.span
-    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (span, 0.0 - ends.drop, 0.0))
-    for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
-        missed = how != "free" and math.dist(found, asked) > _APART * span
+    places = (points[0], (0.0, 0.0, 0.0)), (points[-1], (span, 0.0 - ends.drop, 0.0))
+    for (side, support, _), (found, asked) in zip(ends.sides, places, strict=True):
+        missed = not support.is_free and math.dist(found, asked) > _APART * span
         given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
         yield missed, path, given, f"a curve that ends at its support, or a free {side} end"

@@ -23,21 +23,20 @@ from pydantic import (
 
 from softcat_sym.scene.shapes import Shape
 from softcat_sym.scene.units import (
+    NUMBERS,
+    POINTS,
     Choice,
     Direction,
     Flag,
     Kind,
-    Motion,
     Names,
     Number,
-    Numbers,
-    Points,
     Quantity,
-    Three,
-    Turns,
+    Values,
     Whole,
     refusal,
     shown,
+    three,
 )
 
 
@@ -135,7 +134,9 @@ class Filament(Part):
     """Width D0 across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
-    profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
+    profile: Annotated[
+        tuple[float, ...], Values(Number(above=0), "a list of positive numbers without units, at least 2", 2)
+    ] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
     shape: Annotated[str | tuple[Point, ...], Shape()] = "straight"
     """Natural curve between the supports: straight, arc, helix, or through points of a CSV file; in space."""
@@ -203,43 +204,6 @@ Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
 
-End = Literal["clamped", "pinned", "free"]
-_END = Choice(End)
-_ANGLE = Quantity("angle", "10 deg", "any")
-Angle = Annotated[float, _ANGLE]
-
-
-class Ends(Part):
-    """Supports; lengths in m, angles in rad."""
-
-    table_name: ClassVar[str] = "ends"
-
-    left: Annotated[End, _END] = "clamped"
-    """How the left end is held."""
-    right: Annotated[End, _END] = "clamped"
-    """How the right end is held."""
-    drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
-    """Depth of the right support below the left one."""
-    left_angle: Angle = 0.0
-    """Angle of a left clamp, counterclockwise from the horizontal; a symmetric pair has -a and a."""
-    right_angle: Angle = 0.0
-    """Angle of a right clamp, counterclockwise from the horizontal."""
-    motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
-    """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
-    right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
-    """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
-    right_slides: Annotated[bool, Flag()] = False
-    """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""
-
-    @field_validator("left_angle", "right_angle", mode="wrap")
-    @classmethod
-    def _within_half_a_turn(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
-        angle = handler(value)
-        if not -math.pi < angle < math.pi:
-            raise refusal(f"{shown(value)} is half a turn or more", "an angle between -180 deg and 180 deg")
-        return angle
-
-
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
 _TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
 
@@ -263,9 +227,9 @@ class Load(Part):
     """Mass at midspan."""
     tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at a free right end; in three dimensions."""
-    tip_force: Annotated[tuple[float, ...], Three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
+    tip_force: Annotated[tuple[float, ...], three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
     """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
-    tip_torque: Annotated[tuple[float, ...], Three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
+    tip_torque: Annotated[tuple[float, ...], three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
     """Dead torque on a free right end, about axes that point right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
@@ -285,11 +249,11 @@ class Initial(Part):
     """Stretch before the load acts, s0."""
     relaxed: Annotated[bool, Flag()] = True
     """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
-    P: Annotated[tuple[float, ...], Numbers()] = ()
+    P: Annotated[tuple[float, ...], NUMBERS] = ()
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
-    C: Annotated[tuple[float, ...], Numbers()] = ()
+    C: Annotated[tuple[float, ...], NUMBERS] = ()
     """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), at equally spaced points, too."""
-    centreline: Annotated[tuple[Point, ...], Points()] = ()
+    centreline: Annotated[tuple[Point, ...], POINTS] = ()
     """Places of equally spaced material points, from the left support: begins there, strained; in three dimensions."""
     surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""

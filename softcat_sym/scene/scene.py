@@ -13,8 +13,10 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
+from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import POLYMERS, SOLIDS, Parameter, power
+from softcat_sym.scene.laws import LAWS
+from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
@@ -56,7 +58,7 @@ def surface_stretch(scene: Scene) -> float:
     E log(s)/s + Gam s^-1/2 = 0, of a sheet E/(1 - nu^2) log(s)/s + Gam = 0.
     """
     filament, material = scene.filament, scene.material
-    if scene.initial.surface == "fresh" or material.law not in SOLIDS or material.youngs_modulus is None:
+    if scene.initial.surface == "fresh" or not material.spec.is_solid or material.youngs_modulus is None:
         return 1.0
     # Imported here: most scenes do without SciPy, which takes a while to load.
     from scipy.special import lambertw
@@ -69,7 +71,12 @@ def surface_stretch(scene: Scene) -> float:
 
 def is_held(scene: Scene) -> bool:
     """Tell whether neither end is free."""
-    return "free" not in (scene.ends.left, scene.ends.right)
+    return not any(support.is_free for support in scene.ends.supports)
+
+
+def carries_moment(scene: Scene) -> bool:
+    """Tell whether an end resists a turn of its section."""
+    return any(support.carries_moment for support in scene.ends.supports)
 
 
 def is_slack(scene: Scene) -> bool:
@@ -87,9 +94,10 @@ def is_symmetric(scene: Scene) -> bool:
     mirrored = math.isclose(ends.left_angle, -ends.right_angle, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
     along = (scene.filament.profile, scene.initial.P, scene.initial.C)
     return (
-        ends.left == ends.right
+        len(set(ends.supports)) == 1
         and not is_spatial(scene)
         and is_held(scene)
+        and not any(support.has_springs for support in ends.supports)  # The stiffness of one may be varied alone
         and mirrored
         and ends.drop == 0
         and not ends.motion
@@ -109,6 +117,21 @@ def chord_angle(scene: Scene) -> float:
     return math.atan2(-scene.ends.drop, scene.filament.span) + 0.0  # level is 0, not -0
 
 
+def straight_angle(scene: Scene) -> float:
+    """Return the angle of the straight filament: of its chord, or of its only support, which a pin has level [rad]."""
+    if is_held(scene):
+        return chord_angle(scene)
+    ((_, support, angle),) = (side for side in scene.ends.sides if not side[1].is_free)
+    return angle if support.carries_moment else 0.0
+
+
+def is_turned(scene: Scene) -> bool:
+    """Tell whether an end that resists a turn is turned against the line between the supports."""
+    along = chord_angle(scene)
+    sides = ((support, angle) for _, support, angle in scene.ends.sides)
+    return any(one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for one, angle in sides)
+
+
 def undeformed_area(scene: Scene) -> float:
     """Return A0 [m^2] where the relative thickness is 1."""
     filament = scene.filament
@@ -120,18 +143,15 @@ def undeformed_area(scene: Scene) -> float:
 # Beyond, the two supports are one point.
 _LONGEST = 1000
 _ANGLE_ROUNDING = 1e-9
-# The small-deflection model has laws of one plastic stretch; a law that yields is refused where effects are chosen.
-_SMALL_LAWS = ("elastic", "maxwell")
-_REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
-    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
+    checks = (_of_springs, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
     others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
-    rules = (rule for check in (*checks, *others) for rule in check(scene))
+    rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
 
@@ -142,21 +162,11 @@ def refuse_settled(scene: Scene, why: str) -> None:
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
-def _sides(scene: Scene) -> tuple[tuple[str, str, float], ...]:
-    ends = scene.ends
-    return ("left", ends.left, ends.left_angle), ("right", ends.right, ends.right_angle)
-
-
-def _of_ends(scene: Scene) -> Iterator[Rule]:
-    ends, out = scene.ends, "leaving it out"
-    yield ends.left == ends.right == "free", "ends", "both ends are free", "at least one end clamped or pinned"
-    for side, how, angle in _sides(scene):
-        found, accepted = f"given, but the {side} end is {how}", f'{out}, or ends.{side} = "clamped"'
-        yield how != "clamped" and angle != 0, f"ends.{side}_angle", found, accepted
-    loose = "free" in (ends.left, ends.right)
-    yield ends.drop and loose, "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
-    broken, found = ends.motion and ends.right == "free", "given, but the right end is free"
-    yield broken, "ends.motion", found, f"{out}, or a right end that is held"
+def _of_springs(scene: Scene) -> Iterator[Rule]:
+    """The printed closure has no section angles, which a rotational spring turns."""
+    for side, support, _ in scene.ends.sides:
+        found = f"'printed', but a rotational spring holds the {side} end"
+        yield scene.run.closure == "printed" and support.angle is Hold.SPRING, "run.closure", found, "material"
 
 
 def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
@@ -191,7 +201,8 @@ def _of_reach(scene: Scene) -> Iterator[Rule]:
         f"the supports are up to {reach:.4g} m apart, {reach / length:.4g} times the rest length {length:.4g} m: "
         "beyond what the filament can follow; an elastic filament of true strain is strongest at stretch e = 2.718"
     )
-    broken = scene.material.law in SOLIDS and is_held(scene) and reach > limit
+    held = all(support.holds_x and support.holds_height for support in scene.ends.supports)
+    broken = scene.material.spec.is_solid and held and reach > limit
     yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
 
 
@@ -210,7 +221,7 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
     yield length > _LONGEST * apart, "filament.rest_length", found, f"{accepted} times, {_LONGEST * apart:.4g} m"
     slack = f"but the filament is slack ({length:.4g} m over {apart:.4g} m)"
     found = f"'newtonian', {slack}: a fluid has no shape to start from"
-    yield scene.material.law == "newtonian", "material.law", found, "maxwell"
+    yield not scene.material.spec.is_elastic, "material.law", found, "maxwell"
     found = f"{load.ramp:g} s, {slack}: a slack filament hangs in its weight from the start"
     yield load.ramp > 0, "load.ramp", found, "leaving it out"
     found = f"zero, {slack}: nothing tells what shape it has"
@@ -225,16 +236,17 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
 
 def _of_initial_state(scene: Scene) -> Iterator[Rule]:
     initial, law, given = scene.initial, scene.material.law, scene.filament.rest_length
+    spec = scene.material.spec
     found = f"true with a stretch, but the law '{law}' does not flow"
     broken, accepted = initial.relaxed and initial.stretch != 1, "false; or filament.rest_length instead of the stretch"
-    yield law in SOLIDS and broken, "initial.relaxed", found, accepted
+    yield spec.is_solid and broken, "initial.relaxed", found, accepted
     follows = distance(scene) / initial.stretch
     differs = given is not None and not math.isclose(given, follows, rel_tol=_ROUNDING)
     found, accepted = f"{initial.stretch:g}, but filament.rest_length is {given} m", f"one of the two, or {follows!r} m"
     yield differs and not initial.relaxed and initial.stretch != 1, "initial.stretch", found, accepted
     for name in ("P", "C"):
         broken, found = getattr(initial, name), f"given, but the law '{law}' has no plastic strain"
-        yield broken and law in (*SOLIDS, "newtonian"), f"initial.{name}", found, "leaving it out"
+        yield broken and (spec.is_solid or not spec.flows), f"initial.{name}", found, "leaving it out"
 
 
 def _of_surface(scene: Scene) -> Iterator[Rule]:
@@ -251,24 +263,24 @@ def _of_surface(scene: Scene) -> Iterator[Rule]:
         ("filament.rest_length", filament.rest_length is not None),
     ):
         yield given, path, f"{relaxed}, but {key} says too what stress there is", f"{fresh}, or no {key}"
-    flows = law not in SOLIDS and not scene.material.yield_stress and scene.material.threshold == 0
+    solid = scene.material.spec.is_solid
     found = f"{relaxed}, but a filament of the law '{law}' never rests under its surface: it has no yield stress"
-    yield flows, path, found, fresh
+    yield not solid and scene.material.threshold == 0, path, found, fresh
     found = f"{relaxed}, but an elastic filament with a profile has no one stretch at which its surface is balanced"
-    yield law in SOLIDS and filament.profile, path, found, f"{fresh}, or no filament.profile"
+    yield solid and filament.profile, path, found, f"{fresh}, or no filament.profile"
 
 
 def _of_newtonian(scene: Scene) -> Iterator[Rule]:
-    if scene.material.law != "newtonian":
+    if scene.material.spec.is_elastic:
         return
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
     for name in ("curvature", "twist"):
         yield getattr(scene.filament, name), f"filament.{name}", f"given, but {no_shape}", accepted
-    for side, how, angle in _sides(scene):
+    for side, support, angle in scene.ends.sides:
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
-        broken = is_held(scene) and how == "clamped" and abs(angle - chord) > _ANGLE_ROUNDING
+        broken = is_held(scene) and support.carries_moment and abs(angle - chord) > _ANGLE_ROUNDING
         yield broken, f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'"
 
 
@@ -283,8 +295,9 @@ _NOT_SMALL = {
 def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     if scene.model != "small-deflection":
         return
-    law, small = scene.material.law, "with model 'small-deflection'"
-    yield law not in (*_SMALL_LAWS, *_REFUSED_LATER), "material.law", f"{law!r} {small}", " or ".join(_SMALL_LAWS)
+    small, laws = "with model 'small-deflection'", [one.name for one in LAWS.values() if one.suits_small_deflections]
+    law = scene.material.law
+    yield law not in laws, "material.law", f"{law!r} {small}", " or ".join(laws)
     for table, keys in _NOT_SMALL.items():
         part = getattr(scene, table)
         for key in keys:
@@ -292,8 +305,8 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
             yield broken, f"{table}.{key}", f"given {small}", 'leaving it out, or model = "filament"'
     sheet = scene.filament.section == "sheet"
     yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
-    for side, how, _ in _sides(scene):
-        yield how == "free", f"ends.{side}", f"'free' {small}", "clamped, pinned"
+    for side, support, _ in scene.ends.sides:
+        yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
 LATE = "late overrides"
@@ -530,7 +543,7 @@ def _modulus(scene: Scene) -> float | None:
 def _viscosity(scene: Scene) -> float | None:
     """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum, of polymer chains E lambda and the solvent's."""
     material = scene.material
-    if material.law in POLYMERS:
+    if material.spec.has_chains:
         return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (
             material.solvent_viscosity or 0.0
         )

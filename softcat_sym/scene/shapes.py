@@ -6,7 +6,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.scene.units import Kind, Points, did_you_mean, shown
+from softcat_sym.scene.units import POINTS, Kind, did_you_mean, shown
 
 STRAIGHT, ARC, HELIX = "straight", "arc", "helix"
 CSV = ".csv"
@@ -31,11 +31,11 @@ class Shape(Kind):
             raise self.refuse(
                 f"{shown(value)} is neither a shape known here nor a CSV file{did_you_mean(value, _WORDS)}"
             )
-        return self._long_enough(Points().read(value))
+        return self._long_enough(POINTS.read(value))
 
     def write(self, value: str | tuple[tuple[float, ...], ...]) -> object:
         """Return what a scene file holds."""
-        return value if isinstance(value, str) else Points().write(value)
+        return value if isinstance(value, str) else POINTS.write(value)
 
     def _from_file(self, file: Path) -> tuple[tuple[float, ...], ...]:
         # Imported here, with NumPy: to complete a name on the command line takes none.

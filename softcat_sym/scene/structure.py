@@ -9,7 +9,7 @@ from typing import Literal
 
 from pydantic_core import PydanticCustomError
 
-from softcat_sym.scene.units import Choice, Kind, Number, Quantity, refusal, refusals, shown
+from softcat_sym.scene.units import Choice, Kind, Number, Quantity, read_fields, refusal, refusals, shown
 
 Growth = Literal["saturating", "linear"]
 Rheometer = Literal["tension", "shear"]
@@ -95,23 +95,10 @@ class StructureTable(Kind):
             return None if value is None else value.in_tension
         if not isinstance(value, Mapping):
             raise self.refuse(f"{shown(value)} is not a table")
-        faults: list[tuple[tuple[str, ...], PydanticCustomError]] = [
-            ((str(key),), refusal("unknown key", ", ".join(_KINDS))) for key in value if key not in _KINDS
-        ]
-        read = {}
-        for name, kind in _KINDS.items():
-            try:
-                if name in value:
-                    read[name] = kind.read(value[name])
-                elif name == "build_up_time":
-                    raise kind.refuse("missing")
-            except PydanticCustomError as error:
-                faults.append(((name,), error))
-        if not faults:
-            faults += _contradictions(Structure(**read))
-        if faults:
+        structure = Structure(**read_fields("structure", value, _KINDS, ("build_up_time",)))
+        if faults := _contradictions(structure):
             raise refusals("structure", faults)
-        return Structure(**read).in_tension
+        return structure.in_tension
 
     def write(self, value: Structure | None) -> object:
         if value is None:

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Annotated, Literal
 
+from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.history import History
+from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.material import EffectTable, EffectTables, Material
 from softcat_sym.scene.parts import (
-    Ends,
     Filament,
     Initial,
     Load,
@@ -31,10 +32,6 @@ _OF_LAW: dict[str, tuple[str, ...]] = {
     "arrhenius": ("activation_energy", "reference"),
 }
 """Constants that each law of the viscosity needs; VFT also A or reference."""
-
-_VISCOUS = ("maxwell", "newtonian", "kelvin-voigt", "standard-linear", "multimode-maxwell")
-_VISCOUS_TOO = ("bingham", "power-law", "herschel-bulkley")
-"""Laws of the material that have a viscosity or a consistency."""
 
 Model = Literal["filament", "small-deflection"]
 
@@ -170,14 +167,15 @@ def _of_the_law(scene: Tables, heat: Temperature) -> Iterator[Rule]:
         yield both, "temperature.A", found, "one of the two"
         found = "missing, and so is temperature.reference: nothing says how large the viscosity is"
         yield neither, "temperature.A", found, "one of the two"
-    fixed = law != "constant" and material not in (*_VISCOUS, *_VISCOUS_TOO)
+    viscous = [*laws_with("viscosity"), *laws_with("modes")]
+    fixed = law != "constant" and material not in viscous
     found = f"'{law}', but the material's law '{material}' states no viscosity"
-    yield fixed, "temperature.law", found, f"constant, or one of the laws {', '.join((*_VISCOUS, *_VISCOUS_TOO))}"
-    viscous = material in ("newtonian", "kelvin-voigt") or scene.material.has_loss
+    yield fixed, "temperature.law", found, f"constant, or one of the laws {', '.join(viscous)}"
+    lags = scene.material.spec.viscous_stress == "viscosity" or scene.material.has_loss
     found = f"given, but the law '{material}' has a viscous stress, which the rate of the expansion would need"
     path, accepted = "temperature.expansion", "leaving it out, or a law without a viscous stress or a loss below yield"
-    yield heat.expansion and viscous, path, found, accepted
-    stiff = heat.modulus is not None and material == "newtonian"
+    yield heat.expansion and lags, path, found, accepted
+    stiff = heat.modulus is not None and not scene.material.spec.is_elastic
     yield stiff, "temperature.modulus", "given, but a newtonian fluid has no modulus", "leaving it out"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Annotated, ClassVar, Literal
 
 from pydantic_core import PydanticCustomError
@@ -18,8 +18,8 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    read_each,
     refusal,
-    refusals,
     registry,
     shown,
     split_quantity,
@@ -146,19 +146,16 @@ class Softening(Kind):
             return value
         if not isinstance(value, Mapping):
             raise self.refuse(f"{shown(value)} is not a table")
-        rows: dict[float, float] = {}
-        faults = []
-        for key, given in value.items():
-            try:
-                kelvin = self._temperature.read(key if isinstance(key, str) else SI(key))
-                rows[kelvin] = self._relative.read(float(given) if isinstance(given, SI) else given)
-            except PydanticCustomError as error:
-                faults.append(((str(key),), error))
-        if faults:
-            raise refusals("modulus", faults)
+        rows = dict(
+            read_each("modulus", {str(key): partial(self._row, key, one) for key, one in value.items()}).values()
+        )
         if len(rows) < 2:
             raise self.refuse(f"a table of {len(rows)} temperatures")
         return table_history(rows)
+
+    def _row(self, key: object, given: object) -> tuple[float, float]:
+        kelvin = self._temperature.read(key if isinstance(key, str) else SI(key))  # type: ignore[arg-type]
+        return kelvin, self._relative.read(float(given) if isinstance(given, SI) else given)
 
     def write(self, value: History | None) -> object:
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}

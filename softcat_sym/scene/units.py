@@ -6,10 +6,10 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 from difflib import get_close_matches
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from numbers import Integral, Real
 from tokenize import TokenError
 from typing import TYPE_CHECKING, Any, get_args
@@ -58,6 +58,8 @@ SI_UNITS = {
     "mass": "kg",
     "force": "N",
     "torque": "N*m",
+    "stiffness": "N/m",
+    "rotational stiffness": "N*m/rad",
     "surface tension": "N/m",
     "curvature": "1/m",
     "angle": "rad",
@@ -210,16 +212,7 @@ def _finite(si: float, value: object) -> float:
 
 def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
     """SI value, dimension and the unit as written."""
-    if isinstance(value, str):
-        magnitude, unit = _split(value)
-    elif hasattr(value, "magnitude") and hasattr(value, "units"):
-        if not isinstance(value.magnitude, Real):
-            raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
-        # By name, because a quantity of another registry cannot be converted by ours.
-        magnitude, unit = _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
-    else:
-        found = f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity"
-        raise NotAQuantity(found)
+    magnitude, unit = split_quantity(value)
     factor, dimension = _measured(unit, wanted)
     # In decimal, as the file is: 6 mm is then the same float as 0.006 m.
     return float(Decimal(repr(magnitude)) * Decimal(repr(factor))), dimension, unit
@@ -230,7 +223,10 @@ def split_quantity(value: object) -> tuple[float, str]:
     if isinstance(value, str):
         return _split(value)
     if hasattr(value, "magnitude") and hasattr(value, "units"):
-        return _finite(float(value.magnitude), value), str(value.units)
+        if not isinstance(value.magnitude, Real):
+            raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
+        # By name, because a quantity of another registry cannot be converted by ours.
+        return _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
     raise NotAQuantity(f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity")
 
 
@@ -323,6 +319,34 @@ def each_refusal(
         (tuple(map(str, one["loc"])), refusal(str(one["ctx"]["found"]), str(one["ctx"]["accepted"])))
         for one in error.errors()
     ]
+
+
+def read_each(title: str, reads: Mapping[str, Callable[[], Any]]) -> dict[str, Any]:
+    """Read several values by their keys; raises the refusals of all at once, each at its place."""
+    found, faults = dict[str, Any](), list[tuple[tuple[str, ...], PydanticCustomError]]()
+    for key, read in reads.items():
+        try:
+            found[key] = read()
+        except (PydanticCustomError, ValidationError) as error:
+            faults += [((key, *steps), one) for steps, one in each_refusal(error)]
+    if faults:
+        raise refusals(title, faults)
+    return found
+
+
+def read_fields(title: str, value: Mapping[Any, object], kinds: Mapping[str, Kind], needed: Iterable[str]) -> Any:
+    """Read a table of known keys, some of which it needs, as `read_each` does."""
+
+    def unknown() -> None:
+        raise refusal("unknown key", ", ".join(kinds))
+
+    def read(key: str) -> Any:
+        if key not in value:
+            raise kinds[key].refuse("missing")
+        return kinds[key].read(value[key])
+
+    known = {key: partial(read, key) for key in kinds if key in value or key in needed}
+    return read_each(title, {**{str(key): unknown for key in value if key not in kinds}, **known})
 
 
 _LONGEST = 20_000
@@ -431,10 +455,10 @@ class Whole(Kind):
 
 
 class Choice(Kind):
-    """One of a few names or whole numbers, those of a `Literal`."""
+    """One of a few names or whole numbers, those of a `Literal` or a tuple."""
 
-    def __init__(self, literal: Any) -> None:
-        self.options: tuple[str | int, ...] = get_args(literal)
+    def __init__(self, options: Any) -> None:
+        self.options: tuple[str | int, ...] = get_args(options) or options
         self.accepted = ", ".join(map(str, self.options))
 
     def read(self, value: object) -> str | int:
@@ -477,46 +501,37 @@ class Flag(Kind):
         raise self.refuse(f"{shown(value)} is neither true nor false")
 
 
-class Numbers(Kind):
-    """A list of dimensionless numbers above a bound; if it is not empty, of at least so many."""
+class Values(Kind):
+    """A list of values of one kind: exactly so many, or, if it is not empty, at least so many."""
 
-    def __init__(self, above: float = -math.inf, least: int = 1) -> None:
-        self.item, self.least = Number(above), least
-        sign = "" if above < 0 else "positive "
-        self.accepted = f"a list of {sign}numbers without units" + (f", at least {least}" if least > 1 else "")
+    def __init__(self, item: Kind, accepted: str, least: int = 1, *, exactly: bool = False) -> None:
+        self.item, self.si, self.accepted, self.least, self.exactly = item, item.si, accepted, least, exactly
 
-    def read(self, value: object) -> tuple[float, ...]:
+    def read(self, value: object) -> tuple[Any, ...]:
         items = self.listed(value, "a list")
-        if 0 < len(items) < self.least:
+        if (len(items) < self.least and (items or self.exactly)) or (self.exactly and len(items) > self.least):
             raise self.refuse(f"a list of {len(items)}")
         return tuple(self.item.read(item) for item in items)
 
-
-class Three(Kind):
-    """Three values of one kind: right, up and towards the viewer."""
-
-    def __init__(self, item: Kind, accepted: str) -> None:
-        self.item, self.si, self.accepted = item, item.si, accepted
-
-    def read(self, value: object) -> tuple[float, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if len(value) != 3:
-            raise self.refuse(f"a list of {len(value)}")
-        return tuple(self.item.read(item) for item in value)
-
-    def write(self, value: tuple[float, ...]) -> object:
+    def write(self, value: tuple[Any, ...]) -> object:
         return [self.item.write(item) for item in value]
 
 
+def three(item: Kind, accepted: str) -> Values:
+    """Three values of one kind: right, up and towards the viewer."""
+    return Values(item, accepted, 3, exactly=True)
+
+
+NUMBERS = Values(Number(), "a list of numbers without units")
 _OF_LENGTH_ONE = 1e-12
 
 
-class Direction(Three):
+class Direction(Values):
     """A direction: three numbers of any size, stored with length one."""
 
     def __init__(self) -> None:
-        super().__init__(Number(), "three numbers without units, right, up and towards the viewer, such as [0, -1, 0]")
+        accepted = "three numbers without units, right, up and towards the viewer, such as [0, -1, 0]"
+        super().__init__(Number(), accepted, 3, exactly=True)
 
     def read(self, value: object) -> tuple[float, ...]:
         given = super().read(value)
@@ -561,65 +576,54 @@ _SHIFT = Quantity("length", "5 mm", "any")
 _TURN = Quantity("angle", "90 deg", "any")
 
 
-class Motion(Kind):
-    """A path: rows of a time and two displacements, or three where it leaves the plane."""
+class Rows(Kind):
+    """Rows of quantities, one a column; columns behind the first `least` are dropped where they are zero."""
 
     si = True
-    accepted = (
-        '"hold", or a list of rows [time, dx, dy] or [time, dx, dy, dz], such as '
-        '[["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
-    )
+
+    def __init__(self, columns: Sequence[Quantity], named: str, accepted: str, least: int, min_rows: int = 0) -> None:
+        self.columns, self.named, self.accepted = columns, named, accepted
+        self.least, self.min_rows = least, min_rows
 
     def read(self, value: object) -> tuple[tuple[float, ...], ...]:
-        rows = _rows(self, value, (_TIME, _SHIFT, _SHIFT, _SHIFT), 3, "[time, dx, dy] or [time, dx, dy, dz]")
-        if any(any(row[3:]) for row in rows):
-            return tuple((*row, 0.0)[:4] for row in rows)
-        return tuple(row[:3] for row in rows)
+        if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
+            return ()
+        given = self.listed(value, "a list of rows")
+        for row in given:
+            if not isinstance(row, (list, tuple)) or not self.least <= len(row) <= len(self.columns):
+                raise self.refuse(f"{shown(row)} is not a row {self.named}")
+        rows = [tuple(column.read(item) for column, item in zip(self.columns, row, strict=False)) for row in given]
+        if len(rows) < self.min_rows:
+            raise self.refuse(f"a list of {len(rows)}")
+        if any(any(row[self.least :]) for row in rows):
+            return tuple((*row, *(0.0,) * (len(self.columns) - len(row))) for row in rows)
+        return tuple(row[: self.least] for row in rows)
 
     def write(self, value: tuple[tuple[float, ...], ...]) -> object:
-        return [[_TIME.write(row[0]), *map(_SHIFT.write, row[1:])] for row in value] or "hold"
+        rows = [[column.write(item) for column, item in zip(self.columns, row, strict=False)] for row in value]
+        return rows or ("hold" if self.columns[0] is _TIME else rows)
 
 
-class Turns(Kind):
-    """Rows of a time and an angle."""
-
-    si = True
-    accepted = '"hold", or a list of rows [time, angle], such as [["0 s", "0 deg"], ["1 s", "360 deg"]]'
-
-    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
-        return _rows(self, value, (_TIME, _TURN), 2, "[time, angle]")
-
-    def write(self, value: tuple[tuple[float, ...], ...]) -> object:
-        return [[_TIME.write(time), _TURN.write(angle)] for time, angle in value] or "hold"
-
-
-class Points(Kind):
-    """Places in space."""
-
-    si = True
-    accepted = (
-        "a list of three points [x, y, z] or more, such as "
-        '[["0 m", "0 m", "0 m"], ["10 cm", "-1 mm", "0 m"], ["20 cm", "0 m", "0 m"]]'
-    )
-
-    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
-        points = _rows(self, value, (_SHIFT, _SHIFT, _SHIFT), 3, "[x, y, z]")
-        if 0 < len(points) < 3:
-            raise self.refuse(f"a list of {len(points)}")
-        return points
-
-    def write(self, value: tuple[tuple[float, ...], ...]) -> object:
-        return [[*map(_SHIFT.write, point)] for point in value]
-
-
-def _rows(
-    kind: Kind, value: object, columns: Sequence[Quantity], least: int, named: str
-) -> tuple[tuple[float, ...], ...]:
-    """Read rows of `least` values or more, one a column; none of what holds still."""
-    if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
-        return ()
-    rows = kind.listed(value, "a list of rows")
-    for row in rows:
-        if not isinstance(row, (list, tuple)) or not least <= len(row) <= len(columns):
-            raise kind.refuse(f"{shown(row)} is not a row {named}")
-    return tuple(tuple(column.read(item) for column, item in zip(columns, row, strict=False)) for row in rows)
+MOTION = Rows(
+    (_TIME, _SHIFT, _SHIFT, _SHIFT),
+    "[time, dx, dy] or [time, dx, dy, dz]",
+    '"hold", or a list of rows [time, dx, dy] or [time, dx, dy, dz], such as '
+    '[["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]',
+    least=3,
+)
+"""A path: a time and two displacements, or three where it leaves the plane."""
+TURNS = Rows(
+    (_TIME, _TURN),
+    "[time, angle]",
+    '"hold", or a list of rows [time, angle], such as [["0 s", "0 deg"], ["1 s", "360 deg"]]',
+    least=2,
+)
+POINTS = Rows(
+    (_SHIFT, _SHIFT, _SHIFT),
+    "[x, y, z]",
+    "a list of three points [x, y, z] or more, such as "
+    '[["0 m", "0 m", "0 m"], ["10 cm", "-1 mm", "0 m"], ["20 cm", "0 m", "0 m"]]',
+    least=3,
+    min_rows=3,
+)
+"""Places in space."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Protocol
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -18,25 +18,8 @@ from softcat_sym.solvers.start import Newton, with_plastic_strain
 _MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # Steps of a continuation from 0 to 1
 
 
-class Search(Protocol):
-    """Newton's method from several guesses."""
-
-    def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
-        """Equilibrium reached from the first guess that leads to one; None if none does."""
-        ...
-
-
-@dataclass(frozen=True)
-class _InC:
-    """Newton's method in C, at t = 0."""
-
-    graph: Graph
-    newton: Newton
-
-    def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
-        """Search as in `Search`."""
-        del time
-        return next((z for guess in guesses if (z := self.newton(self.graph, x, p, guess)) is not None), None)
+Search = Callable[[Floats, Floats, Iterable[Floats]], Floats | None]
+"""Equilibrium at t = 0 of plastic states and parameters, from the first guess that leads to one by Newton's method."""
 
 
 def balanced(
@@ -44,39 +27,41 @@ def balanced(
 ) -> Floats | None:
     """Algebraic positions in equilibrium at t = 0: in C if it converges, otherwise by CasADi, which passes folds."""
     if newton is not None and graph.terms.bending and not is_slack(scene):
-        z = _balanced(scene, graph, p, straight, _InC(graph, newton), is_straight=is_straight)
+
+        def in_c(x: Floats, constants: Floats, guesses: Iterable[Floats]) -> Floats | None:
+            return next((z for guess in guesses if (z := newton(graph, x, constants, guess)) is not None), None)
+
+        z = _balanced(_Stage(scene, graph, p, in_c, passes_folds=False), straight, is_straight=is_straight)
         if z is not None:
             return z
     # Imported here, as equilibria in C do not need CasADi.
     from softcat_sym.solvers.equilibrium import Equilibrium
 
-    return _balanced(scene, graph, p, straight, Equilibrium(graph), is_straight=is_straight)
+    search = partial(Equilibrium(graph).search, 0.0)
+    return _balanced(_Stage(scene, graph, p, search, passes_folds=True), straight, is_straight=is_straight)
 
 
-def _balanced(
-    scene: Scene, graph: Graph, p: Floats, straight: Floats, equilibrium: Search, *, is_straight: bool
-) -> Floats | None:
+def _balanced(heavy: _Stage, straight: Floats, *, is_straight: bool) -> Floats | None:
     """Algebraic positions in equilibrium, by continuation if the straight filament is not in equilibrium.
 
     The first continuation has the whole weight; if it fails, the second one starts without weight. It needs bending, as
     a string without weight has no stiffness.
     """
-    bends = graph.terms.bending
-    heavy = _Stage(scene, graph, p, weightless=False)
+    scene, graph, bends = heavy.scene, heavy.graph, heavy.graph.terms.bending
     if is_straight:
         x = with_plastic_strain(graph.start, graph, scene, 1.0)
-        z = equilibrium.search(0.0, x, p, sagging_guesses(graph, straight, elastic_sag(scene)))
+        z = heavy.search(x, heavy.p, sagging_guesses(graph, straight, elastic_sag(scene)))
     else:
-        z = _followed(heavy, equilibrium, straight)
+        z = _followed(heavy, straight)
     if z is None and bends:
-        z = _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
+        z = _followed(replace(heavy, weightless=True), straight)
     if z is None or not bends or not is_slack(scene) or not graph.conserves_energy:
         return z
     # The straight equilibrium of a compressed bar may be unstable.
     from softcat_sym.solvers.settling import settled
 
     x, constants = heavy.at(1.0)
-    return equilibrium.search(0.0, x, constants, [settled(graph, x, constants, z, straight)])
+    return heavy.search(x, constants, [settled(graph, x, constants, z, straight)])
 
 
 def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
@@ -85,16 +70,16 @@ def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
     return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
-def _followed(stage: _Stage, equilibrium: Search, straight: Floats) -> Floats | None:
+def _followed(stage: _Stage, straight: Floats) -> Floats | None:
     """Equilibrium at the end of a continuation; None if the continuation fails."""
     graph = stage.graph
-    falls = graph.terms.bending and graph.conserves_energy and not isinstance(equilibrium, _InC)
+    falls = graph.terms.bending and graph.conserves_energy and stage.passes_folds
     apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
     guesses = sagging_guesses(graph, apart, elastic_sag(stage.scene))
-    z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
+    z = stage.find(0.0, guesses[::-1] if stage.weightless else guesses)
     reached, step, slope = 0.0, _MAX_STEP, np.zeros_like(straight)
     while z is not None and reached < 1.0:
-        further = stage.search(equilibrium, min(1.0, reached + step), [z + step * slope, z])
+        further = stage.find(min(1.0, reached + step), [z + step * slope, z])
         if further is not None:
             now = min(1.0, reached + step)
             z, slope, reached, step = further, (further - z) / (now - reached), now, min(2 * step, _MAX_STEP)
@@ -106,7 +91,7 @@ def _followed(stage: _Stage, equilibrium: Search, straight: Floats) -> Floats | 
 
             reached, step, slope = min(1.0, reached + _MIN_STEP), _MAX_STEP, np.zeros_like(z)
             x, constants = stage.at(reached)
-            z = stage.search(equilibrium, reached, [snapped(graph, 0.0, x, constants, z)])
+            z = stage.find(reached, [snapped(graph, 0.0, x, constants, z)])
         else:
             return None
     return z
@@ -119,7 +104,9 @@ class _Stage:
     scene: Scene
     graph: Graph
     p: Floats
-    weightless: bool
+    search: Search
+    passes_folds: bool  # Whether it may leave a branch of equilibria that ends
+    weightless: bool = False
 
     @property
     def apart(self) -> float:
@@ -141,15 +128,16 @@ class _Stage:
         x = with_plastic_strain(self.graph.start, self.graph, self.scene, share)
         return x, np.array([mixed[name] for name in self.graph.parameters])
 
-    def search(self, equilibrium: Search, share: float, guesses: list[Floats]) -> Floats | None:
+    def find(self, share: float, guesses: list[Floats]) -> Floats | None:
         """Equilibrium at a share; for a string without bending only one in tension."""
         x, constants = self.at(share)
         for guess in guesses:
-            z = equilibrium.search(0.0, x, constants, [guess])
-            if z is not None and (self.graph.terms.bending or self._hangs(x, z, constants)):
+            z = self.search(x, constants, [guess])
+            if z is None:
+                continue
+            if self.graph.terms.bending:
+                return z
+            observed = self.graph.symbolic.observables(time=0.0, state=x, algebraic=z, parameters=constants)
+            if float(np.min(np.asarray(observed["tension"]))) >= 0:
                 return z
         return None
-
-    def _hangs(self, x: Floats, z: Floats, constants: Floats) -> bool:
-        observed = self.graph.symbolic.observables(time=0.0, state=x, algebraic=z, parameters=constants)
-        return float(np.min(np.asarray(observed["tension"]))) >= 0

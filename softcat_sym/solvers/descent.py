@@ -6,7 +6,6 @@ import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.expected_regime import worst_gravity_number
-from softcat_sym.effects.law import is_solid
 from softcat_sym.physics import beams
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, is_held, rest_length
@@ -35,7 +34,7 @@ def bounds_of(scene: Scene, terms: Terms, nodes: Floats) -> Bounds | None:
     What has a free end hangs on one support and is drawn out by its own weight as far as its law allows: its run ends
     as a thread. Solids come to rest, and chains of polymers may hold what they are drawn to.
     """
-    if scene.model != "filament" or not is_held(scene) or is_solid(scene) or terms.law.has_chains:
+    if scene.model != "filament" or not is_held(scene) or scene.material.spec.is_solid or terms.law.spec.has_chains:
         return None
     if not (terms.flows or terms.viscous):
         return None

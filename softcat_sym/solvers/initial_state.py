@@ -13,11 +13,13 @@ from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import (
     Scene,
-    chord_angle,
     distance,
     force_free_stretch,
+    is_held,
     is_slack,
+    is_turned,
     rest_length,
+    straight_angle,
     stress_free_length,
 )
 from softcat_sym.solvers.continuation import balanced
@@ -75,33 +77,27 @@ def _interpreted_newton() -> Newton:
 
 def is_straight(scene: Scene) -> bool:
     """Whether the straight filament between the ends is in equilibrium without weight."""
-    ends, initial = scene.ends, scene.initial
-    along = chord_angle(scene)
-    turned = any(
-        kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12)
-        for kind, angle in ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
-    )
-    held = "free" not in (ends.left, ends.right)
+    initial, held = scene.initial, is_held(scene)
     # A Newtonian fluid has no elastic stress after stretching.
-    pulled = held and scene.material.law != "newtonian"
+    pulled = held and scene.material.spec.is_elastic
     pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
-    uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
+    gives = any(support.has_springs for support in scene.ends.supports)
+    uneven = len(set(initial.P)) > 1 or (pulled and (gives or bool(scene.filament.profile)))
     bent = is_curved(scene) or any(initial.C) or bool(initial.centreline)
-    return not ((turned and held) or is_slack(scene) or uneven or bent)
+    return not ((is_turned(scene) and held) or is_slack(scene) or uneven or bent)
 
 
 def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene: Scene) -> Floats:
     """The state of the straight filament: along the chord, or from its only support in its direction."""
     ends, filament = scene.ends, scene.filament
-    length, along = rest_length(scene), chord_angle(scene)
+    length, along = rest_length(scene), straight_angle(scene)
     run, fall = filament.span / length, ends.drop / length
     grown = force_free_stretch(scene)
     middle, left, drop = 0.0, -run / 2, fall
-    if "free" in (ends.left, ends.right):
-        kind, angle = (ends.left, ends.left_angle) if ends.right == "free" else (ends.right, ends.right_angle)
-        along = angle if kind == "clamped" else 0.0
+    if not is_held(scene):
+        from_left = ends.supports[1].is_free
         run, fall = grown * math.cos(along), -grown * math.sin(along)
-        middle, drop = (left + run / 2, fall) if ends.right == "free" else (-left - run / 2, 2 * drop - fall)
+        middle, drop = (left + run / 2, fall) if from_left else (-left - run / 2, 2 * drop - fall)
     lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
     result, names = np.array(state, dtype=float), np.array(kinds)
     for name, line in lines.items():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -16,6 +16,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
+from softcat_sym.codegen.structure import Model
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import check_time
@@ -58,9 +59,9 @@ class External:
         return x, z, p
 
 
-def compiled_rhs(graph: Graph) -> External:
+def compiled_rhs(graph: Graph, model: Model) -> External:
     """The right-hand side of a graph as machine code, compiled now or found in the cache."""
-    library = compile_library(rhs_source(graph).files, flags=PORTABLE)
+    library = compile_library(rhs_source(graph, model).files, flags=PORTABLE)
     # These options keep CasADi from searching forward derivatives in the library, which has none.
     options = {"enable_forward": False, "enable_reverse": False}
     rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))
@@ -115,10 +116,12 @@ class FrameIntegrator:
         }
         if graph.is_dae:
             dae |= {"z": z, "alg": alg}
-        options = settings.options()
-        self._max_steps = int(options["max_num_steps"])
-        call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), options)
-        self._results = {name: np.zeros((intervals + 1, call.size1_out(name))) for name in ("xf", "zf", "qf")}
+        self._dae, self._options, self._solver = dae, settings.options(), settings.solver
+        self._build()
+
+    def _build(self) -> None:
+        call = ca.integrator("filament", self._solver, self._dae, 0, list(range(self.intervals + 1)), self._options)
+        self._results = {name: np.zeros((self.intervals + 1, call.size1_out(name))) for name in ("xf", "zf", "qf")}
         self._arguments = {name: np.zeros(call.size1_in(name)) for name in ("x0", "z0", "p")}
         # The buffer shares NumPy's memory with CasADi; lists of Python floats would take as long as a short run.
         self._buffer, self._evaluate = call.buffer()
@@ -129,9 +132,26 @@ class FrameIntegrator:
 
     def advance(self, before: Solution, p: Floats, start: float, interval: float) -> Solution:
         """Frames at the end of each interval after the last one of `before`; without meaning after a failure."""
-        self._arguments["x0"][:] = (*before.x[:, -1], *np.zeros(self._works))
-        self._arguments["z0"][:] = before.z[:, -1]
-        self._arguments["p"][:] = (*p, start, interval)
+        given = (*before.x[:, -1], *np.zeros(self._works)), before.z[:, -1], (*p, start, interval)
+        outcome, message, steps = self._integrate(*given)
+        if steps == 0 and outcome is Outcome.no_convergence and self._solver == "idas" and self._starts_shortly(*given):
+            outcome, message, steps = self._integrate(*given)
+        x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
+        quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
+        x = x[: len(before.x)]
+        # The Rosenbrock method does not raise an exception, but returns a code.
+        if outcome is Outcome.solved and self._buffer.ret() != 0:
+            outcome, message = Outcome.no_convergence, "even the smallest step was rejected"
+            if steps >= self._options["max_num_steps"]:
+                outcome, message = Outcome.step_limit, "the number of steps reached its limit"
+        elif outcome is Outcome.solved and not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
+            outcome, message = Outcome.non_finite, "non-finite state"
+        time = np.asarray(start + interval * np.arange(1, self.intervals + 1), dtype=float)
+        return Solution(time, x, z, quad + before.quad[:, -1:], outcome, message, steps)
+
+    def _integrate(self, x: Sequence[float], z: Floats, p: Sequence[float]) -> tuple[Outcome, str, int]:
+        for name, values in (("x0", x), ("z0", z), ("p", p)):
+            self._arguments[name][:] = values
         outcome, message = Outcome.solved, ""
         with watched():
             try:
@@ -139,19 +159,22 @@ class FrameIntegrator:
             except RuntimeError as error:
                 outcome, message = _failure(error)
         stats = self._buffer.stats()
-        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
-        x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
-        quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
-        x = x[: len(before.x)]
-        # The Rosenbrock method does not raise an exception, but returns a code.
-        if outcome is Outcome.solved and self._buffer.ret() != 0:
-            outcome, message = Outcome.no_convergence, "even the smallest step was rejected"
-            if steps >= self._max_steps:
-                outcome, message = Outcome.step_limit, "the number of steps reached its limit"
-        elif outcome is Outcome.solved and not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
-            outcome, message = Outcome.non_finite, "non-finite state"
-        time = np.asarray(start + interval * np.arange(1, self.intervals + 1), dtype=float)
-        return Solution(time, x, z, quad + before.quad[:, -1:], outcome, message, steps)
+        return outcome, message, int(stats.get("nsteps", stats.get("n_steps", 0)))
+
+    def _starts_shortly(self, x: Sequence[float], z: Floats, p: Sequence[float]) -> bool:
+        """Shorten the first step of IDAS to the fastest rate of change, where it was not short already.
+
+        It takes a thousandth of an interval, over which modes that relax by many decades faster leave Newton's method
+        with rounding only.
+        """
+        if "step0" in self._options:
+            return False
+        symbols = [self._dae.get(name, ca.SX(0, 1)) for name in ("t", "x", "z", "p")]
+        rates = ca.Function("rates", symbols, [self._dae["ode"]])(0, x, z, p)
+        first = 0.01 * self._options["abstol"] / max(float(ca.norm_inf(rates)), 1.0)
+        self._options |= {"step0": first, "first_time": first, "linear_solver": "csparse"}
+        self._build()
+        return True
 
 
 def _failure(error: RuntimeError) -> tuple[Outcome, str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -13,7 +13,6 @@ import numpy as np
 from softcat_sym.codegen.structure import Structure, model_for, signature_of, structure_of
 from softcat_sym.discretization.assembly import (
     Recorded,
-    Theory,
     choose_body,
     choose_grid,
     choose_theory,
@@ -21,9 +20,7 @@ from softcat_sym.discretization.assembly import (
     graph_of,
 )
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Grid
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
-from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
@@ -51,10 +48,7 @@ class Assembled:
 
     scene: Scene
     effects: Effects  # The physics in force
-    formulation: Formulation  # Equations of one cell
-    theory: Theory  # Unknowns on the grid
-    body: Body  # Supports, profile of the section, masses and natural shape
-    structure: Structure  # Everything on which its C text depends
+    structure: Structure  # Equations, unknowns and supports, and everything on which its C text depends
     graph: Graph  # The whole filament
 
     def at_rest(self) -> Graph:
@@ -63,13 +57,12 @@ class Assembled:
 
     @cached_property
     def _still(self) -> Assembled:
-        scene = self.scene
+        scene, recorded = self.scene, self.structure.recorded
         still = Formulation(self.effects.at_rest(), scene.filament.section, scene.run.closure)
         # Before any flow, few points suffice for an elastic section in three dimensions.
-        theory = elastic_theory(scene) if self.theory.is_spatial else choose_theory(scene, still.terms)
-        return _assembled(
-            scene, self.effects, still, theory, self.graph.grid, self.body, choose_backend(scene, self.effects)
-        )
+        theory = elastic_theory(scene) if recorded.theory.is_spatial else choose_theory(scene, still.terms)
+        recorded = replace(recorded, formulation=still, theory=theory)
+        return _assembled(scene, self.effects, recorded, choose_backend(scene, self.effects))
 
     def code_at_rest(self, graph: Graph) -> CompiledFilament:
         """Compiled code of the filament at rest."""
@@ -83,40 +76,31 @@ class Assembled:
             return compile_filament(self.graph, self.structure)
         from softcat_sym.solvers.interpreted import compiled_rhs
 
-        return compiled_rhs(self.graph)
+        return compiled_rhs(self.graph, model_for(self.structure))
 
 
 def assembled(scene: Scene, effects: Effects, backend: Backend | None = None) -> Assembled:
     """Assemble the graph of a scene with these effects, for a backend, by default the scene's."""
-    formulation = Formulation(effects.terms(), scene.filament.section, scene.run.closure)
-    grid, theory = choose_grid(scene, effects), choose_theory(scene, formulation.terms)
-    backend = backend or choose_backend(scene, effects)
-    return _assembled(scene, effects, formulation, theory, grid, choose_body(scene, grid), backend)
+    return _assembled(scene, effects, _recorded(scene, effects), backend or choose_backend(scene, effects))
 
 
 def structure_for(scene: Scene, effects: Effects) -> Structure:
     """Everything on which the C text of a scene with these effects depends."""
-    terms, grid = effects.terms(), choose_grid(scene, effects)
-    formulation = Formulation(terms, scene.filament.section, scene.run.closure)
-    return structure_of(effects, grid, formulation, choose_theory(scene, terms), choose_body(scene, grid))
+    return structure_of(effects, _recorded(scene, effects))
 
 
-def _assembled(
-    scene: Scene,
-    effects: Effects,
-    formulation: Formulation,
-    theory: Theory,
-    grid: Grid,
-    body: Body,
-    backend: Backend,
-) -> Assembled:
-    structure = structure_of(effects, grid, formulation, theory, body)
-    recorded = Recorded(formulation, grid, theory, body)
+def _recorded(scene: Scene, effects: Effects) -> Recorded:
+    formulation = Formulation(effects.terms(), scene.filament.section, scene.run.closure)
+    grid = choose_grid(scene, effects)
+    return Recorded(formulation, grid, choose_theory(scene, formulation.terms), choose_body(scene, grid))
+
+
+def _assembled(scene: Scene, effects: Effects, recorded: Recorded, backend: Backend) -> Assembled:
+    structure = structure_of(effects, recorded)
     compiled = backend.compiled and scene.numerics.solver in (None, "rosenbrock")
     found = model_for(structure).signature if compiled else signature_of(structure)
     signature = found or recorded.program.signature
-    graph = graph_of(recorded, effects.names, signature)
-    return Assembled(scene, effects, formulation, theory, body, structure, graph)
+    return Assembled(scene, effects, structure, graph_of(recorded, effects.names, signature))
 
 
 _INTERPRETED = Backend(False, "as asked")
@@ -216,7 +200,7 @@ def prepare(
 
         stride = 1 if len(kinks) else _stride(scene)
         frames = stride * (scene.run.frames - 1) + 1
-        integration = Integration(graph, settings, frames, kinks[kinks < times[-1]], code, bounds)
+        integration = Integration(graph, settings, frames, kinks, code, bounds)
     whole = code if isinstance(code, CompiledFilament) else None
     return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
 

@@ -17,7 +17,7 @@ from softcat_sym.solvers.settings import choose_backend
 
 STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "damped": (20.0, 1.0, 0.35)}
 """Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of
-periods with which they grow, and that of 0.01/accuracy (tests/slow/test_costs.py).
+periods with which they grow, and that of 0.01/accuracy (tests/slow/test_speed.py).
 
 A sudden load excites all modes, and a finer accuracy resolves more of them. Measured at 0.01 and 0.001: elastic strands
 of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to 187, 390 to 630; with a

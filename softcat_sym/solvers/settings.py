@@ -16,6 +16,7 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.scaling_estimates import (
+    effective_viscosity,
     gravity_number_of,
     instant_modulus,
     viscous_number,
@@ -39,7 +40,7 @@ RODAS5P, RODAS4 = 1, 2
 _BDF_ORDER = 2
 _STEPS_PER_FRAME = 100_000
 
-# Measured on the bundled scenes (tests/slow/test_time_error.py): with these the time error of the midpoint is
+# Measured on the bundled scenes (tests/slow/test_bundled_scenes.py): with these the time error of the midpoint is
 # a tenth of the accuracy requested or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # BDF without a yield stress: the whole filament flows at once, and further
@@ -81,6 +82,7 @@ _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 _OVERDAMPED = 5.0  # V above which a descending filament does not rebound
 _SHORT_MEMORY = 0.02  # relaxation time in sqrt(L/g) below which a Maxwell filament does not ring
 _SLOW_PERIODS = 20.0
+_AT_ONCE = 1e9  # Run over rho L^2/eta: on a grid of forty cells the fastest wave relaxes 1e6 times sooner
 _NOISE = 5 * float(np.finfo(float).eps)
 
 
@@ -225,7 +227,7 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
         return _RTOL_PER_ACCURACY[solver]
     if not effects.terms().inertia:
         return _QUASI_STATIC
-    if _is_slow(scene):
+    if _is_slow(scene) or _relaxes_at_once(scene, effects):
         return _CREEP
     if effects.terms().rotary_inertia:
         return _TURNING
@@ -253,7 +255,7 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
         unknowns = "velocities" if effects.terms().resists else "positions"
         return "idas", f"{unknowns} are algebraic without inertia"
     turning = algebraic or effects.terms().rotary_inertia
-    if turning and not effects.terms().yields and not _is_slow(scene):
+    if turning and not effects.terms().yields and not (_is_slow(scene) or _relaxes_at_once(scene, effects)):
         return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
     bdf: Name = "idas" if algebraic else "cvodes"
     if _flow_damps(scene, effects):
@@ -261,6 +263,14 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     if _creeps_to_rest(scene, effects):
         return bdf, "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
     return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
+
+
+def _relaxes_at_once(scene: Scene, effects: Effects) -> bool:
+    """Whether a viscous stress stops all waves so soon that the Rosenbrock method would reject its smallest step."""
+    viscosity, filament = effective_viscosity(scene), scene.filament
+    if viscosity is None or not effects.terms().viscous:
+        return False
+    return viscosity * scene.run.duration > _AT_ONCE * filament.density * filament.span**2
 
 
 def _algebraic(effects: Effects) -> str:

@@ -6,13 +6,12 @@ import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
-from types import FrameType
 from typing import Any, Protocol
 
 import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.interrupts import interrupts_go_to
+from softcat_sym.interrupts import Interrupts, interrupts_go_to
 from softcat_sym.physics.terms import Terms
 from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 
@@ -65,7 +64,7 @@ Stretch = Callable[[Floats, Floats, Floats], Floats]
 
 def thread_of(terms: Terms) -> float:
     """Stretch at which the run of a filament with this law ends."""
-    return POLYMER_THREAD if terms.law.has_chains else THREAD
+    return POLYMER_THREAD if terms.law.spec.has_chains else THREAD
 
 
 def is_torn(terms: Terms, stretch: Floats) -> bool:
@@ -189,24 +188,6 @@ class Solution:
             "its length"
         )
         return replace(self.only(slice(frames)), outcome=Outcome.ruptured, message=message)
-
-
-class Interrupts:
-    """Record of SIGINT since the watch began."""
-
-    def __init__(self) -> None:
-        self._noticed = False
-
-    def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle the signal: remember it, and raise as Python does."""
-        del number, frame
-        self._noticed = True
-        raise KeyboardInterrupt
-
-    def check(self) -> None:
-        """Raise KeyboardInterrupt if it was swallowed."""
-        if self._noticed:
-            raise KeyboardInterrupt
 
 
 class Interrupted(KeyboardInterrupt):

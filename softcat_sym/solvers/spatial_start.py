@@ -15,7 +15,17 @@ from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FOR
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.scene.curve import carried, continuous
 from softcat_sym.scene.natural_curve import has_shape, is_curved
-from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
+from softcat_sym.scene.scene import (
+    Scene,
+    chord_angle,
+    distance,
+    force_free_stretch,
+    is_held,
+    is_turned,
+    rest_length,
+    straight_angle,
+    stress_free_length,
+)
 from softcat_sym.solvers.start import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
@@ -79,13 +89,12 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
     elif is_held(scene):
         along = chord_angle(scene)
         places = np.column_stack([run * nodes, -fall / 2 - fall * nodes, 0 * nodes])
-        turns = np.tile(_turn_in_plane(along), (len(nodes), 1))
+        turns = np.tile(_in_plane(along), (len(nodes), 1))
     else:
-        from_left = ends.right == "free"
-        kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
+        from_left = ends.supports[1].is_free
         # Without stress, Lam^-3/2 kappa is the natural curvature.
         kappa = np.array([filament.twist, 0.0, filament.curvature]) * grown**1.5 * length
-        places, turns = _integrated(np.diff(nodes), kappa, grown, angle if kind == "clamped" else 0.0, from_left)
+        places, turns = _integrated(nodes, kappa, grown, straight_angle(scene), from_left)
         places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
     found = {(name, n): float(value) for k, name in enumerate(PLACES) for n, value in enumerate(places[:, k])}
     return found | {(name, n): float(value) for k, name in enumerate(TURN) for n, value in enumerate(turns[:, k])}
@@ -99,42 +108,20 @@ def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
     return curve(nodes), continuous(carried(first, curve(nodes, 1)))
 
 
-def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
+def _integrated(nodes: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
     """Positions and quaternions of a curve of constant twist and curvature, from the held end."""
-    sign = 1.0 if from_left else -1.0
-    place, turn = np.zeros(3), _turn_in_plane(angle)
-    places, turns = [place], [turn]
-    for cell in cells if from_left else cells[::-1]:
-        half = sign * cell / 2 * kappa
-        middle = _times(turn, _turn_by(half))
-        place = place + sign * cell * stretch * _first_axis(middle)
-        turn = _times(middle, _turn_by(half))
-        places.append(place)
-        turns.append(turn)
-    order = slice(None) if from_left else slice(None, None, -1)
-    return np.array(places)[order], np.array(turns)[order]
+    held = 0 if from_left else -1
+    start, along = Rotation.from_euler("z", angle), nodes - nodes[held]
+    middle = start * Rotation.from_rotvec(np.outer((along[1:] + along[:-1]) / 2, kappa))
+    steps = stretch * np.diff(nodes)[:, None] * middle.apply([1.0, 0.0, 0.0])
+    places = np.vstack([np.zeros(3), np.cumsum(steps, axis=0)])
+    turns = continuous(start * Rotation.from_rotvec(np.outer(along, kappa)))
+    return places - places[held], turns * np.sign(turns[held] @ _in_plane(angle))
 
 
-def _turn_in_plane(angle: float) -> Floats:
+def _in_plane(angle: float) -> Floats:
+    """Quaternion of a turn in the plane."""
     return np.array([math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2)])
-
-
-def _turn_by(vector: Floats) -> Floats:
-    """Quaternion of a rotation vector."""
-    angle = float(np.linalg.norm(vector))
-    return np.append(math.cos(angle / 2), np.sinc(angle / 2 / np.pi) / 2 * vector)
-
-
-def _times(a: Floats, b: Floats) -> Floats:
-    """Product of two quaternions."""
-    vector = a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])
-    return np.append(a[0] * b[0] - a[1:] @ b[1:], vector)
-
-
-def _first_axis(q: Floats) -> Floats:
-    """First axis d1 of a quaternion."""
-    w, x, y, z = q
-    return np.array([w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)])
 
 
 def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape: Shape) -> Floats:
@@ -143,10 +130,9 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 def _is_forced(scene: Scene) -> bool:
     """Whether the straight filament between its ends is stressed without weight, so that its shape must be solved."""
-    ends, along = scene.ends, chord_angle(scene)
-    clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
-    turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
-    bent = not has_shape(scene) and (turned or is_curved(scene))
+    gives = any(support.has_springs for support in scene.ends.supports)
+    pulled = gives and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
+    bent = not has_shape(scene) and (is_turned(scene) or is_curved(scene) or pulled)
     return not scene.initial.centreline and (bent or len(set(scene.initial.P)) > 1)
 
 

@@ -15,7 +15,7 @@ from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
-from softcat_sym.scene.material import CONSTANTS
+from softcat_sym.scene.laws import spec_of
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, gravity_time
 from softcat_sym.scene.toml import read_overrides
@@ -117,9 +117,9 @@ def _check_flags(given: Mapping[str, str]) -> None:
     if curve:
         twice = [name for name in _MATERIAL if name in given and name not in ("law", "youngs-modulus")]
         faults += [Fault(f"--{name}", "given twice, here and by --flow-curve", "one of the two") for name in twice]
-    elif law in CONSTANTS:
+    else:
         known = {name.removeprefix("shear-").replace("consistency", "viscosity") for name in given}
-        for flag in (name.replace("_", "-") for name in CONSTANTS[law]):
+        for flag in (name.replace("_", "-") for name in spec_of(law).constants):
             if flag in _MATERIAL and flag not in known:
                 faults.append(Fault(f"--{flag}", f"missing: the law '{law}' needs it", "a value with its unit"))
     if faults:

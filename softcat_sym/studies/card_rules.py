@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.batch.sweep import time_to_share
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
@@ -26,7 +26,7 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
 )
 from softcat_sym.errors import SoftcatError
-from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.physics import beams, closed_forms, regimes
 from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
@@ -35,7 +35,7 @@ from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.scene.scene import Scene, is_held, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
 
@@ -102,18 +102,11 @@ def descent_of(run: Run) -> Descent | None:
     moving = np.flatnonzero(np.abs(sag - final) > _STILL * abs(final))
     first = int(moving[-1]) + 1 if moving.size else 0
     rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
-    to_90 = None
-    if final > 0:
-        reached = int(np.argmax(sag >= 0.9 * final))
-        before, to_90 = max(reached - 1, 0), float(time[0])
-        if reached:
-            share = (0.9 * final - sag[before]) / (sag[reached] - sag[before])
-            to_90 = float(time[before] + share * (time[reached] - time[before]))
     return Descent(
         final=final,
         largest=-float(run.summary["midpoint_lowest_m"]),
         settled=float(time[first]) if rests else None,
-        to_90=to_90,
+        to_90=time_to_share(time, sag) if final > 0 else None,
         rise=rise,
         damping="underdamped" if rise > TURNS_BACK else "overdamped",
         stretch=float(stretch[at]),
@@ -209,7 +202,8 @@ def unusual(scene: Scene) -> str:
     """Why no rule of the field applies to the scene; empty if rules apply."""
     ends, filament = scene.ends, scene.filament
     checks = {
-        "an end is free": "free" in (ends.left, ends.right),
+        "an end is free": not is_held(scene),
+        "an end gives way": any(support.has_springs for support in ends.supports),
         "the supports are not level, or move": ends.drop != 0 or bool(ends.motion),
         "a clamp is turned": ends.left_angle != 0 or ends.right_angle != 0,
         "its thickness varies": bool(filament.profile),
@@ -249,10 +243,10 @@ def _rigid(scene: Scene, run: Run) -> bool:
 
 def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     """Prediction of a viscous sag, of a beam or of a string; time is counted from half the ramp of the load."""
-    material = scene.material
-    viscosity = None if is_solid(scene) or material.law == "custom" else effective_viscosity(scene) or None
+    material, spec = scene.material, scene.material.spec
+    viscosity = None if spec.is_solid or spec.has_formula else effective_viscosity(scene) or None
     if viscosity is None:
-        return "a solid does not flow" if is_solid(scene) else "its flow rule has no viscosity"
+        return "a solid does not flow" if spec.is_solid else "its flow rule has no viscosity"
     if _rigid(scene, run):
         return _NEVER_FLOWS
     time = max(float(run.data["time"].values[-1]) - scene.load.ramp / 2, 0.0)
@@ -260,7 +254,7 @@ def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     if shape == "beam" and material.index != 1:
         return "its viscosity changes with the rate of flow"
     if shape == "beam":
-        beam = regimes.NAMED[beam_of(scene).name]
+        beam = beam_of(scene)
         return _value(closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam), scene, known)
     string = closed_forms.viscous_string_sag() if material.index == 1 else closed_forms.power_law_string_sag()
     return _value(string, scene, known)
@@ -285,7 +279,7 @@ def _first_yield(scene: Scene, run: Run) -> Prediction:
     del run
     if yield_stress_of(scene) is None:
         return "no yield stress"
-    beam = regimes.NAMED[beam_of(scene).name]
+    beam = beam_of(scene)
     return _value(closed_forms.largest_bending_stress(SECTIONS[scene.filament.section], beam), scene)
 
 
@@ -299,12 +293,12 @@ def _catenary(exact: bool, scene: Scene, run: Run) -> Prediction:
     return _value(regimes.SHALLOW_STRESS.right, scene, {regimes.H: sag})
 
 
-def _beam(beam: regimes.Beam, scene: Scene) -> Any:
+def _beam(beam: beams.Beam, scene: Scene) -> Any:
     return closed_forms.beam_sag(SECTIONS[scene.filament.section], beam)
 
 
-_pinned = partial(_elastic, partial(_beam, regimes.PINNED))
-_clamped = partial(_elastic, partial(_beam, regimes.CLAMPED))
+_pinned = partial(_elastic, partial(_beam, beams.PINNED))
+_clamped = partial(_elastic, partial(_beam, beams.CLAMPED))
 _cable = partial(_elastic, lambda scene: closed_forms.elastic_string_sag())
 
 _BENT = ("ends", "flow", "stretching", "shear", "inertia", "surface", "bath")

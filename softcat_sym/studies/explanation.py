@@ -206,7 +206,9 @@ def explain(scene: SceneLike) -> Explanation:
         sag=expected_sag(scene),
         strain=expected_strain(scene),
         effects=decisions,
-        equations=equations_in_force(equations_of(filament.formulation), reduced=scene.model == "small-deflection"),
+        equations=equations_in_force(
+            equations_of(filament.structure.recorded.formulation), reduced=scene.model == "small-deflection"
+        ),
         unknowns=unknowns,
         graph=size,
         integrator={

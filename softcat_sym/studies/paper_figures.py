@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.discretization.unknowns import Floats
@@ -19,21 +16,8 @@ from softcat_sym.physics.regimes import K_I
 from softcat_sym.physics.regimes import delta as slenderness
 from softcat_sym.physics.regimes import tau_star as tau
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
-from softcat_sym.reference.element_loop import (
-    Clamp,
-    ElementLoop,
-    Mesh,
-    Strip,
-    deferred,
-    element_sources,
-    fingerprint,
-    half_span_supports,
-    problem_of,
-    read_checkpoint,
-    write_checkpoint,
-)
-from softcat_sym.reference.elements import ElementRun, March, Snapshot, run_of, snapshot
-from softcat_sym.reference.material_point import point_code
+from softcat_sym.reference.element_loop import Clamp, Mesh
+from softcat_sym.reference.elements import ElementRun, Snapshot, checkpoint_key, run_elements, snapshot, strip_of
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
 from softcat_sym.simulate import recalled
@@ -42,9 +26,6 @@ from softcat_sym.solvers.solution import Progress
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
-
-# Seconds between two checkpoints: the longest computation that a kill can lose.
-_EVERY = 30.0
 
 
 @dataclass(frozen=True)
@@ -64,60 +45,14 @@ def film_elements(
     scene: Scene, mesh: Mesh, instants: tuple[float, ...], folder: Path, name: str, progress: Progress
 ) -> ElementFilm:
     """Run a scene with elements and keep the whole strip at some instants."""
-    problem = problem_of(scene)
-    strip, code = Strip(mesh, problem.thickness), point_code(problem.law)
-    frames = np.unique(np.round(np.array(instants) / problem.duration * (problem.frames - 1)).astype(int))
-    key = fingerprint(problem, mesh, Clamp.THINNING, 1.0, {**element_sources(code), "frames": str(frames.tolist())})
-    supports = half_span_supports(strip, Clamp.THINNING)
-    loop = ElementLoop(
-        strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
-    )
-    camera = _Camera(March(problem, loop, 1.0), loop, frames)
-    path = folder / f"elements-{name}-{hashlib.sha256(key.encode()).hexdigest()[:8]}.npz"
-    wall = camera.finish(path, key, progress, elastic_time(scene))
-    dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
-    run = run_of(scene, strip, Clamp.THINNING, camera.march.records, dofs=dofs, wall=wall)
-    times = np.linspace(0.0, problem.duration, problem.frames)[frames]
-    shots = (snapshot(strip, *shot) for shot in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
+    shares = [instant * elastic_time(scene) / scene.run.duration for instant in instants]
+    key = checkpoint_key(scene, mesh, Clamp.THINNING, fields=shares)
+    path = folder / f"elements-{name}-{key[:8]}.npz"
+    run = run_elements(scene, mesh, checkpoint=path, fields=shares, progress=progress)
+    strip, span = strip_of(scene, run), scene.filament.span
+    times, rates = run.rate_time / run.elastic_time, run.rate * run.elastic_time
+    shots = (snapshot(strip, *shot) for shot in zip(times.tolist(), run.displacement / span, rates, strict=True))
     return ElementFilm(run, strip.points.reshape(-1, 2), tuple(shots))
-
-
-class _Camera:
-    """A march that records displacements and rates at some frames, with checkpoints in a file."""
-
-    def __init__(self, march: March, loop: ElementLoop, frames: npt.NDArray[np.int_]) -> None:
-        self.march, self._loop, self._frames = march, loop, frames
-        self.displacement = np.full((len(frames), *loop.displacement.shape), np.nan)
-        self.rate = np.full((len(frames), *loop.rate.shape), np.nan)
-        self._look()
-
-    def finish(self, path: Path, key: str, progress: Progress, second: float) -> float:
-        """Advance to the last output time, from the checkpoint if there is one; `second` is the elastic time [s]."""
-        state = read_checkpoint(path, key)
-        if state is not None:
-            self.march.restore(state)
-            self.displacement[...], self.rate[...] = state["shot_displacement"], state["shot_rate"]
-        before, began = 0.0 if state is None else float(state["wall"].item()), time.perf_counter()
-        saved = began
-        with deferred() as interrupt:
-            while not self.march.finished:
-                self.march.advance()
-                self._look()
-                progress.update(second * self.march.time, second * self.march.step)
-                now = time.perf_counter()
-                if interrupt.pending or self.march.finished or now - saved > _EVERY:
-                    shots = {"shot_displacement": self.displacement, "shot_rate": self.rate}
-                    write_checkpoint(path, key, {**self.march.state(), **shots, "wall": np.array(before + now - began)})
-                    saved = now
-                if interrupt.pending:
-                    raise KeyboardInterrupt
-        return before + time.perf_counter() - began
-
-    def _look(self) -> None:
-        """Record the present frame: a march stops at every frame until it is advanced again."""
-        reached = np.isfinite(self.march.records.arrays["steps"][self._frames])
-        for shot in np.flatnonzero(reached & np.isnan(self.rate[:, 0, 0])):
-            self.displacement[shot], self.rate[shot] = self._loop.displacement, self._loop.rate
 
 
 ALPHA = 46.0

@@ -8,24 +8,14 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
+import pandas as pd
 
-from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.drawing import Drawable
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
-from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
-from softcat_sym.ensemble.executor import Executor, MembersProgress, executor
-from softcat_sym.physics import beams
-from softcat_sym.physics.cross_sections import CrossSection
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
-from softcat_sym.scene.reading import load_scene
-from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
-from softcat_sym.solvers.solution import watched
-from softcat_sym.studies.phase_runs import (
+from softcat_sym.batch.executor import MembersProgress, RunPool, Where
+from softcat_sym.batch.phase_runs import (
     ARREST_FLOW_TIME,
     CLAMP_REGION,
     CLAMPS_ONLY,
@@ -46,9 +36,17 @@ from softcat_sym.studies.phase_runs import (
     refuse_scene,
     run_places,
 )
-
-if TYPE_CHECKING:
-    import pandas as pd
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
+from softcat_sym.effects.expected_regime import TURNS_BACK
+from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
+from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
+from softcat_sym.physics import beams
+from softcat_sym.physics.cross_sections import CrossSection
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
+from softcat_sym.solvers.solution import watched
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
 Source = Literal["paper", "exact", "estimate"]
@@ -361,13 +359,14 @@ class PhaseDiagram(Drawable):
     @property
     def strain_caption(self) -> str:
         """Caption of the maps of strain, with the paper's continual descent."""
-        run, clamp, midspan = self.descent, self.descent.clamp, self.descent.midspan
+        run = self.descent
         return (
             "True axial strain of the most stretched fibre at the end of each run, in the cell next to the clamp and "
             f"in the one at midspan. Outlined: over {PAPER_STRAIN:.0%}. Crosses: no answer. The paper's continual "
             f"descent at t~ = 460 (G 1.9, V 26, δ 0.03; {run.outcome}, sag {run.sag:.3f} L), where it finds "
-            f'"over 23 %" near the clamp: here {clamp.largest:.0%} in the outer fibre and {clamp.centreline:.0%} of '
-            f"the centreline at the clamp, {midspan.largest:.0%} and {midspan.centreline:.0%} at midspan."
+            f'"over 23 %" near the clamp: here {run.clamp_strain:.0%} in the outer fibre and '
+            f"{run.clamp_strain_centreline:.0%} of the centreline at the clamp, {run.midspan_strain:.0%} and "
+            f"{run.midspan_strain_centreline:.0%} at midspan."
         )
 
     def to_frame(self) -> pd.DataFrame:
@@ -375,8 +374,6 @@ class PhaseDiagram(Drawable):
 
         Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre.
         """
-        import pandas as pd
-
         rows = [
             {"plane": sheet.plane.name, **point.run.to_dict()}
             for sheet in self.sheets
@@ -386,8 +383,6 @@ class PhaseDiagram(Drawable):
 
     def boundaries(self) -> pd.DataFrame:
         """Boundaries between regimes of runs, a row for each crossing of a lattice row."""
-        import pandas as pd
-
         columns = ("plane", "boundary", "other", "other_value", "G_low", "G_high")
         rows = [
             (sheet.plane.name, found.kind, sheet.plane.y.key, found.other, found.G_low, found.G_high)
@@ -398,8 +393,6 @@ class PhaseDiagram(Drawable):
 
     def lines(self) -> pd.DataFrame:
         """The lines of the formulas, a row for each of their points."""
-        import pandas as pd
-
         tables = []
         for sheet in self.sheets:
             for line in sheet.lines:
@@ -428,13 +421,13 @@ class PhaseDiagram(Drawable):
                 "groups": {"G": run.place.G, "V": run.place.V, "delta": run.place.delta},
                 "time_over_L_sqrt_rho_E": DESCENT_TIME,
                 "outcome": run.outcome,
-                "regime": run.regime,
+                "regime": run.regime or None,
                 "sag_over_span": run.sag,
                 "paper_local_strain_over": PAPER_STRAIN,
-                "clamp_strain": run.clamp.largest,
-                "clamp_strain_centreline": run.clamp.centreline,
-                "midspan_strain": run.midspan.largest,
-                "midspan_strain_centreline": run.midspan.centreline,
+                "clamp_strain": run.clamp_strain,
+                "clamp_strain_centreline": run.clamp_strain_centreline,
+                "midspan_strain": run.midspan_strain,
+                "midspan_strain_centreline": run.midspan_strain_centreline,
                 "caption": self.strain_caption,
             },
             "workers": self.workers,
@@ -456,12 +449,12 @@ def phase_diagram(
     refuse_scene(scene)
     # Estimate: refinement along the boundaries runs some nodes in every column.
     members = 4 * cells * len(chosen)
-    with watched(), executor(workers, scheduler, local_cluster, members) as pool:
+    with watched(), Where(workers, scheduler, local_cluster).pool(members) as pool:
         sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
         return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
 
 
-def descent_run(scene: Scene, pool: Executor) -> PhaseRun:
+def descent_run(scene: Scene, pool: RunPool) -> PhaseRun:
     """The paper's continual descent to its last time, with the physics and the numerics of a scene."""
     paper = load_scene(DESCENT_SCENE)
     paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
@@ -469,7 +462,7 @@ def descent_run(scene: Scene, pool: Executor) -> PhaseRun:
     return run_places(paper, [place], pool, durations=[DESCENT_TIME * elastic_time(paper)])[0]
 
 
-def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: Executor, progress: MembersProgress | None) -> PhaseSheet:
+def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: RunPool, progress: MembersProgress | None) -> PhaseSheet:
     begun, spent = time.perf_counter(), time.process_time()
     x, y = plane.x.values(cells), plane.y.values(cells)
     points: list[PhasePoint] = []

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,21 +13,20 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import brentq
 
+from softcat_sym.batch.members import is_group, is_number, written
+from softcat_sym.batch.plan import read_axes
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
-from softcat_sym.reference.elements import ElementRun, run_elements
-from softcat_sym.reference.material_point import point_code
+from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
+from softcat_sym.reference.elements import ElementRun, checkpoint_key, run_elements
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.compare import Comparison, Listening, Row, aligned, compare, late, moments
 
 _FORM = "one variable, such as groups.delta=0.01,0.02,0.03 or groups.V=2.6:260:5:log"
-_RANGE = re.compile(r"([^:,]+):([^:,]+):(\d{1,4})(:log)?")
-_MAX_VALUES = 1000
 
 
 @dataclass(frozen=True)
@@ -39,46 +37,28 @@ class Variation:
     texts: tuple[str, ...]  # Values as ``--set`` takes them, each once
 
 
-def read_variation(text: str) -> Variation:
+def read_variation(scene: Scene, text: str) -> Variation:
     """Read ``path=value,value,...`` or ``path=first:last:number`` with or without ``:log``."""
-    path, _, values = (part.strip() for part in text.partition("="))
-    texts = _range(values) if ":" in values else tuple(part.strip() for part in values.split(","))
-    different = tuple(dict.fromkeys(texts))
-    if not path or not all(texts) or len(different) < 2:
-        found = "has one value" if path and values and len(different) == 1 else "varies nothing"
-        raise SceneError([Fault("--vary", f"{text!r} {found}", _FORM)])
-    return Variation(path, different)
+    (axis,) = read_axes(scene, [text])
+    values = (written(scene, {axis.key: value})[axis.key] for value in axis.values)
+    texts = dict.fromkeys(f"{value:.12g}" if isinstance(value, float) else str(value) for value in values)
+    if len(texts) < 2:
+        raise SceneError([Fault("--vary", f"{text!r} has one value", _FORM)])
+    return Variation(axis.key, tuple(texts))
 
 
 def number_at(scene: Scene, path: str, text: str) -> float:
     """The value as a number for the axis of a chart: dimensionless for a group, otherwise in SI units."""
-    value: object = _number(text) if path.startswith("groups.") else scene
-    if value is scene:
-        for name in path.split("."):
-            value = getattr(value, name, None)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    table, _, name = path.partition(".")
+    value: object = text
+    if is_group(path):
+        with suppress(ValueError):
+            value = float(text)
+    else:
+        value = getattr(getattr(scene, table, None), name, None)
+    if not is_number(value) or not math.isfinite(value):
         raise SceneError([Fault(path, f"{text!r} is no number", "a variable that has one, " + _FORM)])
     return float(value)
-
-
-def _range(values: str) -> tuple[str, ...]:
-    """Values of a range; empty if the text is not a range."""
-    found = _RANGE.fullmatch(values)
-    if found is None:
-        return ()
-    first, last, count = _number(found[1]), _number(found[2]), int(found[3])
-    sound = math.isfinite(first) and math.isfinite(last) and 2 <= count <= _MAX_VALUES
-    if not sound or (found[4] and min(first, last) <= 0):
-        return ()
-    # Twelve digits keep rounding errors out of file names and tables.
-    return tuple(f"{number:.12g}" for number in (np.geomspace if found[4] else np.linspace)(first, last, count))
-
-
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        return math.nan
 
 
 DEFINITION = (
@@ -374,11 +354,9 @@ def where_theory_ends(
 def _measure(
     text: str, value: float, scene: Scene, mesh: Mesh, clamp: Clamp, folder: Path, listening: Listening | None
 ) -> Measured:
-    problem = problem_of(scene)
-    sources = element_sources(point_code(problem.law))
 
     def checkpoint(grid: Mesh) -> Path:
-        return folder / f"{fingerprint(problem, grid, clamp, 1.0, sources)}.npz"
+        return folder / f"{checkpoint_key(scene, grid, clamp)}.npz"
 
     def named(what: str) -> AbstractContextManager[Progress]:
         if listening is None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from importlib.resources import files
 from importlib.util import find_spec
 from typing import Any, Protocol
 
@@ -15,9 +17,20 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.studies.published import elastic, glass, viscous, yielding
-from softcat_sym.studies.published.case import Case, Curve, Finding, Picture, Row, published_scene
+from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
 
-CASES = (*elastic.CASES, *viscous.CASES, *glass.CASES, *yielding.CASES)
+_RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yielding.RUNS
+
+
+def _published_cases() -> tuple[Case, ...]:
+    text = (files("softcat_sym.studies.published") / "cases.toml").read_text(encoding="utf-8")
+    return tuple(
+        Case(**entry | {"kind": Kind(entry["kind"]), "run": _RUNS.get(entry["name"])})
+        for entry in tomllib.loads(text)["case"]
+    )
+
+
+CASES = _published_cases()
 """All cases, in the order of the table."""
 
 

@@ -6,7 +6,7 @@ import ctypes as ct
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from statistics import median
 from typing import Any, Literal
@@ -22,19 +22,15 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.compiled import (
-    Answer,
-    CModel,
     CompiledIntegration,
     Doubles,
     Filament,
     Integers,
-    RunInput,
-    Status,
     runtime_sources,
 )
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
-from softcat_sym.solvers.settings import Settings, choose_backend, settings_for
+from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Silence, Solution
 
 
@@ -181,9 +177,6 @@ def _pointer(array: Floats) -> ct._Pointer[ct.c_double]:
 
 Kind = Literal["own", "rival"]
 
-_RODAS4 = 2
-_FIFTH = 5
-
 
 @dataclass(frozen=True, slots=True)
 class Solved:
@@ -207,39 +200,18 @@ class Program:
 
 PROGRAMS: tuple[Program, ...] = (
     Program("compiled-rodas5p", "Rodas5P, compiled", "own", "compiled", "rosenbrock"),
-    Program("compiled-rodas4", "Rodas4, compiled", "own", "compiled", "rosenbrock"),
     Program("cvodes", "CVODES (order 2)", "own", "interpreted", "cvodes"),
     Program("idas", "IDAS (order 2)", "own", "interpreted", "idas"),
-    Program("idas-5", "IDAS (to order 5)", "rival", "interpreted", "idas"),
     Program("scipy-radau", "SciPy Radau", "rival", "compiled", "rosenbrock"),
 )
 RIVALS = tuple(program for program in PROGRAMS if program.key in ("idas", "scipy-radau"))
 """Default rivals: the better IDAS, and a usual choice in Python for stiff equations."""
 
-OTHER_FAMILIES = frozenset({"cvodes", "idas", "idas-5", "scipy-radau"})
+OTHER_FAMILIES = frozenset({"cvodes", "idas", "scipy-radau"})
 """Programs without a Rosenbrock method, which can confirm an answer."""
 
 THIS_PROGRAM = "softcat"
 """Key of the program that `softcat run` uses."""
-
-
-class _FifthOrder(Settings):
-    """BDF up to order five, which is accurate where flow damps the elastic waves, and unstable without damping."""
-
-    def options(self) -> dict[str, Any]:
-        return {**Settings.options(self), "max_order": _FIFTH}
-
-
-class _Rodas4(CModel):
-    """A compiled model, integrated by the method of order four (Hairer & Wanner 1996) with the same library."""
-
-    def __init__(self, model: CModel) -> None:
-        vars(self).update(vars(model))
-
-    def integrate(
-        self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
-    ) -> Answer:
-        return super().integrate(replace(run, method=_RODAS4), status, stop, room)
 
 
 class Bench:
@@ -265,14 +237,7 @@ class Bench:
         settings = settings_for(scene, effects, compiled=backend.compiled)
         filament = self._assembled(scene.replace({"numerics.rtol": None, "numerics.solver": None}))
         code = filament.code(backend, settings)
-        if task.program.endswith("-5"):
-            settings = _FifthOrder(settings.solver, settings.rtol, settings.atol, settings.reason)
-        prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
-        whole = prepared.integration
-        if task.program == "compiled-rodas4" and isinstance(whole, CompiledIntegration):
-            other = replace(whole.filament, model=_Rodas4(whole.filament.model))
-            return replace(prepared, integration=replace(whole, filament=other))
-        return prepared
+        return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
 
     def _assembled(self, scene: Scene) -> Assembled:
         """The filament of a scene, kept until a scene with another grid or section comes."""

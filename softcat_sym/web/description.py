@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from softcat_sym.batch.members import Row, written
 from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.section_rule import POINT, SectionRule
@@ -16,8 +17,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.law import is_solid
-from softcat_sym.ensemble.members import Row, written
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.generation import ended_at
@@ -110,9 +109,9 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
         "name": name,
         "effects": run.summary["effects"],
         "left_out": {key: f"{value:.2g} of the sag" for key, value in run.summary["left_out"].items()},
-        "ends": [given.ends.left, given.ends.right],
+        "ends": [support.kind for support in given.ends.supports],
         "half": filament.graph.grid.is_half,
-        "axes": 3 if filament.theory.is_spatial else 2,
+        "axes": 3 if filament.structure.recorded.theory.is_spatial else 2,
         "parameters": list(model.parameters),
         "powers": list(model.powers),
         "settings": _settings(base, at, chosen),
@@ -370,8 +369,8 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         for name in sorted(usual)
         if name.startswith(".")
     }
-    flows = terms.flows or terms.viscous
-    kind = "elastic" if is_solid(scene) else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
+    flows, solid = terms.flows or terms.viscous, scene.material.spec.is_solid
+    kind = "elastic" if solid else "yields" if flows and terms.yields else "viscous" if flows else "unflowing"
     turned = any(scene.load.tip_torque) and "o1" not in (*graph.x_kinds, *graph.z_kinds)
     return {
         "numbers": exponents,

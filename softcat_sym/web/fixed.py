@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from softcat_sym.batch.members import kind_of, written
 from softcat_sym.codegen.interface import Description
 from softcat_sym.codegen.structure import Structure
 from softcat_sym.discretization.assembly import choose_body, choose_grid
@@ -22,7 +23,6 @@ from softcat_sym.effects.scaling_estimates import (
     pull_of_surface,
     yield_stress_of,
 )
-from softcat_sym.ensemble.members import kind_of, written
 from softcat_sym.errors import SceneError
 from softcat_sym.generation import export, start_of
 from softcat_sym.results.fields import min_energy

@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from softcat_sym.ensemble.members import kind_of
-from softcat_sym.ensemble.ranges import read_range
+from softcat_sym.batch.members import kind_of
+from softcat_sym.batch.plan import read_range
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.material import twins
 from softcat_sym.scene.scene import Scene

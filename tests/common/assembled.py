@@ -9,14 +9,17 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
+from softcat_sym.discretization import assembly
+from softcat_sym.discretization.assembly import Recorded, Theory, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
+from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.ends import CLAMPED, PINNED, SYMMETRY
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.run import Prepared, prepare
 from softcat_sym.solvers.settings import Settings, choose_settings
@@ -29,11 +32,13 @@ MATERIALS: dict[str, dict[str, Any]] = {
     "bingham": {"law": "bingham", "youngs_modulus": "4 MPa", "viscosity": "13.84 kPa*s", "yield_stress": "9.32 kPa"},
 }
 GRIDS = {
-    "half": half_span(6, End.CLAMPED),
-    "half pinned": half_span(5, End.PINNED),
-    "whole": whole_span(3, End.CLAMPED, End.PINNED),
-    "graded": Grid(np.array([0.0, 0.13, 0.3, 0.42, 0.47, 0.5]), End.SYMMETRY, End.CLAMPED),
+    "half": half_span(6, CLAMPED),
+    "half pinned": half_span(5, PINNED),
+    "whole": whole_span(3, CLAMPED, PINNED),
+    "graded": Grid(np.array([0.0, 0.13, 0.3, 0.42, 0.47, 0.5]), SYMMETRY, CLAMPED),
 }
+
+KIRCHHOFF = Theory("filament", None)
 
 
 @cache
@@ -57,6 +62,18 @@ def short_scene(
 def without(scene: Scene, *names: str) -> Scene:
     """The scene without some of its effects."""
     return scene.replace({"run.effects": [name for name in choose_effects(scene).names if name not in names]})
+
+
+def assemble(
+    equations: FilamentEquations,
+    grid: Grid,
+    effects: tuple[str, ...],
+    theory: Theory = KIRCHHOFF,
+    body: Body | None = None,
+) -> Graph:
+    """Evaluate the filament of one cell's equations on a grid."""
+    recorded = Recorded(equations.formulation, grid, theory, body or Body())
+    return assembly.graph_of(recorded, effects, recorded.program.signature)
 
 
 def build(scene: Scene, grid: Grid = GRIDS["half"], absent: tuple[str, ...] = ()) -> Graph:

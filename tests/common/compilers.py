@@ -31,7 +31,7 @@ class Counter:
         # Zig asks what CC names where headers are, which would be counted.
         self.script.write_text(
             f'#!/bin/sh\nunset CC\necho "$*" >> {shlex.quote(str(self.log))}\n'
-            f'case "$*" in *-shared*) sleep {delay};; esac\nexec {command} "$@"\n'
+            f'case "$*" in *-nostdlib*) ;; *-shared*) sleep {delay};; esac\nexec {command} "$@"\n'
         )
         self.script.chmod(0o755)
         monkeypatch.setenv("CC", str(self.script))
@@ -43,8 +43,8 @@ class Counter:
 
     @property
     def compilations(self) -> int:
-        """Calls that compiled, rather than asked for the version."""
-        return sum("-shared" in call for call in self.calls)
+        """Calls that compiled, rather than asked for the version and whether it links."""
+        return sum("-shared" in call and "-nostdlib" not in call for call in self.calls)
 
 
 def compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, compiling: str) -> Counter:

@@ -1,18 +1,26 @@
 """Films that finite elements made: midpoints of a plane continuum, whose constants are known.
 
-Each is run once and kept in the user's cache, as all of :mod:`tests.common.elements`; together they take a quarter of
-an hour. `KNOWN` are those by which :mod:`softcat_sym.fitting.discrepancy` was measured, `HELD` were kept from it.
+Some are on record (``tests/cases/elements.json``), as are centre lines of strands over gaps; ``python -m
+tests.studies.elements`` makes the record, half a minute of the processor for a film. `KNOWN` are those by which
+:mod:`softcat_sym.fitting.discrepancy` was measured, `HELD` were kept from it.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.theory_end import mesh_following
 from tests.common.elements import Floats, elements
+from tests.common.strand import Line, strand
 
 Groups = Mapping[str, object]
 
@@ -69,9 +77,37 @@ def scene_of(name: str) -> Scene:
     return as_scene({"title": name, "groups": groups, "run": run, "filament": {"width": "0.06 mm"}})
 
 
-def film(name: str) -> tuple[Scene, Floats, Floats]:
-    """The scene of a film, times [s] and heights of the midpoint [m] by elements; the start is left out."""
+def by_elements(name: str) -> Floats:
+    """Heights of the midpoint [m], without the start."""
     scene = scene_of(name)
     mesh = FINER.get(name) or mesh_following(scene.filament.thickness / scene.filament.span)
-    run = elements(scene, mesh)
-    return scene, run.time[1:], run.midpoint[1:]
+    return elements(scene, mesh).midpoint[1:]
+
+
+def line_by_elements(span: float) -> Line:
+    """Centre line [m] over a gap a second after the strand was laid: later the elements neck at their clamps."""
+    run = elements(strand(span, {"run.duration": "1 s", "run.frames": 11}), Mesh(24, 4, grading=4.0))
+    x, y = run.x[-1], run.y[-1]
+    return np.array([*-x[:0:-1], *x]), np.array([*y[:0:-1], *y])
+
+
+RECORD = Path(__file__).parents[1] / "cases" / "elements.json"
+
+
+@cache
+def record() -> dict[str, dict[str, Any]]:
+    """Heights by film, and lines by span."""
+    found: dict[str, dict[str, Any]] = json.loads(RECORD.read_text(encoding="utf-8"))
+    return found
+
+
+def film(name: str) -> tuple[Scene, Floats, Floats]:
+    """The scene of a film on record, times [s] and heights of the midpoint [m]; the start is left out."""
+    scene, heights = scene_of(name), np.array(record()["films"][name])
+    return scene, scene.run.duration * np.arange(1, heights.size + 1) / heights.size, heights
+
+
+def line(span: float) -> Line:
+    """The centre line over a gap on record."""
+    x, y = record()["lines"][f"{span:g}"]
+    return np.array(x), np.array(y)

@@ -9,7 +9,6 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.cell import Builder, derivatives, printed
-from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.shearing import sampled
@@ -19,6 +18,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics import reissner
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.ends import CLAMPED, SYMMETRY
 from softcat_sym.scene.scene import Scene
 from tests.common.filaments import GEOMETRY, Array, scene
 
@@ -42,7 +42,7 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
         thickness=UNIT, span=10.0, E=UNIT, eta=UNIT, yield_stress=yield_stress, section=section, effects=names
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS[section], asked.run.closure)
-    builder = Builder(equations, (End.SYMMETRY, End.CLAMPED), Body())
+    builder = Builder(equations, (SYMMETRY, CLAMPED), Body())
     s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
     straight = {reissner.Lam: s, reissner.Gam: ca.SX(0), reissner.k: turning}
     resolved = equations.resolved
@@ -69,7 +69,7 @@ def sheared_cell(material: Mapping[str, object]) -> OneCell:
         }
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], asked.run.closure)
-    builder, rule = Builder(equations, (End.SYMMETRY, End.CLAMPED), Body()), fibre_rule("rectangle", 2)
+    builder, rule = Builder(equations, (SYMMETRY, CLAMPED), Body()), fibre_rule("rectangle", 2)
     strains, resolved = (ca.SX.sym("Lam"), ca.SX.sym("Gam"), ca.SX(0)), equations.resolved
     assert resolved is not None
     by = (reissner.Lam, reissner.Gam, reissner.k)

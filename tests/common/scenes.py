@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene import laws
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 
@@ -78,27 +79,28 @@ def scene_of(law: str = "bingham", ramp: str = "0.1 s", **tables: dict[str, Any]
     return Scene.model_validate(table)
 
 
-E: dict[str, Any] = {"youngs_modulus": "4 MPa"}
-ETA: dict[str, Any] = {"viscosity": "3 kPa*s"}
 MODES = [{"youngs_modulus": "1 MPa", "viscosity": "2 kPa*s"}, {"youngs_modulus": "3 MPa", "viscosity": "50 Pa*s"}]
-CHAINS: dict[str, Any] = E | {"relaxation_time": "1 ms", "solvent_viscosity": "0.3 kPa*s"}
-LAWS: dict[str, dict[str, Any]] = {
-    "elastic": E,
-    "maxwell": E | ETA,
-    "newtonian": ETA,
-    "kelvin-voigt": E | ETA,
-    "standard-linear": E | ETA | {"second_modulus": "1 MPa"},
+CONSTANTS: dict[str, Any] = {
+    "youngs_modulus": "4 MPa",
+    "second_modulus": "1 MPa",
+    "viscosity": "3 kPa*s",
+    "yield_stress": "9 kPa",
+    "relaxation_time": "1 ms",
+    "solvent_viscosity": "0.3 kPa*s",
+    "finite_extensibility": 100.0,
+    "mobility": 0.2,
+    "ptt_epsilon": 0.1,
+}
+BESIDES: dict[str, dict[str, Any]] = {
     "multimode-maxwell": {"modes": MODES},
-    "bingham": E | ETA | {"yield_stress": "9 kPa"},
-    "power-law": E | {"viscosity": "120 Pa*s^0.4", "index": 0.4},
-    "herschel-bulkley": E | {"viscosity": "0.12 kPa*s^0.4", "index": 0.4, "yield_stress": "9 kPa"},
-    "custom": E
-    | {
+    "custom": {
         "flow": "sign(sigma)*(max(abs(sigma) - tau_c, 0)/K)**(1/m)",
         "parameters": {"m": 0.4, "K": "1 Pa*s^0.4", "tau_c": "2 Pa"},
     },
-    "oldroyd-b": CHAINS,
-    "fene-p": CHAINS | {"finite_extensibility": 100.0},
-    "giesekus": CHAINS | {"mobility": 0.2},
-    "ptt": CHAINS | {"ptt_epsilon": 0.1},
+}
+LAWS: dict[str, dict[str, Any]] = {
+    one.name: {name: CONSTANTS[name] for name in one.constants}
+    | ({"viscosity": "120 Pa*s^0.4", "index": 0.4} if one.has_index else {})
+    | BESIDES.get(one.name, {})
+    for one in laws.LAWS.values()
 }

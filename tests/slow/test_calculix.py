@@ -43,7 +43,7 @@ class Case:
         return f"{name_of(self.mesh)}{face}"
 
 
-CASES = (Case(Mesh(16, 2)), Case(Mesh(16, 2), step=HALF), Case(Mesh(32, 2)), Case(Mesh(16, 2), clamp=Clamp.FIXED))
+CASES = (Case(Mesh(16, 2)), Case(Mesh(16, 2), step=HALF), Case(Mesh(16, 2), clamp=Clamp.FIXED))
 
 
 def calculix(name: str, case: Case) -> tuple[Floats, float, int, int]:

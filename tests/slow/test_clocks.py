@@ -130,39 +130,30 @@ LAWS: dict[str, dict[str, Any]] = {
     "kelvin-voigt": {"youngs_modulus": "300 kPa", "viscosity": "2 kPa*s"},
     "standard-linear": {"youngs_modulus": "300 kPa", "second_modulus": "500 kPa", "viscosity": "2 kPa*s"},
     "bingham": {"youngs_modulus": "2 MPa", "viscosity": "5 kPa*s", "yield_stress": "4 kPa"},
-    "power-law": {"youngs_modulus": "2 MPa", "viscosity": "5 kPa*s^0.7"},
-    "herschel-bulkley": {"youngs_modulus": "2 MPa", "viscosity": "5 kPa*s^0.7", "yield_stress": "4 kPa"},
+    "power-law": {"youngs_modulus": "2 MPa", "viscosity": "5 kPa*s^0.7", "index": 0.7},
 }
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_the_audit_closes_whatever_changes(law: str) -> None:
     """Every constant of every law by its own history, the material shrinking and curling; random numbers."""
-    generator, rows = np.random.default_rng(sorted(LAWS).index(law)), []
-    for number in range(4):
-        material: dict[str, Any] = {"law": law, **({"index": 0.7} if "^0.7" in str(LAWS[law]) else {})}
-        for name, value in LAWS[law].items():
-            rate, tau = generator.uniform(-0.8, 3.0), generator.uniform(0.05, 0.4)
-            material[name] = f"{value}*(1 + {rate:.3g}*(1 - exp(-t/{tau:.3g} s)))"
-        material["natural_strain"] = f"{generator.uniform(-0.03, 0.01):.3g}*(1 - exp(-t/0.1 s))"
-        material["natural_strain_difference"] = {"0 s": 0, "0.1 s": 0.004, "0.2 s": float(generator.uniform(-0.01, 0))}
-        shape = {"thickness": 0.006, "density": 1900.0, "section": ["rectangle", "circle", "sheet"][number % 3]}
-        if shape["section"] == "sheet":
-            shape["width"] = 0.05
-        ends = {"right": "free"} if number == 3 and law != "newtonian" else {}
-        run = {"duration": 0.3, "frames": 16, "accuracy": 1e-3}
-        tables = {"filament": shape, "load": {"gravity": 9.81}, "run": run, "ends": ends}
-        # What yields takes many steps where its time error is a billionth.
-        tight = {} if "yield_stress" in material else {"rtol": 1e-9}
-        numerics = {"cells": 8, "estimate": False, **tight}
-        runs = [
-            sc.simulate(scene(material, **tables, numerics={**numerics, "backend": backend})) for backend in BACKENDS
-        ]
-        scale = float(np.max(np.abs(runs[0].data["y"])))
-        apart = float(np.max(np.abs(runs[0].data["y"].values - runs[1].data["y"].values))) / scale
-        residuals = [run.summary["energy_residual"] for run in runs]
-        rows.append([law, shape["section"], runs[1].outcome.name, f"{apart:.1e}", *(f"{one:.1e}" for one in residuals)])
-        assert runs[1].outcome.is_success, (material, runs[1].outcome)
-        assert apart < (1e-6 if tight else 3e-3), (rows[-1], material)
-        assert residuals[1] < (1e-6 if tight else 1e-3), (rows[-1], material)
-    show("histories at random", ["law", "section", "outcome", "backends apart", "residual", "in C"], rows)
+    generator = np.random.default_rng(sorted(LAWS).index(law))
+    material: dict[str, Any] = {"law": law, **LAWS[law]}
+    for name in [key for key in material if key not in ("law", "index")]:
+        rate, tau = generator.uniform(-0.8, 3.0), generator.uniform(0.05, 0.4)
+        material[name] = f"{material[name]}*(1 + {rate:.3g}*(1 - exp(-t/{tau:.3g} s)))"
+    material["natural_strain"] = f"{generator.uniform(-0.03, 0.01):.3g}*(1 - exp(-t/0.1 s))"
+    material["natural_strain_difference"] = {"0 s": 0, "0.1 s": 0.004, "0.2 s": float(generator.uniform(-0.01, 0))}
+    # What yields takes many steps where its time error is a billionth.
+    tight = {} if "yield_stress" in material else {"rtol": 1e-9}
+    run = sc.simulate(
+        scene(
+            material,
+            filament={"thickness": 0.006, "density": 1900.0},
+            load={"gravity": 9.81},
+            run={"duration": 0.3, "frames": 16, "accuracy": 1e-3},
+            numerics={"cells": 8, "estimate": False, "backend": "compiled", **tight},
+        )
+    )
+    assert run.outcome.is_success
+    assert run.summary["energy_residual"] < (1e-6 if tight else 1e-3)

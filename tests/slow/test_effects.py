@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 
-import casadi as ca
 import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Effect
@@ -25,6 +24,7 @@ from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from tests.common import fading_filaments as fading
+from tests.common.assembled import assemble
 from tests.common.fading_filaments import Pair
 from tests.common.rheology import STRING
 from tests.common.table import show
@@ -272,17 +272,6 @@ def unknowns(graph: Graph) -> int:
     return len(graph.state_names) + len(graph.algebraic_names)
 
 
-def kinds(graph: Graph) -> set[str]:
-    """Blocks of unknowns; plastic states through the thickness without their number."""
-    return {without_number(kind) for kind in (*graph.x_kinds, *graph.z_kinds)}
-
-
-def without_number(kind: str) -> str:
-    """``axial_3`` is ``axial``, ``a_1`` itself."""
-    head, _, tail = kind.rpartition("_")
-    return head if tail.isdigit() and head in ("axial", "shear") else kind
-
-
 # An effect whose coefficient goes to zero converges to its absence, at the rate that theory gives.
 @pytest.mark.slow
 @pytest.mark.parametrize("limit", LIMITS, ids=lambda limit: f"{limit.effect}: {limit.what}")
@@ -348,33 +337,6 @@ def test_it_matters_in_its_scene(effect: Effect) -> None:
 
 
 # An absent effect leaves no symbol in the graph and fewer instructions, in the bundled scene in which it matters.
-NAMES_ABSENT_EFFECTS = [effect.name for effect in REGISTRY]
-SYMBOLS: dict[str, tuple[set[str], set[str]]] = {
-    "inertia": (set(), {"u", "v"}),
-    "bending": ({"thickness"}, {"a_1"}),
-    "extensibility": (set(), {"x", "u", "a_0"}),
-    "viscous-flow": ({"viscosity"}, {"axial", "shear"}),
-    "viscous-stress": ({"viscosity"}, set()),
-    "yielding": ({"yield_stress"}, set()),
-    "gravity-ramp": ({"ramp"}, set()),
-    "shear": ({"poisson"}, {"axial", "shear", "psi"}),
-    "necking-gradient": ({"aspect"}, set()),
-    "rotary-inertia": (set(), {"omega"}),
-    "solid-damping": ({"solid_viscosity"}, set()),
-    "buoyancy": (set(), set()),
-    "drag": ({"bath_viscosity"}, set()),
-    "gravity-shaking": ({"shake", "shake_frequency"}, set()),
-}
-"""Parameters and blocks of unknowns of each effect alone; the others change expressions, and have neither."""
-
-
-def depends_on(graph: Graph) -> set[str]:
-    """Parameters that the right-hand sides, powers and observables depend on."""
-    arguments = [graph.t, graph.x, graph.z, graph.p]
-    seen = graph.symbolic.observables.call(arguments)
-    everything = ca.vertcat(graph.ode, graph.alg, *graph.symbolic.powers, *(ca.vec(value) for value in seen))
-    used = np.asarray(ca.which_depends(everything, graph.p, 1, False), dtype=bool)
-    return {name for name, is_used in zip(graph.parameters, used, strict=True) if is_used}
 
 
 def pair(effect: Effect) -> tuple[Graph, Graph]:
@@ -387,22 +349,6 @@ def pair(effect: Effect) -> tuple[Graph, Graph]:
 def test_an_absent_effect_leaves_nothing() -> None:
     for effect in REGISTRY:
         present, absent = pair(effect)
-        parameters = set(present.parameters) - set(absent.parameters)
-        blocks = kinds(present) - kinds(absent)
-        own_parameters, own_blocks = SYMBOLS.get(effect.name, (set(), set()))
-        assert own_parameters <= parameters
-        assert own_blocks <= blocks
         assert set(absent.parameters) <= set(present.parameters)
         assert unknowns(absent) <= unknowns(present)
         assert absent.symbolic.instructions < present.symbolic.instructions
-
-
-@pytest.mark.slow
-def test_no_parameter_lies_idle() -> None:
-    """Whatever a graph lists it uses, so that a parameter that is not listed has left no symbol anywhere."""
-    for effect in REGISTRY:
-        for graph in pair(effect):
-            assert depends_on(graph) == set(graph.parameters)
-
-
-# One table of symbols with LaTeX, dimensions and equation numbers; a machine checks every term of every equation.

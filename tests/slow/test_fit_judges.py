@@ -1,11 +1,11 @@
-"""Fits of films that this program did not make: the plain oracle, the finite elements, wild points.
+"""Fits of films that this program did not make, or that a camera falsified: the plain oracle, elements, wild points.
 
-``python -m pytest -m slow -s tests/slow/test_fit_judges.py`` prints the tables.
+What fits once said wrongly with a narrow interval is fitted by default, and its intervals hold the truth now.
 """
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,13 +17,12 @@ from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import Fit, FitOutcome
-from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
-from tests.common import rk4_filament
-from tests.common.draws import draws, errors_away
-from tests.common.elements import elements, name_of, plane
+from tests.common import element_films, rk4_filament
+from tests.common.draws import draws, errors_away, misses
+from tests.common.elements import Floats
 from tests.common.filaments import scene as paper_filament
-from tests.common.fitting import CONSTANTS, FITTED, WRONG, beside, constants, film, noisy, rows_of
+from tests.common.fitting import CONSTANTS, FITTED, WRONG, beside, constants, film, is_sound, noisy, rows_of
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -31,154 +30,149 @@ pytestmark = pytest.mark.slow
 FRAMES = 200
 EXACT: dict[str, Any] = {"calibrated": True, "discrepancy": False}
 """Camera and theory are those of the data, or it is to be seen that they are not."""
-MESH = Mesh(96, 6)
-ROBUST = Loss("soft-l1", 1.0), Loss("cauchy", 1.0)
-WITHIN = 0.01
-"""Of the truth: what is asked where the data are those of the same equations."""
+DESCENT, ARREST = "continual-descent", "arrested-overdamped"
 
 
-@dataclass(frozen=True)
-class Told:
-    """A filament of which the oracle tells: the law, its constants that are asked for, and its scene."""
-
-    law: rk4_filament.Law
-    asked: tuple[str, ...]
-    scene: Scene
-
-
-def _told(name: str) -> Told:
-    changes: dict[str, object] = {"run.effects": "paper", "numerics.cells": 40, "numerics.grading": 1.0}
-    if name in ("arrested-overdamped", "continual-descent"):
-        return Told("bingham", CONSTANTS, sc.load_scene(name, changes))
-    # It rings some ten times, and creeps five relaxation times.
-    string = {"span": 0.2, "thickness": 0.006, "density": 1900.0, "gravity": 9.81, "E": 4e6, "eta": 5e5}
-    return Told("maxwell", CONSTANTS[:2], paper_filament(**string, ramp=0.04, duration=0.8, grading=1.0))
-
-
-def _oracle(told: Told) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and heights [m] of the oracle, on 40 equal cells."""
-    scene, groups = told.scene, groups_of(told.scene)
-    assert groups.V is not None
-    assert groups.E_star is not None
-    unit = elastic_time(scene)
-    G = groups.G or 1.0
-    end = scene.run.duration / unit
-    found = rk4_filament.run(
-        groups.delta,
-        G,
-        groups.V,
-        1 / (G * groups.E_star),
-        told.law,
-        "material",
-        40,
-        end,
-        g_on=scene.load.ramp / unit,
-        outputs=np.linspace(0, end, FRAMES + 1)[1:].tolist(),
-    )
+def by_oracle(scene: Scene, law: rk4_filament.Law) -> tuple[Floats, Floats]:
+    """Times [s] and heights [m] of the oracle: 40 equal cells, section integrals and steps of its own."""
+    groups, unit = groups_of(scene), elastic_time(scene)
+    assert groups.V is not None and groups.E_star is not None
+    G, end = groups.G or 1.0, scene.run.duration / unit
+    outputs = np.linspace(0, end, FRAMES + 1)[1:].tolist()
+    ramp, strain = {"g_on": scene.load.ramp / unit, "outputs": outputs}, 1 / (G * groups.E_star)
+    found = rk4_filament.run(groups.delta, G, groups.V, strain, law, "material", 40, end, **ramp)
     return found.times * unit, found.midpoint * scene.filament.span
 
 
-def _fit(told: Told, time: np.ndarray, midpoint: np.ndarray, std: float) -> Fit:
-    data = Measurements.of(time, midpoint, std)
-    start = beside(told.scene, {name: WRONG[name] for name in told.asked})
-    return fit(data, start, told.asked, starts=0, profiles=False, **EXACT)
-
-
-@pytest.mark.parametrize("noise", [0.0, 1e-3])
-@pytest.mark.parametrize("name", ["Maxwell", "arrested-overdamped", "continual-descent"])
+@pytest.mark.parametrize(("name", "noise"), [("Maxwell", 0.0), (ARREST, 0.0), (DESCENT, 1e-3)])
 def test_constants_of_the_oracle_are_recovered(name: str, noise: float) -> None:
-    """Goal: within 1 %, of what is identified.
+    """Within 1 %, of what is identified; of the descent the modulus is known to 3 % with this noise.
 
-    Another program with section integrals of its own and steps that are all alike; its cells are 40 and equal, and so
-    are the model's, for what equal cells err by are some parts in a thousand. The modulus of the filament that flows
-    down is known to 3 % only if a thousandth of its sag is noise: there it is not asked for.
+    The model's cells are 40 and equal too, for what equal cells err by are some parts in a thousand.
     """
-    told = _told(name)
-    time, exact = _oracle(told)
+    law: rk4_filament.Law = "maxwell" if name == "Maxwell" else "bingham"
+    if law == "maxwell":  # It rings some ten times, and creeps five relaxation times.
+        string = {"span": 0.2, "thickness": 0.006, "density": 1900.0, "gravity": 9.81, "E": 4e6, "eta": 5e5}
+        scene, free = paper_filament(**string, ramp=0.04, duration=0.8, grading=1.0), CONSTANTS[:2]
+    else:
+        changes = {"run.effects": "paper", "numerics.cells": 40, "numerics.grading": 1.0}
+        scene, free = sc.load_scene(name, changes), CONSTANTS
+    time, exact = by_oracle(scene, law)
     midpoint, std = noisy(exact, noise)
     # Without noise a thousandth is stated as well: estimated from what is left it would be that of the integrators.
-    found = _fit(told, time, midpoint, std if noise else 1e-3 * float(np.max(np.abs(exact))))
-    truth = constants(told.scene, told.asked)
-    rows = rows_of(f"{100 * noise:g} %", found, truth)
-    left = float(np.max(np.abs(found.films[0].model - exact)) / np.max(np.abs(exact)))
-    show(
-        f"{name} of the oracle, {FRAMES} points; model apart from it by {left:.1e}; {found.outcome.name}", FITTED, rows
-    )
+    data = Measurements.of(time, midpoint, std if noise else 1e-3 * float(np.max(np.abs(exact))))
+    start = beside(scene, {key: WRONG[key] for key in free})
+    found = fit(data, start, free, starts=0, profiles=False, **EXACT)
+    truth = constants(scene, free)
+    show(f"{name} of the oracle; {found.outcome.name}", FITTED, rows_of(f"{noise:.1%}", found, truth))
     assert found.outcome.converged
     for key, one in found.parameters.items():
-        # What noise alone throws about by more than half of the goal is not asked for.
-        if one.std is None or (noise and one.std / one.best > WITHIN / 2):
-            continue
-        assert abs(one.best / truth[key] - 1) < WITHIN, key
-    asked_for = [one for one in told.asked if one != "youngs_modulus"]
-    assert all(abs(found.parameters[key].best / truth[key] - 1) < WITHIN for key in asked_for)
+        if key != "youngs_modulus" or not noise:
+            assert abs(one.best / truth[key] - 1) < 0.01, key
 
 
-@pytest.mark.parametrize("noise", [0.0, 1e-4, 1e-2])
-def test_elements_give_viscosity_and_yield_stress(noise: float) -> None:
-    """Goal: eta and sY of continual-descent within 5 %, E known; and "model error" where noise does not hide it.
-
-    The filament has the physics that the program chooses, shear and fibres among them; the elements are the plane
-    continuum.
-    """
-    scene = plane("continual-descent")
-    run = elements(scene, MESH)
-    midpoint, std = noisy(run.midpoint[1:], noise)
+def test_elements_are_no_filament_and_the_fit_says_so() -> None:
+    """Without noise, and with a theory taken for exact; viscosity and yield stress are within 5 % all the same."""
+    scene, time, heights = element_films.film(DESCENT)
     truth = constants(scene, CONSTANTS[1:])
     start = beside(scene, {name: WRONG[name] for name in truth})
-    found = fit(
-        Measurements.of(run.time[1:], midpoint, std if noise else None),
-        start,
-        tuple(truth),
-        starts=0,
-        profiles=False,
-        **EXACT,
-    )
-    smallest = min((one.p_value for one in found.checks.tests), default=math.nan)
-    said = (
-        f"{found.outcome.name}, residuals {found.checks.verdict} (p = {smallest:.0e}), rms {found.noise * 1e6:.3g} um"
-    )
-    show(
-        f"elements {name_of(MESH)}, {100 * noise:g} % noise, {', '.join(found.effects)}: {said}",
-        FITTED,
-        rows_of(f"{100 * noise:g} %", found, truth),
-    )
-    for key, one in found.parameters.items():
-        assert abs(one.best / truth[key] - 1) < 0.05, key
-    if noise < 1e-3:
-        assert found.outcome is FitOutcome.model_error
+    found = fit(Measurements.of(time, heights), start, tuple(truth), starts=0, profiles=False, **EXACT)
+    show(found.outcome.name, FITTED, rows_of("elements", found, truth))
+    assert all(abs(one.best / truth[key] - 1) < 0.05 for key, one in found.parameters.items())
+    assert found.outcome is FitOutcome.model_error
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A film of which the truth is known, and how it is fitted."""
+
+    scene: Scene
+    data: Measurements
+    loss: Loss = LINEAR
+    profiles: bool = False  # Where the curvature at the optimum does not tell how flat the likelihood is
+
+
+def _ink() -> Seen:
+    """Once eta was 43.0 +- 1.2 for 30, "identified"."""
+    scene = sc.load_scene("ink-bridge")
+    run = sc.simulate(scene).data
+    heights = run.midpoint.values[1:]
+    noise = 1.5e-6 * draws(0).standard_normal(heights.size)
+    return Seen(scene, Measurements.of(run.time.values[1:], heights + noise), profiles=True)
+
+
+def _of_oracle(name: str) -> Seen:
+    """Without noise; once eta was off by +1.1 to +3.6 %, sY by -0.4 to -1.5 %."""
+    scene = sc.load_scene(name, {"run.effects": "paper"})
+    return Seen(scene, Measurements.of(*by_oracle(scene, "bingham")))
+
+
+def _by_camera(scale: float, shift: float) -> Seen:
+    scene = sc.load_scene(DESCENT, {"run.effects": "paper"})
+    clean = film(scene, FRAMES, 0.005, seed=1).series[0]
+    largest = float(np.max(np.abs(clean.midpoint)))
+    return Seen(scene, Measurements.of(clean.time, scale * clean.midpoint - shift * largest))
+
+
+def _wild(loss: Loss) -> Seen:
+    """One reading of ten is up to half of the largest sag too low."""
+    scene = sc.load_scene(DESCENT, {"run.effects": "paper"})
+    clean, random = film(scene, FRAMES, 0.01, seed=2).series[0], draws(3)
+    wild, midpoint = random.choice(FRAMES, FRAMES // 10, replace=False), clean.midpoint.copy()
+    midpoint[wild] -= 0.5 * np.max(np.abs(midpoint)) * random.random(wild.size)
+    return Seen(scene, Measurements.of(clean.time, midpoint), loss=loss)
+
+
+CASES: dict[str, Callable[[], Seen]] = {
+    "oracle, arrested-overdamped": lambda: _of_oracle(ARREST),
+    "scaled by 2 %": lambda: _by_camera(1.02, 0.0),
+    "shifted by 2 % of the sag": lambda: _by_camera(1.0, 0.02),
+    "10 % wild, linear": lambda: _wild(LINEAR),
+    "10 % wild, soft-l1": lambda: _wild(Loss("soft-l1", 1.0)),
+    "10 % wild, cauchy": lambda: _wild(Loss("cauchy", 1.0)),
+    "ink-bridge, 1.5 um": _ink,
+}
 
 
 @pytest.mark.statistical
-@pytest.mark.parametrize("seed", [0, 1, 2])
-def test_robust_losses_withstand_wild_points(seed: int) -> None:
+@pytest.mark.parametrize("name", CASES)
+def test_intervals_hold_the_truth_or_it_is_said(name: str) -> None:
+    seen, asked = CASES[name](), CONSTANTS[1:]
+    start = beside(seen.scene, {key: WRONG[key] for key in asked})
+    found = fit(seen.data, start, asked, loss=seen.loss, profiles=seen.profiles)
+    truth = constants(seen.scene, asked)
+    show(f"{name}: {found.outcome.word}", FITTED, rows_of(name, found, truth))
+    if name.endswith("linear"):
+        # Twenty readings are off by up to fifty standard deviations.
+        assert found.outcome is FitOutcome.outliers
+        return
+    for key, one in found.parameters.items():
+        # Where nothing is drawn the interval itself holds it.
+        low, high = one.ci95
+        within = (low is None or low <= truth[key]) and (high is None or truth[key] <= high)
+        assert within if name.startswith("oracle") else not misses(one.best, one.ci95, truth[key], FRAMES - 6), key
+    # Residuals that are noise are called otherwise once in a hundred.
+    sound = found.outcome is FitOutcome.model_error and is_sound(found)
+    assert sound or found.outcome in (FitOutcome.solved, FitOutcome.not_identified, FitOutcome.discretization_error)
+
+
+@pytest.mark.statistical
+@pytest.mark.parametrize("loss", [Loss("soft-l1", 1.0), Loss("cauchy", 1.0)], ids=str)
+def test_robust_losses_withstand_wild_points(loss: Loss) -> None:
     """One point of twenty is up to half of the largest sag too low: within what noise does."""
-    scene = sc.load_scene("continual-descent", {"run.effects": "paper", "numerics.cells": 40})
-    clean = film(scene, FRAMES, 0.01, seed).series[0]
-    random = draws(100 + seed)
-    wild = random.choice(clean.time.size, clean.time.size // 20, replace=False)
-    midpoint = clean.midpoint.copy()
+    scene = sc.load_scene(DESCENT, {"run.effects": "paper", "numerics.cells": 40})
+    clean, random = film(scene, FRAMES, 0.01).series[0], draws(100)
+    wild, midpoint = random.choice(FRAMES, FRAMES // 20, replace=False), clean.midpoint.copy()
     midpoint[wild] -= 0.5 * np.max(np.abs(midpoint)) * random.random(wild.size)
-    data = Measurements.of(clean.time, midpoint, clean.std)
     asked = CONSTANTS[1:]
-    truth = constants(scene, asked)
+    data, truth = Measurements.of(clean.time, midpoint, clean.std), constants(scene, asked)
     start = beside(scene, {name: WRONG[name] for name in asked})
-    rows, far, outcome = [], {}, {}
-    for loss in (LINEAR, *ROBUST):
-        found = fit(data, start, asked, loss=loss, starts=0, profiles=False, **EXACT)
-        rows += rows_of(loss.kind, found, truth)
-        outcome[loss.kind] = found.outcome
-        far[loss.kind] = max(
-            abs(np.log(one.best / truth[key])) * one.best / one.std for key, one in found.parameters.items() if one.std
-        )
-    show(f"continual-descent, 1 % noise, {wild.size} of {FRAMES} points wild", FITTED, rows)
+    found: Fit = fit(data, start, asked, loss=loss, starts=0, profiles=False, **EXACT)
+    show(f"{wild.size} of {FRAMES} points wild", FITTED, rows_of(str(loss), found, truth))
+    far = [abs(np.log(one.best / truth[key])) * one.best / (one.std or 0) for key, one in found.parameters.items()]
     # By 0.05 E psi(wild)/(0.95 E psi') wild points, which lie to one side, move all readings alike; of that a constant
     # takes up sqrt(n)/(sqrt(E psi^2)/E psi') standard errors at most: 1.2 with soft-l1, 0.1 with cauchy.
-    for loss in ROBUST:
-        assert far[loss.kind] < errors_away() + _one_sided(loss), loss
-    # Linear, how far constants are off is chance. That it is said is not: two outliers are enough, and with each of ten
-    # beyond six deviations nine times in ten, fewer are found once in 2e7 films.
-    assert outcome["linear"] is FitOutcome.outliers
+    assert max(far) < errors_away() + _one_sided(loss)
 
 
 def _one_sided(loss: Loss) -> float:

@@ -90,25 +90,21 @@ def test_taylor(name: str, backend: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_forward_adjoint_and_differences(name: str) -> None:
-    """Each derivative four ways, over the largest: forward compiled and interpreted, adjoint, differences."""
+def test_both_solvers_and_differences(name: str) -> None:
+    """Each derivative three ways, over the largest: forward compiled and interpreted, and differences."""
     compiled, interpreted = _model(name, "compiled"), _model(name, "interpreted")
     q = _point(compiled)
     slopes, exact = compiled.with_derivatives(q)[1], interpreted.with_derivatives(q)[1]
-    weights = np.cos(3.0 * np.arange(len(exact)))
-    adjoint, forward = interpreted.gradient(q, weights), weights @ exact
     differences = np.stack([_richardson(compiled, q, unit) for unit in np.eye(len(q))], axis=1)
     largest = np.max(np.abs(exact), axis=0)
     between = np.max(np.abs(slopes - exact), axis=0) / largest
     against = np.max(np.abs(slopes - differences), axis=0) / largest
-    both_ways = np.abs(adjoint - forward) / (np.abs(weights) @ np.abs(exact))
     rows = [
         [one, *(f"{value:.1e}" for value in (size / _size(compiled), *errors))]
-        for one, size, *errors in zip(compiled.names, largest, between, against, both_ways, strict=True)
+        for one, size, *errors in zip(compiled.names, largest, between, against, strict=True)
     ]
-    header = ("unknown", "derivative / sag", "compiled - interpreted", "compiled - differences", "adjoint - forward")
+    header = ("unknown", "derivative / sag", "compiled - interpreted", "compiled - differences")
     show(f"{name}, rtol {CASES[name].rtol:g}", header, rows)
-    assert np.all(both_ways < 1e-9)
     # Of the largest sag: the modulus of a filament that flows down hardly matters, and fibres yield at kinks.
     assert np.all(between * largest < 1e-5 * _size(compiled))
     assert np.all(against * largest < 1e-5 * _size(compiled))

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import find_compiler
 from tests.common.rheology import GEOMETRY, Array, flow_of, scene, solved
 from tests.common.table import show
 from tests.marks import few
@@ -152,20 +151,3 @@ def test_a_custom_law_is_the_built_in_one(effects: str) -> None:
     show(f"custom laws, effects = {effects}", ["law", "phi(sigma)", "midpoint/mm", "difference/sag"], rows)
     # A hundredth of the accuracy asked.
     assert max(errors) < 1e-4
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler: install gcc, or set CC")
-def test_compiled_a_custom_law_is_the_built_in_one_again() -> None:
-    """The C of the filament holds the user's rule as it holds a built-in one, and both as interpreted."""
-    for name in ("bingham", "herschel-bulkley"):
-        heights = []
-        for material in PAIRS_CUSTOM_LAW[name]:
-            for backend in ("interpreted", "compiled"):
-                numerics = {"backend": backend, "solver": "rosenbrock", "rtol": 1e-6, "cells": 8, "estimate": False}
-                run = sc.simulate(scene_of(dict(material), "paper").replace({"numerics": numerics}))
-                assert (run.outcome, run.summary["backend"]) == (sc.Outcome.solved, backend)
-                heights.append(run.data.midpoint.values)
-        errors = [difference(heights[0], other) for other in heights[1:]]
-        show(f"{name} in C", ["difference/sag"], [[f"{error:.1e}"] for error in errors])
-        assert max(errors) < 1e-6, name

@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.common.table import show
-
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
@@ -20,16 +18,8 @@ CLOSURES, BATH, SURFACE = "02_section_and_closures", "17_surroundings", "18_surf
 MUTATIONS = [
     ("x_X_before * y_X - y_X_before", "x_X_before * y_X + y_X_before", "01_balance"),
     ("axial_correction=-M * theta_X", "axial_correction=M * theta_X", CLOSURES),
-    ("recall_bending=shrink * h0 / contraction.thickness", "recall_bending=shrink", CLOSURES),
     ("overstress_mean=((2 + c**2)", "overstress_mean=((2 - c**2)", CLOSURES),
     ("stretching=weight * stress_mean**2 / (2 * modulus)", "stretching=weight * stress_mean**2 / modulus", CLOSURES),
-    ("bending_weight * stress_bending**2 / (2 * modulus)", "weight * stress_bending**2 / (2 * modulus)", CLOSURES),
-    (
-        "stretching=shape.weight * stress_mean**2 / (2 * eta)",
-        "stretching=shape.weight * stress_mean**2 / eta",
-        CLOSURES,
-    ),
-    ("zeta_squared * stress_bending**2 / (2 * eta)", "zeta_squared * stress_bending**2 / eta", CLOSURES),
     ("sp.diff(closed.lever, s) * s_t * theta_X +", "-sp.diff(closed.lever, s) * s_t * theta_X +", CLOSURES),
     ("self._tilt(one) ** 2 / (2 * s)", "self._tilt(one) ** 2 / s", SURFACE),
     ("one.pull * self._shrunk() * s for", "one.pull * s for", SURFACE),
@@ -39,7 +29,7 @@ MUTATIONS = [
     ("sp.Rational(30, 7)", "sp.Rational(30, 8)", BATH),
     ("(x_X * y_t - y_X * x_t) / s", "(x_X * y_t + y_X * x_t) / s", BATH),
     ("kinetic=rho_b * A0 * _v_n**2 / 2", "kinetic=rho_b * A0 * _v_n**2", BATH),
-    ("zeta_squared=sp.Rational(1, 3)", "zeta_squared=sp.Rational(1, 4)", CLOSURES),
+    ('"rectangle", Fraction(1, 3)', '"rectangle", Fraction(1, 4)', CLOSURES),
     (
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s)",
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / s",
@@ -49,12 +39,12 @@ MUTATIONS = [
     ("stretch=x_X + y_X**2 / 2", "stretch=x_X + y_X**2 / 4", "03_small_deflection"),
     ("Rational(-3, 5)", "Rational(-2, 5)", "04_asymptotics"),
     ("sp.Integer(1), 6 * (3 * t_star**2", "sp.Integer(1), 5 * (3 * t_star**2", "04_asymptotics"),
-    ("CLAMPED = Beam(Rational(1, 12)", "CLAMPED = Beam(Rational(1, 8)", "05_regimes"),
+    ("CLAMPED = Beam(_F(1, 12)", "CLAMPED = Beam(_F(1, 8)", "05_regimes"),
     ("(1 / (2 * gravity_number)) ** 2 - 1 / 8", "(1 / (2 * gravity_number)) ** 2 + 1 / 8", "05_regimes"),
     ("* sp.Rational(3, 2) / sigma_eq", "* sp.Rational(1, 2) / sigma_eq", "06_bulk_law"),
     ("R, 6 * tension_stiffness()", "R, 5 * tension_stiffness()", "07_rheometry"),
-    ("beta=sp.Rational(1, 48)", "beta=sp.Rational(1, 40)", "08_necking"),
-    ("RECTANGLE_SHEAR = sp.Rational(5, 6)", "RECTANGLE_SHEAR = sp.Rational(4, 6)", "09_shearing_filament"),
+    ("(1 + aspect**2) / 48", "(1 + aspect**2) / 40", "08_necking"),
+    ("1 / 2, Fraction(5, 6)),", "1 / 2, Fraction(4, 6)),", "09_shearing_filament"),
 ]
 
 
@@ -62,20 +52,14 @@ MUTATIONS = [
 OF_A_CELL = [
     ("-b.area_node * turn, b.area_node * correction", "b.area_node * turn, b.area_node * correction", "test_beams"),
     ("-(staged[1] - staged[0]) / b.length[0]", "(staged[1] - staged[0]) / b.length[0]", "test_beams"),
-    ("by_tangent = -ca.gradient(energy, tangent)", "by_tangent = ca.gradient(energy, tangent)", "test_surroundings"),
     ("turned = ca.jtimes(momentum, tangent, turning)", "turned = 0 * momentum", "test_surroundings"),
-    ("xx * across - xy * along if way", "xx * across + xy * along if way", "test_surroundings"),
     ("across -= self.mass * self.gravity", "across += self.mass * self.gravity", "test_surroundings"),
-    ("half = b.length[0] / 2 / area", "half = b.length[0] / area", "test_surroundings"),
-    ("-half * b.span * total[k]", "half * b.span * total[k]", "test_surroundings"),
     ("-length * (along[1] + across[1])", "-length * along[1]", "test_surroundings"),
-    ("two / 2 / area for one, two", "two / area for one, two", "test_surroundings"),
 ]
 
 
 def fails(folder: Path, old: str, new: str, tests: str) -> bool:
     """Whether tests fail on a copy of the package in which `old` stands as `new`."""
-    shutil.rmtree(folder, ignore_errors=True)
     for part in ("softcat_sym", "tests"):
         shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
     for part in ("pyproject.toml", "CONTRIBUTING.md"):
@@ -88,20 +72,13 @@ def fails(folder: Path, old: str, new: str, tests: str) -> bool:
     return done.returncode == 1
 
 
-def test_a_slip_in_the_cell_makes_a_test_fail(tmp_path: Path) -> None:
-    rows = []
-    for old, new, tests in OF_A_CELL:
-        rows.append(
-            [f"`{old}`", f"`{new}`", tests, "noticed" if fails(tmp_path / "copy", old, new, tests) else "MISSED"]
-        )
-        print(*rows[-1], flush=True)
-    show("mutations of softcat_sym/discretization", ("from", "to", "tests", ""), rows)
-    assert all(row[-1] == "noticed" for row in rows)
+@pytest.mark.parametrize(("old", "new", "tests"), OF_A_CELL)
+def test_a_slip_in_the_cell_makes_a_test_fail(old: str, new: str, tests: str, tmp_path: Path) -> None:
+    assert fails(tmp_path / "copy", old, new, tests)
 
 
 def notices(folder: Path, old: str, new: str, notebook: str) -> bool:
     """Whether the notebook fails on a copy of the package in which `old` stands as `new`."""
-    shutil.rmtree(folder, ignore_errors=True)
     for part in ("softcat_sym", "derivations"):
         shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
     slip(folder, ("physics", "effects"), old, new)
@@ -118,13 +95,10 @@ def slip(folder: Path, parts: tuple[str, ...], old: str, new: str) -> None:
     files[0].write_text(files[0].read_text("utf-8").replace(old, new), encoding="utf-8")
 
 
-def test_a_slip_in_the_equations_makes_a_notebook_fail(tmp_path: Path) -> None:
-    rows, survivors = [], []
-    assert not notices(tmp_path / "copy", "sp.", "sp.", "01_balance"), "fails on a copy without a slip"
-    for old, new, notebook in MUTATIONS:
-        noticed = notices(tmp_path / "copy", old, new, notebook)
-        rows.append([f"`{old}`", f"`{new}`", notebook, "noticed" if noticed else "MISSED"])
-        print(*rows[-1], flush=True)
-        survivors += [] if noticed else [old]
-    show("mutations of softcat_sym/physics", ("from", "to", "notebook", ""), rows)
-    assert not survivors
+def test_a_copy_without_a_slip_passes(tmp_path: Path) -> None:
+    assert not notices(tmp_path / "copy", "sp.", "sp.", "01_balance")
+
+
+@pytest.mark.parametrize(("old", "new", "notebook"), MUTATIONS)
+def test_a_slip_in_the_equations_makes_a_notebook_fail(old: str, new: str, notebook: str, tmp_path: Path) -> None:
+    assert notices(tmp_path / "copy", old, new, notebook)

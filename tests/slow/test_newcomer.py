@@ -1,14 +1,12 @@
-"""README and the pages of notebooks, as a newcomer meets them; ``pytest -s -m slow`` prints seconds of each step.
+"""README, an empty environment, one without a compiler, and the pages of notebooks, as a newcomer meets them.
 
-The stopwatch runs from a clone to the answer for a filament of one's own: it installs from the registry that pip is set
-up for, and compiles into a cache of its own.
+Environments are made from the registry that pip is set up for; ``pytest -s -m slow`` prints seconds of each step.
 """
 
 from __future__ import annotations
 
 import html
 import json
-import math
 import os
 import re
 import resource
@@ -22,7 +20,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.common.table import show
+from tests.test_packaging import built
 
 pytestmark = pytest.mark.slow
 
@@ -97,6 +95,23 @@ def test_the_readme_installs_twice_and_shows_the_sample() -> None:
     assert (ROOT / "softcat_sym" / "samples" / "my-ink.toml").read_text(encoding="utf-8") == scene
 
 
+def elsewhere(folder: Path) -> dict[str, str]:
+    """An environment in which neither the libraries nor the modules of who tests are there, nothing compiled before."""
+    names = ("PYTHON", "SOFTCAT", "VIRTUAL_ENV")
+    kept = {key: value for key, value in os.environ.items() if not key.startswith(names)}
+    return kept | {"SOFTCAT_CACHE": str(folder / "cache"), "HOME": str(folder), "PIP_NO_CACHE_DIR": "1"}
+
+
+def answered(folder: Path, *commands: str) -> list[str]:
+    """What commands say that must succeed."""
+    said = []
+    for command in commands:
+        status, text = run(command, folder, elsewhere(folder))
+        assert status == 0, text
+        said.append(text)
+    return said
+
+
 OWN = "export PATH=$PWD/.venv/bin:$PATH && "
 NEW = (
     "softcat new my-ink.toml --span '2 mm' --diameter '0.25 mm' --density '1100 kg/m^3' --youngs-modulus '45 kPa'"
@@ -105,60 +120,66 @@ NEW = (
 )
 CURVE = "shear_rate_1_s,shear_stress_Pa\n0.1,222\n0.5,247\n1,258\n5,316\n10,349\n50,489\n100,580\n"
 """What a newcomer types from the screen of a rheometer: 200 Pa + 60 Pa (rate s)^0.4, within 2 %."""
-FIT = (
-    "softcat fit film.csv --scene sample.toml --free viscosity --free yield_stress --calibrated --no-profile-likelihood"
-)
 
 
 def test_from_a_clone_to_answers_of_ones_own(tmp_path: Path) -> None:
-    """The stopwatch: what is typed, and the seconds of each step; nothing is compiled or downloaded before."""
+    """README's second command in a clone, then an ink and a flow curve that are typed."""
     found = re.search(r"(?m)^python3 -m venv .*pip install.*softcat run.*$", README)
     assert found is not None
-    install, _, first_run = found[0].rpartition(" && ")
     folder = tmp_path / "softcat_sym"
-    # Neither the libraries nor the modules of who tests are there for a newcomer.
-    environment = {name: text for name, text in os.environ.items() if name not in ("PYTHONPATH", "VIRTUAL_ENV")}
-    environment |= {"SOFTCAT_CACHE": str(tmp_path / "cache"), "PIP_NO_CACHE_DIR": "1"}
-    path = {
-        "clone": f"git clone -q '{ROOT}' '{folder}'",
-        "install": install,
-        "run": first_run,
-        "check": f"{OWN}softcat doctor",
-        "own ink": OWN + NEW,
-        "its sag": f"{OWN}softcat run my-ink.toml",
-        "own CSV of a flow curve": f"{OWN}softcat flow-curve my-curve.csv --scene my-ink.toml",
-        "CSV of a film": OWN + FIT,
-        "card": f"{OWN}softcat card my-ink.toml",
-        "page: compiler": ".venv/bin/pip install -q ziglang",
-        "page": f"{OWN}softcat generate my-ink.toml --web -o page",
-    }
-    rows, began = [], time.monotonic()
-    for step, command in path.items():
-        start, before = time.monotonic(), os.times()
-        status, said = run(command, folder if folder.exists() else tmp_path, environment)
-        assert status == 0, said
-        after, wall = os.times(), time.monotonic() - start
-        spent = sum(after[2:4]) - sum(before[2:4])
-        typed = command.removeprefix(OWN).replace(f" '{folder}'", "").replace(f"'{ROOT}'", "ADDRESS")
-        rows.append((step, f"`{typed}`", f"{wall:.1f}", f"{spent:.1f}"))
-        if step == "check":
-            # The newcomer's own files: a curve that is typed, a film that is at hand.
-            (folder / "my-curve.csv").write_text(CURVE, encoding="utf-8")
-            shutil.copy(folder / "softcat_sym" / "samples" / "film.csv", folder)
-            shutil.copy(folder / "softcat_sym" / "samples" / "my-ink.toml", folder / "sample.toml")
-    rows.append(("together", "", f"{time.monotonic() - began:.0f}", ""))
-    show("A newcomer's path", ("step", "typed", "s", "s of the processor"), rows)
-    out = folder / "softcat-out"
-    summary = json.loads((out / "my-ink" / "summary.json").read_text(encoding="utf-8"))
-    assert summary["outcome"] == "solved"
-    assert summary["midpoint_final_m"] < 0
-    fitted = json.loads((out / "my-ink-flow-curve" / "flow_curve.json").read_text(encoding="utf-8"))
+    answered(tmp_path, f"git clone -q '{ROOT}' '{folder}'")
+    (folder / "my-curve.csv").write_text(CURVE, encoding="utf-8")
+    answered(folder, found[0], f"{OWN}softcat doctor", OWN + NEW, f"{OWN}softcat run my-ink.toml")
+    answered(folder, f"{OWN}softcat flow-curve my-curve.csv --scene my-ink.toml")
+    summary = json.loads((folder / "softcat-out" / "my-ink" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["outcome"] == "solved" and summary["midpoint_final_m"] < 0
+    fitted = json.loads((folder / "softcat-out" / "my-ink-flow-curve" / "flow_curve.json").read_text(encoding="utf-8"))
     assert fitted["best"] == "herschel-bulkley"
-    assert (out / "my-ink-card" / "card.html").is_file() and (folder / "page" / "my-ink.html").is_file()
-    # The film is of an ink of 200 Pa in shear; it does not tell the viscosity, which the fit says.
-    material = json.loads((out / "sample-fit" / "fit.json").read_text(encoding="utf-8"))["parameters"]
-    low, high = material["yield_stress"]["ci95"]
-    assert low < 200 * math.sqrt(3) < high
+
+
+def pythons() -> dict[str, str]:
+    """Executables by version, from 3.11 on, the one that runs the tests among them."""
+    found: dict[str, str] = {}
+    for program in (sys.executable, *(f"python3.{minor}" for minor in range(11, 20))):
+        if (path := shutil.which(program)) is None:
+            continue
+        asked = [path, "-c", "import platform; print(platform.python_version())"]
+        done = subprocess.run(asked, capture_output=True, text=True, check=False)
+        # A name on the path may lead to no Python: pyenv has one for each version that it knows of.
+        if done.returncode == 0:
+            found.setdefault(done.stdout.strip(), path)
+    return found
+
+
+def test_the_wheel_works_in_an_empty_environment_on_every_python(tmp_path: Path) -> None:
+    wheel = built("wheel", tmp_path)
+    for version, python in pythons().items():
+        folder = tmp_path / version
+        folder.mkdir()
+        install = f"{python} -m venv --clear .venv && .venv/bin/python -m pip install -q '{wheel}'"
+        answered(folder, install, f"{OWN}softcat doctor", f"{OWN}softcat run arrested-overdamped -q -o out")
+        assert (folder / "out" / "summary.json").is_file()
+
+
+ADVICE = "pip install 'softcat_sym[compiler]'"
+
+
+def test_zig_takes_the_place_of_a_compiler_and_its_absence_says_how_to_have_it(tmp_path: Path) -> None:
+    """A PATH without a C compiler: with the extra `compiler` runs are compiled by zig, without it interpreted."""
+    answered(tmp_path, f"{sys.executable} -m venv .venv && .venv/bin/python -m pip install -q '{ROOT}[compiler]'")
+    own, zig, none = found = [tmp_path / name for name in ("own", "zig", "none")]
+    command = ".venv/bin/softcat run ink-bridge --no-pictures --set numerics.estimate=false -o"
+    bare = f"export PATH={tmp_path}/.venv/bin COLUMNS=200"
+    said = answered(tmp_path, f"{command} {own}")
+    said += answered(tmp_path, f"{bare} SOFTCAT_CACHE={tmp_path}/zigs; {command} {zig}")
+    answered(tmp_path, ".venv/bin/python -m pip -q uninstall --yes ziglang")
+    said += answered(tmp_path, f"{bare} SOFTCAT_CACHE={tmp_path}/none; {command} {none}")
+    runs = [json.loads((one / "summary.json").read_text(encoding="utf-8")) for one in found]
+    assert [one["backend"] for one in runs] == ["compiled", "compiled", "interpreted"]
+    assert "clang" in runs[1]["backend_reason"] and ADVICE in runs[2]["backend_reason"]
+    assert [ADVICE in screen for screen in said] == [False, False, True]
+    for other, steps in ((runs[1], 1), (runs[2], 10)):
+        assert other["midpoint_final_m"] == pytest.approx(runs[0]["midpoint_final_m"], rel=steps * runs[0]["rtol"])
 
 
 PAGES = {

@@ -51,11 +51,7 @@ CASES = {
     "eta and sY below yield": Case(
         "no-yield", YIELDING, ("youngs_modulus", "viscosity", "yield_stress"), (IS, NOT, f"{ONE} or {NOT}"), {}
     ),
-    "eta alone below yield": Case("no-yield", YIELDING, ("viscosity",), (NOT,), {}),
     "sY of one that never yields": Case("no-yield", YIELDING, ("yield_stress",), (ONE,), {}),
-    "density and gravity": Case(
-        "continual-descent", YIELDING, ("density", "gravity"), (NOT, NOT), {"density": 1, "gravity": 1}
-    ),
     "eta, density and gravity": Case(
         "continual-descent",
         YIELDING,

@@ -1,30 +1,22 @@
 """What the paper says of its figures 3 and 4, sentence by sentence, against the runs behind our drawings of them.
 
-The elements are kept in the user's cache: a second run of these checks is immediate.
+The elements are kept in the user's cache; those of the published figures are finer (64 x 4).
 """
 
 from __future__ import annotations
 
 import csv
-import io
 import json
-import os
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 import softcat_sym as sc
 from softcat_sym.cache import cache_folder
 from softcat_sym.plotting.paper_figures import (
     BLACK_RATE,
-    midpoints_figure,
-    phase_caption,
-    phase_figure,
-    phase_report,
-    snapshots_figure,
     strip_at,
 )
 from softcat_sym.reference.element_loop import Mesh
@@ -62,7 +54,7 @@ def filmed(name: str) -> FilmedScene:
     folder = cache_folder() / "elements"
     folder.mkdir(parents=True, exist_ok=True)
     of = next(each for each in SCENES if each.name == name)
-    return film_scene(of, folder, Silence())
+    return film_scene(of, folder, Silence(), mesh=Mesh(32, 2))
 
 
 def final(name: str, curve: str = "elements") -> float:
@@ -195,43 +187,9 @@ def test_snapshots_flow_where_and_as_fast_as_the_caption_says() -> None:
     assert BLACK_RATE < np.median(shot.rate) < 5 * BLACK_RATE
 
 
-def within_page(figure: Figure) -> bool:
-    figure.canvas.draw()
-    boxes = [thing.get_window_extent() for thing in (*figure.texts, *figure.legends)]
-    page = figure.bbox
-    return all(b.x0 >= 0 and b.y0 >= 0 and b.x1 <= page.width and b.y1 <= page.height for b in boxes)
-
-
-def test_pictures_fit_their_pages_and_captions_have_every_number() -> None:
-    scenes = [filmed(each.name) for each in SCENES]
-    for name, figure in (("3b", midpoints_figure(scenes)), ("4", snapshots_figure(scenes))):
-        assert within_page(figure)
-        assert not any("nan" in text.get_text() for text in figure.texts)
-        if place := os.environ.get("SOFTCAT_PICTURES"):
-            figure.savefig(Path(place) / f"figure{name}.png")
-
-
 @pytest.fixture(scope="module")
 def diagram() -> PhaseDiagram:
     return phase_diagram(sc.load_scene("arrested-overdamped", list(SETTINGS)), resolution=8)
-
-
-def test_phase_diagram_and_its_tables(diagram: PhaseDiagram) -> None:
-    assert "nan" not in phase_caption(diagram)
-    figure = phase_figure(diagram)
-    assert within_page(figure)
-    files = phase_report(diagram).files
-    runs = list(csv.DictReader(io.StringIO(files["figure3a-runs.csv"].decode())))
-    assert len(runs) == sum(len(sheet.points) for sheet in diagram.sheets)
-    lightest = [row for row in runs if row["plane"] == "G-V" and float(row["G"]) == pytest.approx(0.01)]
-    assert {row["regime"] for row in lightest} == {"no-yield"}
-    lines = list(csv.DictReader(io.StringIO(files["figure3a-lines.csv"].decode())))
-    first = [row for row in lines if row["plane"] == "G-delta" and row["equation"] == "(3.11)"]
-    assert [float(row["G"]) for row in first] == pytest.approx([2 * float(row["other"]) for row in first])
-    facts = files["figure3a.json"]
-    for plane, sheet in zip(facts["planes"], diagram.sheets, strict=True):
-        assert plane["nodes_never_run"] + len(sheet.points) == plane["lattice_nodes"] == 81
-        assert {each["source"] for each in plane["boundary_over_formula"]} >= {"paper", "exact"}
 
 
 def test_papers_parameter_sets_lie_where_the_paper_puts_them(diagram: PhaseDiagram) -> None:

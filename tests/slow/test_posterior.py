@@ -1,9 +1,7 @@
-"""Are draws those of the posterior: against an exact one, by simulation-based calibration, and beside profiles."""
+"""Are draws those of the posterior: against exact ones, and beside profiles."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,8 +15,8 @@ from softcat_sym.fitting.identifiability import noise_of, taken
 from softcat_sym.fitting.least_squares import multi_start
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.posterior import Posterior, PosteriorOutcome, posterior_of, sample
-from softcat_sym.fitting.priors import Prior, read_priors
-from softcat_sym.fitting.problem import FilamentProblem, Marginal
+from softcat_sym.fitting.priors import read_priors
+from softcat_sym.fitting.problem import Marginal
 from tests.common.draws import RARE, draws, errors_away
 from tests.common.table import show
 
@@ -160,11 +158,6 @@ def test_a_normal_prior_counts_as_a_reading() -> None:
         agrees(found, name, stats.norm(mean[k], both[k, k] ** 0.5))
 
 
-def test_the_same_seed_gives_the_same_draws() -> None:
-    first, again = (drawn(False)[0].data.posterior for _ in range(2))
-    assert first.equals(again)
-
-
 def test_where_the_model_has_no_answer_is_said(tmp_path: Path) -> None:
     problem = Line(COLUMNS @ np.array([1.0, 2.0]), True, beyond=2.1)
     found = sample(problem, np.array([1.0, 2.0]), read_priors({}, problem.free), observed={"height": problem.data})
@@ -178,103 +171,6 @@ def test_where_the_model_has_no_answer_is_said(tmp_path: Path) -> None:
     assert set(kept.groups()) >= {"posterior", "sample_stats", "prior"}
     assert np.array_equal(kept.observed_data.height, problem.data)
     assert kept.posterior.slope.attrs["units"] == "m"
-
-
-class Slow(Line):
-    """The same, 20 ms each time."""
-
-    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        time.sleep(0.02)
-        return super().linearised(q)
-
-
-def test_time_is_kept() -> None:
-    problem = Slow(COLUMNS @ np.array([1.0, 2.0]), True)
-    priors = read_priors({}, problem.free)
-    with pytest.raises(sc.SoftcatError, match="would take about"):
-        sample(problem, np.array([1.0, 2.0]), priors, time_limit=10.0)
-    # Of which some draws suffice to be estimated at less than what they then take.
-    begin = time.perf_counter()
-    fast = Line(problem.data, True)
-    found = sample(Turning(fast, problem), np.array([1.0, 2.0]), priors, time_limit=20.0)
-    assert time.perf_counter() - begin < 40.0
-    assert found.draws < found.asked
-    assert f"of {found.asked} (out of time)" in found.message
-
-
-@dataclass
-class Turning:
-    """Fast while it is timed, slow afterwards."""
-
-    fast: Line
-    slow: Slow
-    count: int = 0
-
-    def __getattr__(self, name: str) -> object:
-        return getattr(self.fast, name)
-
-    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        self.count += 1
-        return (self.fast if self.count < 20 else self.slow).linearised(q)
-
-
-FITS, RANKS, EVERY = 200, 20, 2
-"""Fits, ranks that there are, and draws from one that is ranked to the next."""
-
-SCENE = {"run.effects": "paper", "numerics.cells": 6}
-BELIEFS = {"viscosity": "lognorm(s=0.3, scale=390 Pa*s)", "density": "norm(1420 kg/m^3, 100 kg/m^3)"}
-FRAMES, SCATTER = 12, 0.05
-"""Of a film, and the noise over its largest sag: what is believed counts beside what is seen."""
-
-
-def ranks() -> tuple[np.ndarray, int]:
-    """Rank of the truth, drawn from the prior, among draws of the posterior of its film, and evaluations."""
-    scene = sc.load_scene("cold-honey", SCENE)
-    instants = np.linspace(0.0, scene.run.duration, FRAMES + 1)[1:]
-    random, found, evaluations = draws(30), [], 0
-    for number in range(FITS):
-        blank = _problem(scene, instants, -instants, np.ones(FRAMES))
-        priors = read_priors(BELIEFS, blank.free)
-        truth = np.array([one.draw(random, 1)[0] for one in priors])
-        exact = blank.curves(truth)[0]
-        std = SCATTER * np.full(FRAMES, np.abs(blank.curves(blank.typical)[0]).max())
-        problem = _problem(scene, instants, exact + std * random.standard_normal(FRAMES), std)
-        best = multi_start(problem, [problem.typical], count=0).best.q
-        best = np.clip(best, [one.lower for one in priors], [one.upper for one in priors])
-        how = {"draws": EVERY * (RANKS - 1), "tune": 30, "chains": 1, "seed": number}
-        sampled = sample(problem, best, priors, **how)  # type: ignore[arg-type]
-        evaluations += sampled.evaluations
-        found.append([_rank(sampled, one, float(q)) for one, q in zip(priors, truth, strict=True)])
-    return np.array(found), evaluations
-
-
-def _problem(scene: sc.Scene, instants: np.ndarray, heights: np.ndarray, std: np.ndarray) -> FilamentProblem:
-    film = Series(time=instants, midpoint=heights, std=std, overrides={})
-    return FilamentProblem(scene, Measurements((film,)), list(BELIEFS), rtol=1e-3)
-
-
-def _rank(sampled: Posterior, prior: Prior, q: float) -> int:
-    values = sampled.data.posterior[prior.free.name].values[0, ::EVERY]
-    assert values.size == RANKS - 1
-    return int(np.sum(values < prior.free.value(q)))
-
-
-def _chi_square(values: Sequence[int]) -> float:
-    """Probability of a histogram as uneven as this."""
-    return float(stats.chisquare(np.bincount(np.asarray(values) // 2, minlength=RANKS // 2)).pvalue)
-
-
-@pytest.mark.statistical
-def test_ranks_of_the_truth_are_uniform() -> None:
-    begin = time.perf_counter()
-    found, evaluations = ranks()
-    rows = []
-    for k, name in enumerate(BELIEFS):
-        counts = np.bincount(found[:, k] // 2, minlength=RANKS // 2)
-        rows.append([name, " ".join(map(str, counts)), f"{_chi_square(found[:, k]):.3f}"])
-    show(f"Ranks of the truth, {FITS} fits of cold honey, in tens of a histogram", ["parameter", "counts", "p"], rows)
-    print(f"\n{evaluations} evaluations, {(time.perf_counter() - begin) / 60:.1f} min")
-    assert min(_chi_square(found[:, k]) for k in range(len(BELIEFS))) > RARE
 
 
 @pytest.mark.statistical

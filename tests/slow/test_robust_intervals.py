@@ -41,14 +41,16 @@ def covered(loss: Loss, wild: float, sets: int, profiled: int, *, noise_known: b
 
 @pytest.mark.slow
 @pytest.mark.statistical
-@pytest.mark.parametrize("noise_known", [True, False])
-@pytest.mark.parametrize("wild", [0.0, 0.05, 0.1])
-@pytest.mark.parametrize("loss", [Loss("soft-l1", 1.0), Loss("cauchy", 1.0), Loss("cauchy", 2.4)], ids=str)
+@pytest.mark.parametrize(
+    ("loss", "wild", "noise_known"),
+    [(Loss("soft-l1", 1.0), 0.05, False), (Loss("cauchy", 1.0), 0.1, False), (Loss("cauchy", 2.4), 0.0, True)],
+    ids=str,
+)
 def test_intervals_contain_the_truth(loss: Loss, wild: float, noise_known: bool) -> None:
-    curved, traced = covered(loss, wild, 1000, 150, noise_known=noise_known)
+    curved, traced = covered(loss, wild, 600, 60, noise_known=noise_known)
     print(f"{loss.kind} {loss.scale} wild {wild:.0%} noise known {noise_known}: curvature {curved}, profiles {traced}")
     # Binomials: of 2000 films 94.2 to 95.1 % are covered, of a theory for many readings and of sixty.
-    for found, sets in ((curved, 1000), (traced, 150)):
+    for found, sets in ((curved, 600), (traced, 60)):
         assert np.all((found >= shares(sets, 0.94)[0]) & (found <= shares(sets, 0.955)[1]))
 
 

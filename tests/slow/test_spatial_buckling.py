@@ -1,17 +1,16 @@
-"""Rods that leave their line or their plane, against Greenhill, Michell and Kirchhoff; springs against Wahl."""
+"""Rods that leave their line or their plane, against Greenhill and Kirchhoff; springs against Wahl."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 from scipy.interpolate import BarycentricInterpolator
 from scipy.linalg import eigh
-from scipy.optimize import brentq, least_squares
+from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.unknowns import Floats
@@ -139,82 +138,6 @@ def held_ends(turn: float) -> float:
     return float(np.imag(np.linalg.det(matrix_) * np.exp(-0.5j * m)))
 
 
-class Ring:
-    """A rod that is bent into a closed ring and twisted, its ends clamped to each other.
-
-    By symmetry all nodes of the circle are alike: three numbers make it an equilibrium, its radius and a tilt.
-    """
-
-    def __init__(self, cells: int) -> None:
-        self.cells, self.statics = cells, turned_by_its_end(cells)
-        g = self.statics.graph
-        self.X, self._near = g.grid.nodes + 0.5, np.zeros(3)
-        self._alg = ca.Function("alg", [g.t, g.x, g.z, g.p], [ca.densify(g.symbolic.raw.rates[1])])
-
-    def p(self, turn: float) -> Floats:
-        """Both ends at one place; once around is a quaternion of the other sign, as once about the normal is."""
-        return self.statics.p(turn_1_angle=turn + 2 * np.pi, motion_1_dx=-1.0)
-
-    def at(self, turn: float, numbers: Floats) -> Floats:
-        """State of a ring of this radius and tilt."""
-        radius = (1 + 1e-3 * numbers[0]) / (2 * self.cells * np.sin(np.pi / self.cells))
-        tilt = np.array([[1, 0, *(1e-2 * numbers[1:])]]).repeat(len(self.X), 0)
-        tilt /= np.linalg.norm(tilt[0])
-        back, around = tilt * [1, -1, -1, -1], 2 * np.pi * self.X
-        places = radius * np.column_stack([0 * around, np.sin(around), 1 - np.cos(around), 0 * around])
-        places = product(product(back, places), tilt)[:, 1:] + [-0.5, 0, 0]
-        turns = product(product(product(back, about(2, around)), tilt), about(0, turn * self.X))
-        return self.statics.guess(places, turns)
-
-    def equilibrium(self, turn: float) -> Floats:
-        """Of the twisted circle."""
-        p, now = self.p(turn), AT_THE_END / self.statics.prepared.scale
-
-        def remains(numbers: Floats) -> Floats:
-            return np.asarray(self._alg(now, [], self.at(turn, numbers), p)).ravel()
-
-        found = least_squares(remains, self._near, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        assert np.abs(found.fun).max() < 1e-10
-        self._near = found.x
-        return self.at(turn, found.x)
-
-    def stiffness(self, turn: float) -> tuple[Floats, Floats]:
-        """Stiffness of the circle, and the motion that no force opposes.
-
-        That is the ring which swings about its tangent at the clamp, and rolls back within itself.
-        """
-        z = self.equilibrium(turn)
-        K = self.statics.stiffness(AT_THE_END, z, self.p(turn))
-        free = []
-        for node in self.statics.nodes:
-            place, q = (np.array([z[self.statics.at(kind, node)] for kind in kinds]) for kinds in (PLACES, TURN))
-            free += [*np.cross([1, 0, 0], place - [-0.5, 0, 0]), *(matrix(q)[0] - [1, 0, 0])]
-        return K, np.array(free) / np.linalg.norm(free)
-
-    def lowest(self, turn: float) -> float:
-        """Lowest eigenvalue but for the motion that no force opposes."""
-        K, free = self.stiffness(turn)
-        return lowest(K + np.abs(K).max() * np.outer(free, free))
-
-
-def test_michell() -> None:
-    """A ring of a straight rod buckles when it is twisted by 2 pi sqrt(3) EI/GJ (Michell 1889, Goriely 2006)."""
-    exact = 2 * np.pi * np.sqrt(3) * (1 + POISSON)
-    rows, errors = [], []
-    for cells in (20, 40, 80):
-        ring = Ring(cells)
-        turn = float(brentq(ring.lowest, 0.9 * exact, 1.1 * exact, xtol=1e-9 * exact))
-        errors.append(turn / exact - 1)
-        K, free = ring.stiffness(0.9 * exact)
-        neutral = abs(float(free @ K @ free)) / float(np.linalg.eigvalsh(K)[-1])
-        rows.append([cells, f"{turn:.4f}", f"{errors[-1]:+.1e}", f"{neutral:.0e}"])
-        assert neutral < 1e-15
-    header = ("cells", "turn", "error", "stiffness of the neutral motion")
-    show(f"Michell's ring, {exact:.4f}", header, rows)
-    assert abs(errors[-1]) < 1e-3
-    assert all(3.5 < coarse / fine < 6 for coarse, fine in pairwise(errors))
-
-
 class Curl:
     """A naturally curved rod that hangs from a clamp: Kirchhoff's inextensible rod, by polynomials.
 
@@ -312,8 +235,8 @@ def onset(lowest_at: Any, weights: Floats) -> float | None:
 
 
 CURLS = {
-    0.0: ((2.0, 0.45), (3.0, 0.3), (3.0, 0.4), (3.0, 0.45), (3.0, 0.4999), (4.0, 0.45)),
-    -np.pi / 2: ((4.0, 0.45), (5.0, 0.45), (6.0, 0.3), (6.0, 0.45), (8.0, 0.45)),
+    0.0: ((2.0, 0.45), (3.0, 0.4), (4.0, 0.45)),
+    -np.pi / 2: ((4.0, 0.45), (6.0, 0.3)),
 }
 """By the angle of the clamp: curvature times length, and Poisson's ratio."""
 
@@ -340,29 +263,6 @@ def test_curls_leave_their_plane(name: str, angle: float) -> None:
             assert found is not None and 0.51 < found / ONE_G < 0.54
     header = ("curvature L", "Poisson", "w L^3/EI", "Kirchhoff", "error", "over g, curled-rod")
     show(f"weight from which a curl is unstable sideways, its clamp {name}; up to 40", header, rows)
-
-
-def test_a_curl_that_is_seeded_leaves_its_plane() -> None:
-    """A weight 1e-4 aside puts the tip of curvature L = 3 half a length out of its plane at g, and nowhere at 0.4 g."""
-    rows, aside = [], dict[float, float]()
-    for share in (0.4, 1.0):
-        scene = sc.load_scene(
-            "curled-rod",
-            {
-                "filament.curvature": f"{3 / LENGTH} 1/m",
-                "load.gravity": f"{share * GRAVITY} m/s^2",
-                "load.direction": [0, -1, 1e-4],
-                "run.duration": "20 s",
-                "numerics.cells": 10,
-                "numerics.estimate": False,
-            },
-        )
-        run = sc.simulate(scene)
-        assert run.outcome.is_success, run.summary["message"]
-        aside[share] = float(abs(run.data.z.values[-1, -1])) / LENGTH
-        rows.append([f"{share:g}", f"{aside[share]:.5f}"])
-    show("tip out of the plane over L after 20 s", ("g", "z/L"), rows)
-    assert aside[0.4] < 1e-2 and 0.42 < aside[1.0] < 0.52
 
 
 STEEL, STEEL_POISSON, WIRE = 2e11, 0.3, 1e-3
@@ -407,7 +307,7 @@ class Spring:
         return found
 
 
-SPRINGS = ((10, 5, 1, 20), (10, 5, 1, 40), (10, 5, 3, 60), (10, 30, 3, 60), (5, 10, 3, 60), (30, 5, 3, 60))
+SPRINGS = ((10, 5, 1, 20), (10, 30, 3, 60), (5, 10, 3, 60))
 """D/d, pitch in degrees, coils and cells."""
 
 
@@ -431,36 +331,3 @@ def test_helical_springs() -> None:
         assert 0 < errors[1] < 0.6 / index**2 and abs(1 / (held / love) - 1) < 0.6 / index**2
     header = ("D/d", "pitch [deg]", "coils", "cells", "exact rod", "Wahl", "8 P D^3 n/(G d^4)", "held: Love")
     show("lengthening of a helical spring over that of formulas, less 1", header, rows)
-
-
-def test_a_loaded_spring() -> None:
-    """A spring between a clamp and a small force at the end of its wire, as anyone runs it: Castigliano's sum."""
-    spring = Spring(10, np.radians(10), 3, 60)
-    force = 1e-3 * spring.radius / spring.twisted
-    scene = spring.statics.scene.replace(
-        {"load.tip_force": [f"{one} N" for one in (force * spring.axis).tolist()], "numerics.backend": "auto"}
-    )
-    run = sc.simulate(scene)
-    assert run.outcome.is_success, run.summary["message"]
-    at_rest = Spring(10, np.radians(10), 3, 60).statics
-    tip = np.array([at_rest.start[at_rest.at(kind, at_rest.nodes[-1])] for kind in PLACES]) * spring.length
-    moved = np.array([run.data[kind].values[-1, -1] for kind in PLACES]) - tip
-    assert moved @ spring.axis == pytest.approx(force * castigliano(spring), rel=3e-3)
-
-
-def castigliano(spring: Spring) -> float:
-    """Displacement of the end of the wire along the axis under a unit force there, by a sum over the wire."""
-    count = 4000
-    X = (np.arange(count) + 0.5) / count * spring.length
-    c, s = np.cos(spring.pitch), np.sin(spring.pitch)
-    angle = X * c / spring.radius
-    # Axes: away from the centre at the clamp, the binormal one around it, and that of the helix.
-    radial = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-    tangent = np.column_stack([-c * np.sin(angle), c * np.cos(angle), s + 0 * angle])
-    places = spring.radius * radial + np.outer(X * s, [0, 0, 1])
-    last = spring.length * c / spring.radius
-    end = spring.radius * np.array([np.cos(last), np.sin(last), 0]) + np.array([0, 0, spring.length * s])
-    moment = np.cross(end - places, [0, 0, 1])
-    twisting = np.sum(moment * tangent, axis=1)
-    bending = np.sum(moment**2, axis=1) - twisting**2
-    return float(np.mean(twisting**2 / spring.torsion + bending / spring.bending) * spring.length + spring.aside)

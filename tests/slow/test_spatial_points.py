@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.unknowns import Floats
@@ -68,8 +67,6 @@ class Path:
 
 PATHS = (
     Path("stretch, then twist", ((0, 1, 0), (1, 1.3, 0), (2, 1.3, 0.6))),
-    Path("twist, then stretch", ((0, 1, 0), (1, 1, 0.6), (2, 1.3, 0.6))),
-    Path("both at once", ((0, 1, 0), (2, 1.3, 0.6))),
     Path("twist, squeeze, untwist", ((0, 1, 0), (1, 1, 0.6), (2, 0.9, 0.6), (3, 0.9, 0))),
 )
 
@@ -96,68 +93,16 @@ def integrated(path: Path, state: Floats, rate: Callable[[float, Floats], Floats
     return np.hstack(found)
 
 
-def two_variables(path: Path, limit: float, times: Floats) -> Answer:
-    """The wall of a tube in its own two variables: plastic lengthening and plastic shear (THEORY3D 3.1 to 3.4)."""
-
-    def wall(time: float, state: Floats) -> tuple[float, float, float, float, float, float]:
-        stretch, turn = path.at(time)
-        lengthened, sheared = state
-        elastic = np.log(stretch) - lengthened
-        carried = np.exp(-1.5 * elastic)
-        twisted = turn * stretch**-1.5 - sheared * carried
-        along = MODULUS * (elastic + twisted**2 / 4)
-        across = SHEAR * twisted + along * twisted / 2
-        return along, across, carried, stretch, turn, sheared
-
-    def rate(time: float, state: Floats) -> Floats:
-        along, across, carried, *_ = wall(time, state)
-        drive = carried * across
-        equivalent = max(np.hypot(along, np.sqrt(3) * drive), 1e-12 * MODULUS)
-        flow = bingham(limit, equivalent) / equivalent
-        return np.array([flow * along, 3 * flow * drive - 1.5 * state[1] * flow * along])
-
-    states = integrated(path, np.zeros(2), rate, times)
-    answer = []
-    for time, state in zip(times, states.T, strict=True):
-        along, across, carried, stretch, turn, sheared = wall(time, state)
-        # A stretch at a fixed twist makes the shear less: the force along the tube is less, too.
-        sigma = along + 1.5 * carried * across * sheared - 1.5 * across * turn * stretch**-1.5
-        answer.append((sigma / stretch, across * stretch**-1.5))
-    tension, torque = np.array(answer).T
-    return tension, torque
-
-
-def added_shears(path: Path, limit: float, times: Floats) -> Answer:
-    """The same with shears that are added, as strains of a planar filament are: what the carried ones are for."""
-
-    def wall(time: float, state: Floats) -> tuple[float, float, float]:
-        stretch, turn = path.at(time)
-        return MODULUS * (np.log(stretch) - state[0]), SHEAR * (turn * stretch**-1.5 - state[1]), stretch
-
-    def rate(time: float, state: Floats) -> Floats:
-        along, across, _ = wall(time, state)
-        equivalent = max(np.hypot(along, np.sqrt(3) * across), 1e-12 * MODULUS)
-        flow = bingham(limit, equivalent) / equivalent
-        return np.array([flow * along, 3 * flow * across])
-
-    states = integrated(path, np.zeros(2), rate, times)
-    walls = np.array([wall(time, state) for time, state in zip(times, states.T, strict=True)])
-    along, across, stretch = walls.T
-    return (along - 1.5 * across * path.at(times)[1] * stretch**-1.5) / stretch, across * stretch**-1.5
-
-
-def multiplied(path: Path, limit: float, times: Floats, *, free: bool) -> Answer:
+def multiplied(path: Path, limit: float, times: Floats) -> Answer:
     """F = Fe Fp in matrices of 3 x 3, Hencky's energy mu |log Ue|^2, J2 flow of the Mandel stress without plastic spin.
 
-    Either both sides of the wall contract alike, as the theory has them, or each as far as nothing pulls at it.
+    Both sides of the wall contract alike, as the theory has them.
     """
 
-    def gradient(time: float, aside: float) -> Floats:
+    def gradient(time: float) -> Floats:
         stretch, turn = path.at(time)
         contracted = stretch**-0.5
-        # The radius of a tube is that of its circumference: the shear of its wall follows.
-        round_, thick = contracted * np.exp(aside), contracted * np.exp(-aside)
-        return np.array([[stretch, 0, 0], [0, thick, 0], [turn * round_, 0, round_]])
+        return np.array([[stretch, 0, 0], [0, contracted, 0], [turn * contracted, 0, contracted]])
 
     def mandel(F: Floats, plastic: Floats) -> Floats:
         elastic = F @ np.linalg.inv(plastic)
@@ -170,29 +115,17 @@ def multiplied(path: Path, limit: float, times: Floats, *, free: bool) -> Answer
         kirchhoff = np.linalg.inv(elastic).T @ mandel(F, plastic) @ elastic.T
         return kirchhoff @ np.linalg.inv(F).T
 
-    def slope(time: float, aside: float, way: int) -> Floats:
-        """Of F by the stretch, the twist times radius, or the sides."""
-        F, (stretch, turn) = gradient(time, aside), path.at(time)
-        thick, round_ = F[1, 1], F[2, 2]
-        if way == 0:
-            by = -0.5 / stretch
-            return np.array([[1, 0, 0], [0, by * thick, 0], [turn * by * round_, 0, by * round_]])
+    def slope(time: float, way: int) -> Floats:
+        """Of F by the stretch, or by the twist times radius."""
+        stretch, turn = path.at(time)
+        contracted, by = stretch**-0.5, -0.5 / stretch
         if way == 1:
-            return np.array([[0, 0, 0], [0, 0, 0], [round_, 0, 0]])
-        return np.array([[0, 0, 0], [0, -thick, 0], [turn * round_, 0, round_]])
-
-    def sides(time: float, plastic: Floats) -> float:
-        if not free:
-            return 0.0
-
-        def pull(aside: float) -> float:
-            return float(np.sum(first_piola(gradient(time, aside), plastic) * slope(time, aside, 2)))
-
-        return float(brentq(pull, -0.5, 0.5, xtol=1e-13))
+            return np.array([[0, 0, 0], [0, 0, 0], [contracted, 0, 0]])
+        return np.array([[1, 0, 0], [0, by * contracted, 0], [turn * by * contracted, 0, by * contracted]])
 
     def rate(time: float, state: Floats) -> Floats:
         plastic = state.reshape(3, 3)
-        stress = mandel(gradient(time, sides(time, plastic)), plastic)
+        stress = mandel(gradient(time), plastic)
         equivalent = max(np.sqrt(1.5) * np.linalg.norm(stress), 1e-12 * MODULUS)
         return np.asarray(1.5 * bingham(limit, equivalent) / equivalent * stress @ plastic).ravel()
 
@@ -200,9 +133,8 @@ def multiplied(path: Path, limit: float, times: Floats, *, free: bool) -> Answer
     answer = []
     for time, state in zip(times, states.T, strict=True):
         plastic = state.reshape(3, 3)
-        aside = sides(time, plastic)
-        stress = first_piola(gradient(time, aside), plastic)
-        answer.append([np.sum(stress * slope(time, aside, way)) for way in (0, 1)])
+        stress = first_piola(gradient(time), plastic)
+        answer.append([np.sum(stress * slope(time, way)) for way in (0, 1)])
     tension, torque = np.array(answer).T
     return tension, torque
 
@@ -225,31 +157,26 @@ def tube(path: Path, limit: float) -> tuple[Floats, Answer]:
     return data.time.values, (force / AREA, torque / AREA / TUBE)
 
 
-LIMITS = (2e4, 8e4, 2e5)  # 0.5, 2 and 5 % of the modulus
+LIMITS = (2e4, 8e4)  # 0.5 and 2 % of the modulus
 
 
 def test_stretched_and_twisted_tubes() -> None:
-    """A run is its own law to rounding, and that is the exact one to the square of the elastic strain."""
+    """A run is the exact one to the square of the elastic strain."""
     rows, apart = [], dict[tuple[str, float], float]()
     for path in PATHS:
         for limit in LIMITS:
             times, found = tube(path, limit)
-            own, exact = two_variables(path, limit, times), multiplied(path, limit, times, free=False)
-            free, added = multiplied(path, limit, times, free=True), added_shears(path, limit, times)
-            errors = [off(found, own), off(found, exact), off(found, free), off(added, exact)]
-            apart[path.name, limit] = errors[1]
-            rows.append([path.name, f"{limit / MODULUS:.1%}", *(f"{one:.1e}" for one in errors)])
-            assert errors[0] < 1e-7
-            assert errors[1] < 1.2 * (limit / MODULUS) ** 2 + 1e-7
-            assert errors[2] < (limit / MODULUS)
-            assert errors[3] > 0.09
-    header = ("path", "yield strain", "two variables", "F = Fe Fp", "and free sides", "added shears, of F = Fe Fp")
+            error = off(found, multiplied(path, limit, times))
+            apart[path.name, limit] = error
+            rows.append([path.name, f"{limit / MODULUS:.1%}", f"{error:.1e}"])
+            assert error < 1.2 * (limit / MODULUS) ** 2 + 1e-7
+    header = ("path", "yield strain", "from F = Fe Fp")
     show("tension and torque of a thin tube, stretched 1.3 times and sheared 0.6", header, rows)
     assert max(error for (_, limit), error in apart.items() if limit == LIMITS[1]) < 1e-3
 
 
-RINGS = {3: 15, 4: 24, 6: 60}
-"""Points of a section that has so many rings; the first two are the usual ones."""
+RINGS = {3: 15, 6: 60}
+"""Points of a section that has so many rings; the first is the usual one."""
 LOW = 4e3  # A thousandth of the modulus: elastic strains are small
 
 
@@ -284,7 +211,7 @@ def test_torsion_beyond_yield() -> None:
         assert np.allclose(found, sampled, rtol=5e-4)
     rows.append(["exact", *(f"{one:.4f}" for one in exact), ""])
     show("T/T_Y at theta/theta_Y", ("rings", *(f"{one:g}" for one in strains), "largest error"), rows)
-    assert worst[3] < 0.03 and worst[4] < 0.02 and worst[6] < 5e-3
+    assert worst[3] < 0.03 and worst[6] < 5e-3
 
 
 def test_torsion_in_steady_flow() -> None:
@@ -292,7 +219,7 @@ def test_torsion_in_steady_flow() -> None:
     surface, rows = LOW / np.sqrt(3), []
     rate = 200.0  # [1/(m s)]: the surface shears at 0.6 /s
     worst = dict[int, float]()
-    for number in (0.1, 1.0, 10.0):
+    for number in (0.1, 10.0):
         viscosity = 3 * number * surface / (rate * RADIUS)
         exact = 2 * np.pi / 3 * surface * RADIUS**3 + viscosity / 3 * np.pi / 2 * RADIUS**4 * rate
         # Until the innermost ring flows, too.

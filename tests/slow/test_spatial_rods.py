@@ -1,32 +1,21 @@
-"""Elastic rods in three dimensions: a bend of 45 degrees, thin rods, turns as a whole, full turns, a hundred swings."""
+"""Elastic rods in three dimensions: thin rods, turns as a whole, full turns, a hundred swings."""
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from scipy.spatial.transform import Rotation
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_body, choose_theory
-from softcat_sym.discretization.grid import End, whole_span
-from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import SECTIONS
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
 AT_REST = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear"]
 ARC = 78.5398163  # 45 degrees of a circle of radius 100
-PUBLISHED = {300.0: (58.84, 22.33, 40.08), 600.0: (47.23, 15.79, 53.37)}
-"""Eight elements of Simo & Vu-Quoc (1986)."""
 
 
 def bend(cells: int, force: float, thickness: float = 1.0) -> Floats:
@@ -46,23 +35,6 @@ def bend(cells: int, force: float, thickness: float = 1.0) -> Floats:
     return np.array([run.data[name].values[-1, -1] - run.data[name].values[-1, 0] for name in "xyz"])
 
 
-def test_bend_of_bathe_and_bolourchi() -> None:
-    """Of the second order; the limit lies half a per cent beside what eight elements of others give."""
-    for force, published in PUBLISHED.items():
-        numbers = (4, 8, 16, 32)
-        tips = [bend(cells, force) for cells in numbers]
-        steps = [float(np.linalg.norm(a - b)) for a, b in pairwise(tips)]
-        orders = ["", "", *(f"{np.log2(a / b):.3f}" for a, b in pairwise(steps))]
-        rows = [
-            [2 * n, *(f"{one:.3f}" for one in tip), order] for n, tip, order in zip(numbers, tips, orders, strict=True)
-        ]
-        rows.append(["limit", *(f"{one:.3f}" for one in tips[-1] + (tips[-1] - tips[-2]) / 3), ""])
-        rows.append(["8, published", *published, ""])
-        show(f"tip of the bend of 45 degrees under {force:g}", ("elements", "x", "y", "z", "order"), rows)
-        assert all(np.log2(a / b) == pytest.approx(2, abs=0.1) for a, b in pairwise(steps))
-        assert np.allclose(tips[0], published, atol=0.35)
-
-
 def test_thin_rods_do_not_lock() -> None:
     """The error of eight elements does not grow as the rod becomes thinner at the same stiffness."""
     rows, errors = [], []
@@ -73,68 +45,6 @@ def test_thin_rods_do_not_lock() -> None:
         rows.append([f"{share:g}", *(f"{one:.3f}" for one in coarse), f"{errors[-1]:.2e}"])
     show("eight elements of a bend under 300 EI-alike", ("h0/L", "x", "y", "z", "error over the radius"), rows)
     assert max(errors) < 1.05 * min(errors) and max(errors) < 2e-3
-
-
-def test_a_turn_of_the_whole_turns_the_forces() -> None:
-    """Strains, energies and the rates of places and spins of a state that is far from straight, to 1e-12."""
-    scene = sc.Scene.from_dict(
-        {
-            "filament": {
-                "span": 0.2,
-                "thickness": 6e-3,
-                "width": 9e-3,
-                "density": 1900.0,
-                "curvature": 3.0,
-                "twist": 2.0,
-            },
-            "material": {"law": "kelvin-voigt", "youngs_modulus": 4e6, "viscosity": 1e4},
-            "load": {"gravity": 0.0},
-            "ends": {"right": "free"},
-            "run": {"duration": 1.0, "effects": ["inertia", *AT_REST, "viscous-stress"]},
-            "numerics": {"cells": 6},
-        }
-    )
-    effects = choose_effects(scene)
-    equations = derive(effects.terms(), SECTIONS["rectangle"], "material")
-    grid = whole_span(6, End.FREE, End.FREE, 1.0)
-    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations.terms), choose_body(scene, grid))
-    p = graph.vector(parameter_values(scene))
-    out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], list(graph.symbolic.raw.rates))
-    rng = np.random.default_rng(3)
-    nodes = len(grid.nodes)
-    places = np.column_stack([grid.nodes, 0 * grid.nodes, 0 * grid.nodes]) + 0.01 * rng.standard_normal((nodes, 3))
-    speeds, spins = rng.standard_normal((2, nodes, 3))
-    turns = Rotation.from_rotvec(0.25 * rng.standard_normal((nodes, 3)))
-
-    def evaluated(by: Rotation) -> tuple[dict[str, Floats], dict[str, Floats]]:
-        q = (by * turns).as_quat()
-        q *= np.sign(np.sum(q * (by * turns[0]).as_quat(), axis=1))[:, None]
-        state = dict(zip("xyz", by.apply(places).T, strict=True)) | dict(zip("uvw", by.apply(speeds).T, strict=True))
-        state |= {"q0": q[:, 3], "q1": q[:, 0], "q2": q[:, 1], "q3": q[:, 2]}
-        state |= dict(zip(("o1", "o2", "o3"), spins.T, strict=True))
-        x, z = (
-            np.array(one.gather({b.name: ca.DM(state[b.name][list(b.places)]) for b in one.blocks})).ravel()
-            for one in (graph.moving, graph.still)
-        )
-        ode, alg = (np.array(one).ravel() for one in out(0.0, x, z, p))
-        return graph.moving.split(ode) | graph.still.split(alg), graph.observe(np.zeros(1), x[:, None], z[:, None], p)
-
-    rows = []
-    known, shown = evaluated(Rotation.identity())
-    for vector in ((0.3, 0, 0), (1.0, -2.0, 0.5), (0, 3.1, 0), (2.0, 2.0, 1.5)):
-        by = Rotation.from_rotvec(vector)
-        found, strains = evaluated(by)
-        parts = {"acceleration": "uvw", "torque balance": ("o1", "o2", "o3")}
-        errors = []
-        for names in parts.values():
-            before, after = (np.stack([one[name] for name in names], axis=-1) for one in (known, found))
-            expected = by.apply(before) if names == "uvw" else before
-            errors.append(np.abs(after - expected).max() / np.abs(before).max())
-        kept = ("stretch", "shear", "shear_3", "twist", "curvature", "curvature_2", "energy_elastic")
-        errors.append(max(np.abs(strains[n] - shown[n]).max() / np.abs(shown[n]).max() for n in kept))
-        rows.append([str(vector), *(f"{one:.0e}" for one in errors)])
-        assert max(errors) < 1e-12
-    show("turned as a whole by a vector", ("turn [rad]", *parts, "strains and energy"), rows)
 
 
 def twisted(modulus: float, radius: float, twist: float) -> tuple[float, float]:

@@ -380,8 +380,7 @@ def test_a_slack_rope_rings_in_a_run_as_was_foreseen(says: Says) -> None:
     ("name", "before", "within"),
     [
         # Hertz that closed forms gave for its ringing, and how far the swing by the whole sag may be from a small one.
-        # This one rings 13 % faster than foreseen, and 19 % by a slower ramp: why is not known.
-        ("rubber-strand", 4.58, 0.2),
+        ("rubber-strand", 4.58, 0.02),
         ("printed-lintel", 75.0, 0.03),
         ("embedded-strand", 6.22, 0.03),
         ("cooked-spaghetti", 6.46, 0.05),
@@ -389,10 +388,12 @@ def test_a_slack_rope_rings_in_a_run_as_was_foreseen(says: Says) -> None:
 )
 def test_bundled_scenes_ring_as_was_foreseen(says: Says, name: str, before: float, within: float) -> None:
     scene = sc.load_scene(name)
-    foreseen = ringing(scene).frequency / (2 * np.pi)
-    length = {"run.duration": f"{scene.load.ramp + 6 / foreseen} s", "run.frames": 401, "numerics.estimate": False}
+    ramp, foreseen = scene.load.ramp, ringing(scene).frequency / (2 * np.pi)
+    length = {"run.duration": f"{ramp + 6 / foreseen} s", "run.frames": 401, "numerics.estimate": False}
+    # A solid creeps on after the ramp, as it does in a longer one: until the middle of the run that is looked at.
+    foreseen = ringing(scene.replace({"load.ramp": f"{ramp + 2 * 3 / foreseen} s"})).frequency / (2 * np.pi)
     data = sc.simulate(scene.replace(length)).data
-    loaded = data.sel(time=slice(scene.load.ramp, None))
+    loaded = data.sel(time=slice(ramp, None))
     time, heights = loaded.time.values, loaded.midpoint.values
     swing = (heights - np.polyval(np.polyfit(time, heights, 1), time)) * np.hanning(len(time))
     spectrum = np.abs(np.fft.rfft(swing, 64 * len(time)))

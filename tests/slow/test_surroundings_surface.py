@@ -14,11 +14,11 @@ from tests.common.closed_forms import GYRATION
 from tests.common.filaments import GEOMETRY, sag, scene
 from tests.common.table import show
 from tests.common.threads import INVISCID, evolve, growth, newtonian, thread
-from tests.test_filament_effects import STRING, WEIGHT, free_strand, pulled, string_sag
+from tests.test_filament_effects import STRING, WEIGHT, pulled, string_sag
 
 pytestmark = pytest.mark.slow
 
-GRIDS = (20, 40, 80, 160)
+GRIDS = (20, 40, 80)
 COMPILED = {"backend": "compiled"}
 
 
@@ -53,12 +53,12 @@ def test_strings_and_beams_are_exact_in_the_second_order() -> None:
     for number in (0.0, 4.4, 18.0, 71.0):
         u, errors = np.sqrt(number) / 2, []
         expected = (1 - 2 / u * np.tanh(u / 2)) / (8 * number) if number else 1 / 384
-        for cells in GRIDS[:3]:
+        for cells in GRIDS:
             effects = (*GEOMETRY, *(["surface-tension"] if number else []))
             asked = scene(thickness=h, E=E, section="circle", effects=effects, gravity=10 * tiny, cells=cells)
             found = sag(sc.simulate(pulled(asked, number * stiffness)))
             errors.append(found * stiffness / (1e4 * tiny) / expected - 1)
-        rows.append((f"beam, F L^2/EI = {number}", f"{expected:.7f}", *(f"{one:.2e}" for one in errors), ""))
+        rows.append((f"beam, F L^2/EI = {number}", f"{expected:.7f}", *(f"{one:.2e}" for one in errors)))
         assert of_order_two(errors)
     show("Error of the sag", ("", "exact", *(f"N = {cells}" for cells in GRIDS)), rows)
 
@@ -154,20 +154,10 @@ def test_viscous_threads_with_a_free_end_and_between_plates() -> None:
     show("Viscous threads", ("", "1/3", "2/3", "1", "energy residual"), rows)
 
 
-def test_a_bingham_thread_stops_where_its_radius_is_gamma_over_the_yield_stress() -> None:
-    rows = []
-    for gam in (0.7, 1.25, 2.0):
-        done = free_strand(gam)
-        thicker = done.data["thickness"].values[-1].mean() / 0.02
-        rows.append((gam, f"{thicker:.6f}", max(gam, 1.0), closed(done)))
-        assert thicker == pytest.approx(max(gam, 1.0), rel=1e-3 if gam > 1 else 4e-3)
-    show("Free Bingham thread", ("Gam/sigma_Y", "R/R0", "expected", "energy residual"), rows)
-
-
 def test_a_free_end_runs_into_the_thread_at_kellers_speed() -> None:
     """v = sqrt(gamma/(rho R)), of a sheet sqrt(2 gamma/(rho h)); what it picks up is its pull times the time."""
     rows = []
-    for section, mu, cells in (*(("circle", mu, 160) for mu in (0.1, 0.3, 1.0)), ("sheet", 0.3, 160)):
+    for section, mu, cells in (("circle", 0.3, 160), ("sheet", 0.3, 160)):
         asked = thread(
             60.0,
             cells,

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from softcat_sym import load_scene
+from softcat_sym.batch.members import written
 from softcat_sym.discretization import assembly
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.ensemble.members import written
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene

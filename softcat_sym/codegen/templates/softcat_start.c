@@ -159,14 +159,14 @@ static int meets(const softcat_structure *s, const double *params, const softcat
     int slots = softcat_structure_slots(s, 0);
     const double *first = table->values;
     const double *last = first + (size_t)(table->rows - 1) * (size_t)slots;
-    int left = s->first == SOFTCAT_CLAMPED || s->first == SOFTCAT_PINNED;
-    int right = s->last == SOFTCAT_CLAMPED || s->last == SOFTCAT_PINNED;
-    if (left && s->x >= 0 && far_apart(first[s->x], at.left_x)) return 0;
-    if (left && far_apart(first[s->y], 0.0)) return 0;
-    if (left && s->z >= 0 && far_apart(first[s->z], 0.0)) return 0;
-    if (right && s->z >= 0 && far_apart(last[s->z], at.right_z)) return 0;
-    if (right && s->x >= 0 && far_apart(last[s->x], at.right_x)) return 0;
-    return !(right && far_apart(last[s->y], at.right_y));
+    const int *left = s->model->held_first, *right = s->model->held_last;
+    double left_x = s->first == SOFTCAT_SYMMETRY ? 0.0 : at.left_x;
+    if (s->x >= 0 && left[s->x] && far_apart(first[s->x], left_x)) return 0;
+    if (s->x >= 0 && right[s->x] && far_apart(last[s->x], at.right_x)) return 0;
+    if (s->z >= 0 && left[s->z] && far_apart(first[s->z], 0.0)) return 0;
+    if (s->z >= 0 && right[s->z] && far_apart(last[s->z], at.right_z)) return 0;
+    if (left[s->y] && far_apart(first[s->y], 0.0)) return 0;
+    return !(right[s->y] && far_apart(last[s->y], at.right_y));
 }
 
 int softcat_from_table(const softcat_structure *s, const double *params, const softcat_table *table,

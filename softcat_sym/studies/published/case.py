@@ -11,9 +11,9 @@ from importlib.resources import as_file, files
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.ensemble.ensemble import MemberRun, Workshop, judged
-from softcat_sym.ensemble.executor import Stop
-from softcat_sym.ensemble.members import members_of
+from softcat_sym.batch.lane_pool import Stop
+from softcat_sym.batch.members import members_of
+from softcat_sym.batch.worker import MemberRun, StructureCache, judged
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.reading import load_scene
@@ -117,7 +117,7 @@ class Case:
         Possible explanation of a difference.
     run : callable or None
         Function that runs the package and returns the results; None if the case cannot be run yet.
-    scenes : tuple of str
+    scenes : sequence of str
         Names of its scenes.
     needs : str
         A package of the extra ``peers`` that the case needs; empty if none.
@@ -133,7 +133,7 @@ class Case:
     independent: str = ""
     explains: str = ""
     run: Callable[[], Finding] | None = None
-    scenes: tuple[str, ...] = ()
+    scenes: Sequence[str] = ()
     needs: str = ""
     reason: str = ""
 
@@ -155,9 +155,9 @@ def answer_of(scene: Scene) -> Run:
 
 def answers_of(scene: Scene, rows: Sequence[Mapping[str, object]]) -> Iterator[MemberRun]:
     """Run a scene for each row of changes with shared equations; raise an error if a run is no answer."""
-    workshop, stop = Workshop(), Stop()
+    structures, stop = StructureCache(), Stop()
     for member in members_of(scene, [dict(row) for row in rows], "once"):
-        run = judged(member, *workshop.run(member, stop))
+        run = judged(member, *structures.run(member, stop))
         if not run.outcome.is_answer:
             raise SoftcatError(f"{scene.title}: {run.outcome.name}; {run.message or run.outcome.value}")
         yield run

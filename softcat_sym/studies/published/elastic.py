@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
-from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, answers_of, published_scene
+from softcat_sym.studies.published.case import Curve, Finding, Picture, Row, answers_of, published_scene
 
 _GENTLEST = 2 ** (1 / 3)
 """Stretch at which a neo-Hookean cylinder is unstable first: 2 (s^(3/2) + 2 s^(-3/2)) has its minimum sqrt(32)."""
@@ -43,14 +44,6 @@ def _undulations(published: float, stretch: float) -> Finding:
     row = Row("threshold gamma/(G R)", "", published, pole)
     picture = Picture("gamma/(G R)", "undulation of the stretch", (line, runs), is_log_y=True, published_x=published)
     return Finding((row,), picture)
-
-
-def _mora() -> Finding:
-    return _undulations(6.0, 1.0)
-
-
-def _stretched() -> Finding:
-    return _undulations(math.sqrt(32), _GENTLEST)
 
 
 _ANGLES = (15, 45, 75)
@@ -126,66 +119,10 @@ def _spanning() -> Finding:
     return Finding(rows, Picture("G' D^3/(rho g L^4)", "sag/D", curves, is_log_x=True, is_log_y=True))
 
 
-CASES = (
-    Case(
-        "mora",
-        "Agar filaments gather into beads",
-        "Mora et al., Phys. Rev. Lett. (2010), 214301",
-        Kind.MEASURED,
-        "Filaments of agar gel undulate once their radius is a sixth of gamma/G (authors' summary of the paper).",
-        "the measured threshold; their G was measured with a rheometer",
-        "no large difference is expected; the finite wavelength changes the threshold by about (2 pi R/L)^2",
-        _mora,
-        ("undulation",),
-    ),
-    Case(
-        "stretched-gel",
-        "A stretched soft cylinder gathers into beads",
-        "Xuan & Biggins, arXiv:1701.03832 (2017)",
-        Kind.COMPUTED,
-        "A neo-Hookean cylinder loses convexity from gamma/(G R) = sqrt 32 on, which full finite elements confirm "
-        "(abstract); in its energy that is at a stretch of 2^(1/3).",
-        "their law and finite elements",
-        "the elastic law here is linear in the logarithm of the stretch, and softer than rubber when stretched: its "
-        "threshold is 6 (1 - log s)/sqrt s",
-        _stretched,
-        ("undulation",),
-    ),
-    Case(
-        "princeton",
-        "The Princeton beam in three dimensions",
-        "Obrezkov et al., Nonlinear Dyn. 109 (2022); experiment: Dowell & Traybar, AMS reports 1194 and 1257 (1975)",
-        Kind.COMPUTED,
-        "Tip displacements of 4 x 12 x 500 solid elements and of 199 beam elements of ANSYS by load and loading angle, "
-        "as tabulated in the tests of Exudyn. The measured displacements themselves could not be had as numbers.",
-        "solid elements of another program",
-        "a flat section held at its root has less anticlastic bending than a beam: the beam elements of the same "
-        "authors differ as much from their solid ones",
-        _princeton,
-        ("princeton",),
-    ),
-    Case(
-        "curved-beam",
-        "A curved cantilever bends out of its plane",
-        "Simo & Vu-Quoc, A three-dimensional finite-strain rod model, part II (1986)",
-        Kind.COMPUTED,
-        "Place of the tip of Bathe & Bolourchi's bend under forces of 300 and 600, eight elements.",
-        "elements of others",
-        "eight elements are not converged: as many of ours are as far from the limit",
-        _curved_beam,
-        ("curved-beam",),
-    ),
-    Case(
-        "smay",
-        "The modulus that an ink needs to span",
-        "Smay, Cesarano & Lewis, Langmuir 18, 5429 (2002)",
-        Kind.COMPUTED,
-        "G' of at least 1.4 rho g (L/D)^4 D for a sag of at most 0.05 D; features of 0.1 to 1 mm span (abstract). "
-        "Their measured deflections could not be had.",
-        "their rule, stated to two digits",
-        "a beam with bending alone gives 1.39; clamps need a fifth of it, and surface tension reduces it further",
-        _spanning,
-        ("spanning-strand",),
-    ),
-)
-"""In the order of the table."""
+RUNS = {
+    "mora": partial(_undulations, 6.0, 1.0),
+    "stretched-gel": partial(_undulations, math.sqrt(32), _GENTLEST),
+    "princeton": _princeton,
+    "curved-beam": _curved_beam,
+    "smay": _spanning,
+}

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.published.case import (
-    Case,
     Curve,
     Finding,
     Floats,
-    Kind,
     Picture,
     Row,
     answer_of,
@@ -106,14 +105,6 @@ def _softens(name: str) -> Finding:
     return Finding(rows, picture)
 
 
-def _softens_710() -> Finding:
-    return _softens("710")
-
-
-def _softens_717a() -> Finding:
-    return _softens("717a")
-
-
 _WEIGHT = 0.02
 
 
@@ -142,58 +133,8 @@ def _beam() -> Finding:
     return Finding(rows, Picture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
 
 
-_NBS = "Napolitano & Hawkins, J. Res. NBS 68A, 439 (1964)"
-_SOFTENS = (
-    "The fibre, 0.65 mm by 235 mm, grows by 1 mm/min under its own weight while its upper 100 mm are heated by 5 "
-    "K/min; its viscosity then is 10^6.5 to 10^7.0 Pa s (scope of the standard)."
-)
-_COLDER = (
-    "a furnace that is some 50 K colder at its ends than at its thermocouple, or heats half the length; twice the "
-    "surface tension would explain half of it, 10 % of density 2.7 K; the lag of the fibre is 0.2 K"
-)
-
-CASES = (
-    Case(
-        "softening-710",
-        "Softening point of a soda-lime glass",
-        f"ASTM C338; NBS Standard Sample 710: {_NBS}",
-        Kind.MEASURED,
-        f"{_SOFTENS} Published: 724 C, and the constants of its viscosity.",
-        "the softening point, measured independently of the viscosity in the run",
-        _COLDER,
-        _softens_710,
-        ("softening-fibre",),
-    ),
-    Case(
-        "softening-717a",
-        "Softening point of a borosilicate glass",
-        "ASTM C338; NIST Standard Reference Material 717a",
-        Kind.MEASURED,
-        f"{_SOFTENS} Published: 720 C, and the constants of its viscosity.",
-        "the softening point, measured independently of the viscosity in the run",
-        _COLDER,
-        _softens_717a,
-        ("softening-fibre",),
-    ),
-    Case(
-        "beam-bending",
-        "A bar in a beam-bending viscometer",
-        "ASTM C598",
-        Kind.COMPUTED,
-        "The shear viscosity is g L^3/(2.4 I v) (M + rho A L/1.6), v the midpoint's speed per minute.",
-        "the standard's two constants",
-        "the grid, whose error is quadratic in the cell length",
-        _beam,
-        ("glass-beam",),
-    ),
-    Case(
-        "annealing",
-        "Annealing and strain points by fibre elongation",
-        "ASTM C336; NBS glasses",
-        Kind.MEASURED,
-        "A fibre of 0.65 mm grows by 0.14 mm/min under 1 kg while it cools by 4 K/min, and at 0.0316 of that at the "
-        "strain point (a laboratory's page); 10^13 and 10^14.5 poise.",
-        reason="the heated length of the fibre and the certified points of the glasses were not available",
-    ),
-)
-"""In the order of the table."""
+RUNS = {
+    "softening-710": partial(_softens, "710"),
+    "softening-717a": partial(_softens, "717a"),
+    "beam-bending": _beam,
+}

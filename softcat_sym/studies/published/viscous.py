@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from softcat_sym.studies.published.case import (
-    Case,
     Curve,
     Finding,
-    Kind,
     Picture,
     Row,
     answer_of,
@@ -87,66 +85,4 @@ def _cube_root() -> Finding:
     return Finding(rows, Picture("time in eta/(rho g L)", "sag/L", curves, is_log_x=True, is_log_y=True))
 
 
-CASES = (
-    Case(
-        "sachsenheimer",
-        "A thinning thread pulls at its plates",
-        "Sachsenheimer, Hochstein, Buggisch & Willenbacher, Rheol. Acta 51, 909 (2012)",
-        Kind.MEASURED,
-        "The axial force, read from how much gravity bends threads of fructose solutions and silicone oils (0.9 to 60 "
-        "Pa s), confirms Papageorgiou's solution for Newtonian fluids, X = 0.7127 (abstract; not its scatter).",
-        "the measured force, and Papageorgiou's number",
-        "the neck approaches its final shape slowly: at R/R0 = 0.04 it has not reached it",
-        _thinning,
-        ("thinning-thread",),
-    ),
-    Case(
-        "zylstra",
-        "The shape of a viscous catenary does not depend on its viscosity",
-        "Zylstra & Mitescu, EPL (2009); Le Merrer et al., EPL 84, 56004 (2008)",
-        Kind.MEASURED,
-        "Over two decades of kinematic viscosity the kind of descent depends on radius and length of the filament only "
-        "(abstracts); the catenary number of the transition is not in them.",
-        "the observation; the runs include inertia, which would make a difference",
-        "inertia, which the least viscous of the three still shows",
-        _shapes,
-        ("hanging-oil",),
-    ),
-    Case(
-        "u-shape",
-        "The transition from catenary to U",
-        "Zylstra & Mitescu, EPL (2009); Koulakis et al., J. Fluid Mech. 609, 87 (2008)",
-        Kind.MEASURED,
-        "A clear transition as the catenary number, of radius and length, passes a certain value (abstract).",
-        reason="neither the number nor its value was available, nor the measured curves; and thin threads of this "
-        "theory form beads, which need thousands of cells",
-    ),
-    Case(
-        "brochard",
-        "A viscous thread sags as the cube root of time",
-        "Brochard-Wyart & de Gennes, EPL (2007)",
-        Kind.COMPUTED,
-        "Long before one time t_d the sag grows as t^(1/3) (abstract).",
-        "their scaling argument",
-        "the bent ends, of the order of D/L",
-        _cube_root,
-        ("viscous-string",),
-    ),
-    Case(
-        "teichman",
-        "First it bends, then it stretches, then it breaks",
-        "Teichman & Mahadevan, J. Fluid Mech. 478, 71 (2003)",
-        Kind.COMPUTED,
-        "Bending at short times, stretching everywhere but near the clamps later, breaking in finite time (abstract).",
-        reason="the abstract has no prefactor; the tests compare the filament with an exact string instead",
-    ),
-    Case(
-        "roy",
-        "A viscoelastic filament falls, and rises again",
-        "Roy, Mahadevan & Thiffeault, J. Fluid Mech. 563, 283 (2006)",
-        Kind.MEASURED,
-        "If the ends are brought together quickly after stretching, the filament straightens by rising (abstract).",
-        reason="numbers, fluid and path were not available",
-    ),
-)
-"""In the order of the table."""
+RUNS = {"sachsenheimer": _thinning, "zylstra": _shapes, "brochard": _cube_root}

@@ -6,7 +6,7 @@ import importlib
 import math
 
 from softcat_sym.fitting.flow_curve import FlowCurve, fit_flow_curve
-from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
+from softcat_sym.studies.published.case import Curve, Finding, Picture, Row, published_scene
 
 _YIELDS, _FLOWS = 100.0, 10.0
 """Shear yield stress [Pa] and shear viscosity [Pa s] of the scene."""
@@ -50,42 +50,4 @@ def _flow_curves() -> Finding:
     return Finding((row,), picture)
 
 
-CASES = (
-    Case(
-        "martinie",
-        "The yield stress in elongation",
-        "Martinie, Buggisch & Willenbacher, J. Rheol. 57, 627 (2013)",
-        Kind.ASSUMED,
-        "For gels, emulsions and suspensions the elongational yield stress is sqrt 3 times that in shear, in agreement "
-        "with von Mises (abstract; its scatter could not be had).",
-        "nothing: a shear yield stress is converted by this very factor",
-        "no test of the program: the measurement justifies its assumption",
-        _elongational,
-        ("shear-data",),
-    ),
-    Case(
-        "trouton",
-        "The viscosity in traction",
-        "Trouton, discourse at the Royal Institution of Great Britain",
-        Kind.ASSUMED,
-        "The coefficient of viscous traction of pitch is about three times its viscosity, and experiment supports it "
-        "(discourse; its table could not be had).",
-        "nothing: a shear viscosity is converted by this very factor",
-        "no test of the program: the measurement justifies its assumption",
-        _trouton,
-        ("shear-data",),
-    ),
-    Case(
-        "rheodata",
-        "Published flow curves become materials",
-        "rheopy-rheodata (Caggioni): curated flow curves, each set with its paper",
-        Kind.MEASURED,
-        "Curves digitised or measured anew, and whether the material has a yield stress, by its authors; emulsions of "
-        "Mason, Bibette & Weitz (1996) have one from a volume fraction of 0.58 on.",
-        "measured stresses, and what their authors call the material",
-        "a curve that ends above its plateau cannot distinguish a yield stress from a small index",
-        _flow_curves,
-        needs="rheodata",
-    ),
-)
-"""In the order of the table."""
+RUNS = {"martinie": _elongational, "trouton": _trouton, "rheodata": _flow_curves}

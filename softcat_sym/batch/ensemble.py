@@ -1,0 +1,273 @@
+"""Many runs that differ in some values: integrated side by side in threads, one result."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from softcat_sym.batch.executor import MembersProgress, Where, counted, worker_count
+from softcat_sym.batch.lane_pool import Stop
+from softcat_sym.batch.members import Choosing, Member, Row, is_group, is_number, kind_of, members_of, rows_of
+from softcat_sym.batch.records import Column, Record, table_of, variables_of, versions
+from softcat_sym.batch.reference_member import (
+    RESOLUTION,
+    ReferenceMember,
+    refined_by_references,
+    resolution_of,
+    resolution_of_run,
+)
+from softcat_sym.batch.worker import StructureCache, judged
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.results.breaking import breakable
+from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.run import Run
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.units import SI_UNITS, Number, Quantity
+from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import watched
+
+_ROUNDING = 1e-9
+
+_COLUMNS = {
+    "midpoint": Column("m", "height of the midpoint X = 0, negative down; NaN where it was not reached", ("time",)),
+    "midpoint_final": Column("m", "height of the midpoint in the last frame reached, negative down"),
+    "time_final": Column("s", "time of the last frame reached"),
+    "outcome": Column("", "how the run ended", dtype=str),
+    "message": Column("", "why, if that is no success", dtype=str),
+    "energy_residual": Column("1", "energy imbalance of the last frame against the first, of the largest energy"),
+    "effects": Column("", "effects in force", dtype=str),
+    "steps": Column("", "steps of the integrator", dtype=int),
+    "wall_s": Column("s", "wall time, side by side with other members"),
+    **RESOLUTION,
+}
+
+
+def _integrated(member: Member, structures: StructureCache, stop: Stop) -> Record:
+    """Record a member."""
+    begun, scene = time.perf_counter(), member.scene
+    prepared, solution = structures.run(member, stop)
+    ends = solution
+    # Without velocities the work against the necking gradient is summed over frames; a break is sought in all of them.
+    if prepared.graph.has_velocities and not breakable(scene):
+        ends = solution.only([0, -1])
+    run = judged(member, prepared, ends)
+    midpoint = np.full(scene.run.frames, np.nan)
+    # Adding zero leaves no minus zero.
+    midpoint[: len(solution.time)] = midpoint_heights(prepared.graph, solution) * rest_length(scene) + 0.0
+    return {
+        "midpoint": midpoint,
+        "midpoint_final": midpoint[~np.isnan(midpoint)][-1],
+        "time_final": float(solution.time[-1]) * prepared.scale,
+        "outcome": run.outcome.name,
+        "message": run.message,
+        "energy_residual": run.energy_residual,
+        "effects": ", ".join(member.effects.names),
+        "steps": solution.steps,
+        "wall_s": time.perf_counter() - begun,
+        **resolution_of(member, prepared),
+    }
+
+
+def _estimated(member: Member) -> Record:
+    """Record a member as :func:`softcat_sym.simulate` runs it with these effects, its error estimated."""
+    begun = time.perf_counter()
+    run = simulated(member.scene.replace({"run.effects": list(member.effects.names)}))
+    summary, lasts = run.summary, member.scene.run
+    # What breaks or falls for ever has frames of its own up to then.
+    midpoint, times = np.full(lasts.frames, np.nan), np.linspace(0.0, lasts.duration, lasts.frames)
+    seen = times <= (1 + _ROUNDING) * summary["time_final_s"]
+    midpoint[seen] = np.interp(times[seen], run.fields["time"], run.fields["midpoint"])
+    return {
+        "midpoint": midpoint,
+        "midpoint_final": midpoint[seen][-1],
+        "time_final": summary["time_final_s"],
+        "outcome": run.outcome.name,
+        "effects": ", ".join(member.effects.names),
+        **{name: summary[name] for name in ("message", "energy_residual", "steps")},
+        "wall_s": time.perf_counter() - begun,
+        **resolution_of_run(run),
+    }
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """Finished members, in the order of the table.
+
+    Attributes
+    ----------
+    scenes : tuple of Scene
+        Scene of each member.
+    data : xarray.Dataset
+        Dims ``member`` and ``time``. Variables ``midpoint`` (member, time) [m], NaN after the time that a member has
+        reached; and for each member ``midpoint_final`` [m] and ``time_final`` [s] (the last frame reached),
+        ``outcome`` (name of the `Outcome`), ``message``, ``energy_residual`` (between first and last frame),
+        ``effects``, ``steps``, ``wall_s``, ``cells``, ``fibres`` (NaN where the section is not resolved by them),
+        ``rtol`` and ``error_estimate`` (NaN where it was not estimated). The attribute ``centres`` says in JSON which
+        members were estimated for those of the same structure, and what was found. Every column of the table is a
+        coordinate along ``member``, quantities in SI. ``time`` is in seconds where all members last equally long;
+        otherwise it is the share of each member's own
+        ``duration`` [s], which is then a variable.
+    outcomes : tuple of Outcome
+        Verdict on each member.
+
+    Notes
+    -----
+    A member is judged by its integration, by the neck in its last frame, and by the energy balance between its first
+    and its last frame. What `simulate` does beyond that is left to `trajectory`: an energy balance at every frame, and
+    a look whether an effect that was left out has mattered, with a repetition if so.
+    """
+
+    scenes: tuple[Scene, ...]
+    data: xr.Dataset
+    outcomes: tuple[Outcome, ...]
+
+    def __len__(self) -> int:
+        return len(self.scenes)
+
+    def trajectory(self, member: int) -> Run:
+        """Run one member again by `simulate`: whole shapes, every check, effects as its own scene asks for them.
+
+        Parameters
+        ----------
+        member : int
+            Its row in the table, from 0.
+
+        Raises
+        ------
+        IndexError
+            If there is no such row.
+        """
+        return simulated(without_estimate(self.scenes[member]))
+
+
+def _dataset(
+    scene: Scene, rows: Sequence[Row], members: Sequence[Member], records: Sequence[Record], notes: dict[str, str]
+) -> xr.Dataset:
+    scenes, frames = [member.scene for member in members], scene.run.frames
+    variables = variables_of(table_of(records, _COLUMNS, {"time": frames}), _COLUMNS)
+    durations = np.array([one.run.duration for one in scenes])
+    share = np.linspace(0.0, 1.0, frames)
+    if np.all(durations == durations[0]):
+        time = ("time", share * durations[0], {"units": "s", "long_name": "time"})
+    else:
+        time = ("time", share, {"units": "1", "long_name": "time over the duration of the member"})
+        variables["duration"] = (("member",), durations, {"units": "s", "long_name": "duration of the run"})
+    return xr.Dataset(
+        variables,
+        coords={"member": np.arange(len(rows)), "time": time} | {key: _column(scenes, rows, key) for key in rows[0]},
+        attrs={"title": scene.title, "scene": scene.to_toml(), "versions": json.dumps(versions()), **notes},
+    )
+
+
+def _column(scenes: Sequence[Scene], rows: Sequence[Row], key: str) -> tuple[str, Any, dict[str, str]]:
+    """A column of the table: quantities in SI, other numbers as they are, the rest as text."""
+    kind = kind_of(scenes[0], rows[0], key)
+    if isinstance(kind, (Quantity, Number)):
+        table, _, name = key.partition(".")
+        values = [getattr(getattr(scene, table), name) for scene in scenes]
+        unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else "1"
+        return "member", np.array([np.nan if value is None else value for value in values], float), {"units": unit}
+    given = [row[key] for row in rows]
+    if all(is_number(value) for value in given):
+        return "member", np.array(given), {"units": "1"} if is_group(key) else {}
+    return "member", np.array([str(value) for value in given]), {}
+
+
+Table = Mapping[str, Sequence[object] | npt.NDArray[Any]] | Sequence[Mapping[str, object]] | npt.NDArray[Any]
+
+
+def simulate_many(
+    scene: SceneLike,
+    parameters: Table,
+    *,
+    workers: int | None = None,
+    progress: MembersProgress | None = None,
+    effects: Choosing = "once",
+    estimate: bool = False,
+) -> Ensemble:
+    """Run a filament for every row of a table of parameters.
+
+    Members run through the compiled solver in threads; where there is none for a scene, one after the other. The middle
+    one of those with the same structure is run by :func:`simulate` before, or taken from the store, unless
+    ``numerics.estimate = false``: all of them have at least the cells, fibres and tolerance with which it ends.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        What the rows have in common.
+    parameters : mapping of str to sequence, sequence of mappings, or structured array
+        Columns by dotted keys, as :meth:`Scene.replace` takes them; a plain number is in the SI unit of its key, text
+        has a unit of its own: ``{"material.yield_stress": [4e3, "5 kPa"], "filament.span": [0.2, 0.3]}``. The groups
+        ``groups.delta``, ``G``, ``V``, ``B``, ``E_star``, ``eps_Y`` and ``tau`` set the thickness and the constants of
+        the law, Young's modulus and times stay unless they are columns themselves [Kamrin & Mahadevan 2012, 3.9, 3.10].
+    workers : int, optional
+        Threads; by default as many as there are cores.
+    progress : MembersProgress, optional
+        Updated with members done and time left, such as :class:`softcat_sym.progress.MembersBar`.
+    effects : {"once", "each"}
+        Whether effects are chosen for the scene and hold for all rows (anew only where rows change a choice, such as
+        the law or an end, or whether a number is zero), or for each row by itself. Either way no run is repeated with
+        more effects.
+    estimate : bool
+        Run each by :func:`simulate`, its own error estimated: several times as long.
+
+    Returns
+    -------
+    Ensemble
+        ``.data`` is an :class:`xarray.Dataset`; a member that fails is a row like the others, with its outcome.
+
+    Raises
+    ------
+    SceneError
+        If the table, or the scene of any row, makes no sense: every fault with its rows, before anything runs.
+    KeyboardInterrupt
+        If the user stops it: all threads have ended then.
+    """
+    if effects not in ("once", "each"):
+        raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
+    scene = as_scene(scene)
+    threads, rows = worker_count(workers), rows_of(parameters)
+    with watched():
+        return _simulated(scene, rows, threads, progress, effects, estimate=estimate)
+
+
+def _simulated(
+    scene: Scene,
+    rows: list[Row],
+    workers: int,
+    progress: MembersProgress | None,
+    choosing: Choosing,
+    *,
+    estimate: bool,
+) -> Ensemble:
+    begun = time.perf_counter()
+    members, references = members_of(scene, rows, choosing), list[ReferenceMember]()
+    if not estimate:
+        members, references = refined_by_references(members, rows)
+    # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
+    parallel = all(member.parallel for member in members)
+    threads = workers if parallel else 1
+    with Where(threads).pool(len(members) if parallel else 0) as pool:
+        work = _estimated if estimate else partial(_integrated, structures=StructureCache(), stop=pool.stop)
+        records = dict(counted(pool.map_members(work, members), len(members), 0, progress))
+    notes = {
+        "effects_chosen": choosing,
+        "effects": json.dumps(members[0].effects.reasons),
+        "backend": "; ".join(sorted({str(member.backend) for member in members})),
+        "workers": str(threads),
+        "centres": json.dumps([one.to_dict() for one in references], default=str),
+        "wall_s": f"{time.perf_counter() - begun:.6g}",
+    }
+    ordered: list[Any] = [records[number] for number in range(len(members))]
+    outcomes = tuple(Outcome[record["outcome"]] for record in ordered)
+    return Ensemble(tuple(member.scene for member in members), _dataset(scene, rows, members, ordered, notes), outcomes)

@@ -1,0 +1,484 @@
+"""The plan of a sweep: varied keys, as axes or as the rows of a CSV file, and the members in order.
+
+A range of a key is a text, ``filament.span=5:50 mm:10:log``: what a sweep varies, and between what a slider goes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import tomllib
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Final, Literal, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.batch.members import Row, is_group, is_number, kind_of
+from softcat_sym.batch.reference_member import ReferenceMember
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
+from softcat_sym.scene.keys import scene_keys
+from softcat_sym.scene.laws import OF_THE_INDEX
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.toml import read_overrides
+from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
+from softcat_sym.simulate import identity_of
+from softcat_sym.store import key_of
+
+Value = object
+Mode = Literal["grid", "zip", "lhs", "table"]
+MODES: Final = ("grid", "zip", "lhs")
+MAX_MEMBERS: Final = 10_000_000
+
+_FORM = (
+    "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
+)
+_FAULTS_LISTED, _VALUES_LISTED = 10, 200
+_BLOCK, _BLOCKS, _SLOW_BLOCK = (10, 500), 200, 4
+"""Range of the members of a block, target number of blocks, and members of a block where each takes seconds: small
+blocks lose less in an interruption, large ones need fewer files."""
+
+SOURCE = "of a sweep"
+SPACED = "two ends and at least 2 values, a:b:n or a:b:n:log; positive ends for log"
+_UNIT = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$")
+
+
+@dataclass(frozen=True)
+class SweepAxis:
+    """One key and its values."""
+
+    key: str  # Dotted path in the scene
+    values: tuple[Value, ...]  # In the order given; plain numbers are in SI
+    scale: str = "lin"  # ``"log"`` where values are spaced evenly in their logarithm, otherwise ``"lin"``
+    ends: tuple[float, float] | None = None  # Of a range, in SI: what a Latin hypercube draws between. None for a list
+
+    def at(self, share: float) -> Value:
+        """The value at a share of the way, 0 to 1: between the ends of a range, or one of a list."""
+        if self.ends is None:
+            return self.values[min(int(share * len(self.values)), len(self.values) - 1)]
+        low, high = self.ends
+        value = low * (high / low) ** share if self.scale == "log" else low + share * (high - low)
+        return round(value) if isinstance(self.values[0], int) else value
+
+
+def read_range(scene: Scene, key: str, text: str, *, drawn: bool, accepted: str = SPACED) -> SweepAxis:
+    """Read a range; one that is drawn from need not say how many values it has."""
+    parts = [part.strip().strip("\"'").strip() for part in text.split(":")]
+    scale = parts.pop() if parts[-1] == "log" else "lin"
+    if drawn and len(parts) == 2:
+        parts.append("2")  # how many does not matter
+    if len(parts) != 3 or not re.fullmatch(r"\d{1,8}", parts[2]) or not 2 <= int(parts[2]) <= MAX_MEMBERS:
+        raise _refusal(key, f"{shown(text)} is no range", accepted)
+    count = int(parts[2])
+    low, high = _ends(scene, key, parts[:2], accepted)
+    if scale == "log" and not (low > 0 and high > 0):
+        raise _refusal(key, f"{shown(text)} is logarithmic, and not positive", accepted)
+    if low == high:
+        raise _refusal(key, f"both ends of {shown(text)} are the same", accepted)
+    spaced = np.geomspace(low, high, count) if scale == "log" else np.linspace(low, high, count)
+    # Twelve digits: what rounding adds would end up in tables.
+    values: list[Value] = [float(f"{value:.12g}") for value in spaced]
+    if isinstance(kind_of(scene, {}, key), Whole):
+        values = [round(float(value)) for value in spaced]
+        if low != round(low) or high != round(high) or (len(set(values)) < count and not drawn):
+            raise _refusal(key, f"{shown(text)} does not give {count} whole numbers", "whole ends, and fewer values")
+    return SweepAxis(key, tuple(values), scale, (low, high))
+
+
+def _ends(scene: Scene, key: str, ends: Sequence[str], accepted: str) -> list[float]:
+    """The two ends of a range as numbers, quantities in SI; the first may have the unit of the second."""
+    kind = kind_of(scene, {}, key)
+    if not isinstance(kind, Quantity):
+        try:
+            numbers = [float(end) for end in ends]
+        except ValueError:
+            name = key if is_group(key) or kind is None else f"{key}, which is {kind.accepted}"
+            raise _refusal(key, f"{shown(':'.join(ends))} are no plain numbers", f"plain numbers for {name}") from None
+        if not all(map(math.isfinite, numbers)):
+            raise _refusal(key, f"{shown(':'.join(ends))} is not finite", accepted)
+        return numbers
+    texts = [end if unit_of(end) else f"{end} {unit_of(ends[1])}".strip() for end in ends]
+    try:
+        return [kind.measured(text) for text in texts]
+    except NotAQuantity as error:
+        raise _refusal(key, str(error), kind.accepted) from None
+
+
+def unit_of(text: str) -> str:
+    """The unit at the end of a quantity as text; empty without one."""
+    match = _UNIT.match(text)
+    return match[2] if match else ""
+
+
+def _refusal(key: str, found: str, accepted: str) -> SceneError:
+    """The error of one key that cannot be varied so."""
+    return SceneError([Fault(key, found, accepted)], SOURCE)
+
+
+@dataclass(frozen=True)
+class VariedColumn:
+    """How the values of a key are stored."""
+
+    key: str
+    units: str  # ``"1"`` for pure numbers; empty for text
+    scale: str  # ``"lin"`` or ``"log"``
+    kind: Quantity | None  # Quantity as which text with a unit is read; None if any unit is accepted
+    is_text: bool  # Whether values are not numbers
+
+    @property
+    def attrs(self) -> dict[str, Any]:
+        """Attributes of the variable in the file."""
+        return {"varied": 1, "scale": self.scale} | ({"units": self.units} if self.units else {})
+
+    def array(self, values: Sequence[Value]) -> npt.NDArray[Any]:
+        """Values as text, or as numbers in SI; NaN for a value that cannot be read."""
+        if self.is_text:
+            return np.array(list(map(str, values)))
+        return np.array([self._number(value) for value in values], dtype=float)
+
+    def _number(self, value: Value) -> float:
+        if is_number(value):
+            return float(value)
+        try:
+            return self.kind.measured(value) if self.kind else to_si_of_any(value)[0]
+        except NotAQuantity:
+            return math.nan
+
+
+@dataclass(frozen=True)
+class SweepPlan:
+    """The members of a sweep."""
+
+    scene: Scene  # The common part of the members
+    axes: tuple[SweepAxis, ...]  # The varied keys
+    # ``"grid"``: every combination, the last axis fastest; ``"zip"`` and ``"table"``: values side by side; ``"lhs"``:
+    # a Latin hypercube (McKay, Beckman and Conover 1979).
+    mode: Mode = "grid"
+    samples: int = 0  # Number of samples of the hypercube
+    seed: int = 0
+    shapes: bool = False  # Whether shapes are stored
+    # Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
+    estimate: bool = False
+
+    @cached_property
+    def members(self) -> int:
+        """Number of members."""
+        if self.mode == "grid":
+            return math.prod(len(axis.values) for axis in self.axes)
+        return self.samples if self.mode == "lhs" else len(self.axes[0].values)
+
+    @property
+    def block_size(self) -> int:
+        """Number of members that are stored together."""
+        return _SLOW_BLOCK if self.estimate else int(np.clip(math.ceil(self.members / _BLOCKS), *_BLOCK))
+
+    def rows(self, start: int, count: int) -> list[Row]:
+        """The rows of some members: raw values by key."""
+        return [self.row(member) for member in range(start, min(start + count, self.members))]
+
+    def row(self, member: int) -> Row:
+        """Values of the varied keys for a member."""
+        if self.mode == "grid":
+            places = np.unravel_index(member, [len(axis.values) for axis in self.axes])
+            return {axis.key: axis.values[int(place)] for axis, place in zip(self.axes, places, strict=True)}
+        if self.mode == "lhs":
+            shares = zip(self.axes, self._shares[member], strict=True)
+            return {axis.key: axis.at(float(share)) for axis, share in shares}
+        return {axis.key: axis.values[member] for axis in self.axes}
+
+    @cached_property
+    def _shares(self) -> npt.NDArray[np.float64]:
+        """Positions of the samples, shape (samples, axes): one in each of `samples` equal parts of every axis."""
+        random = np.random.default_rng(self.seed)
+        parts = np.stack([random.permutation(self.samples) for _ in self.axes], axis=1)
+        return np.asarray((parts + random.random(parts.shape)) / self.samples)
+
+    @cached_property
+    def columns(self) -> tuple[VariedColumn, ...]:
+        """How the values of each axis are stored."""
+        return tuple(_column(self.scene, axis) for axis in self.axes)
+
+    def varied_values(self, rows: Sequence[Row]) -> dict[str, npt.NDArray[Any]]:
+        """Values of the axes in some rows."""
+        return {column.key: column.array([row[column.key] for row in rows]) for column in self.columns}
+
+    def unknown_keys(self) -> Iterator[tuple[str, Value]]:
+        """Keys that no scene file has, each with a value."""
+        known = [key.path for key in scene_keys()]
+        for axis in self.axes:
+            nested = axis.key in known or any(axis.key.startswith(f"{key}.") for key in known)
+            if not nested and not is_group(axis.key):
+                yield axis.key, axis.values[0]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The plan for records; a long list of values is replaced by its length."""
+        axes = [asdict(axis) for axis in self.axes]
+        for axis in axes:
+            axis["values"] = len(axis["values"]) if len(axis["values"]) > _VALUES_LISTED else list(axis["values"])
+        record: dict[str, Any] = {"mode": self.mode, "members": self.members, "axes": axes}
+        if self.mode == "lhs":
+            record |= {"samples": self.samples, "seed": self.seed}
+        return record | {"block": self.block_size, "shapes": self.shapes, "estimate": self.estimate}
+
+    @cached_property
+    def digest(self) -> str:
+        """Hash of everything on which the results depend."""
+        how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
+        return key_of("plan of a sweep", self._identity, self.axes, how)
+
+    @cached_property
+    def _identity(self) -> tuple[str, list[str], list[str]]:
+        return identity_of(self.scene)
+
+    @property
+    def middle(self) -> Row:
+        """Values of the varied keys for the member in the middle of the ranges."""
+        if self.mode == "grid":
+            return {axis.key: axis.values[len(axis.values) // 2] for axis in self.axes}
+        return {axis.key: axis.at(0.5) for axis in self.axes} if self.mode == "lhs" else self.row(self.members // 2)
+
+    def key(self, rows: Sequence[Row], reference: ReferenceMember) -> str:
+        """Key of the results of some rows whose members share the resolution of the reference."""
+        how = [self.shapes, self.estimate, reference.cells, reference.fibres, reference.tighter]
+        return key_of("sweep", self._identity, rows, how)
+
+
+def plan_sweep(
+    scene: Scene,
+    vary: Mapping[str, Sequence[object] | str] | Sequence[str] | Path,
+    mode: str = "grid",
+    *,
+    samples: int | None = None,
+    seed: int = 0,
+    shapes: bool = False,
+    estimate: bool = False,
+) -> SweepPlan:
+    """Make the plan of a sweep from its arguments."""
+    if mode not in MODES:
+        raise SoftcatError(f"no mode {mode!r} of a sweep; accepted: {', '.join(MODES)}")
+    _check_samples(mode, samples, seed)
+    if isinstance(vary, Path):
+        if mode != "grid":
+            raise SoftcatError(f"a table lists its members in rows: it has no mode {mode!r}")
+        mode, axes = "table", _table_axes(scene, vary)
+    else:
+        axes = read_axes(scene, vary, drawn=mode == "lhs")
+        _check_axes(axes, mode)
+    _check_units(scene, axes)
+    if "run.frames" in {axis.key for axis in axes}:
+        raise SceneError([Fault("run.frames", "varied, but members share their frames", "--set run.frames=...")], "")
+    plan = SweepPlan(scene, axes, cast(Mode, mode), samples or 0, seed, shapes, estimate)
+    if plan.members > MAX_MEMBERS:
+        raise SoftcatError(f"a sweep of {plan.members} members; accepted: up to {MAX_MEMBERS}")
+    return plan
+
+
+def _check_samples(mode: str, samples: int | None, seed: int) -> None:
+    if mode == "lhs":
+        if type(samples) is not int or not 2 <= samples <= MAX_MEMBERS:
+            raise SoftcatError(
+                f"samples = {samples!r}: a Latin hypercube needs a number of samples, 2 to {MAX_MEMBERS}"
+            )
+        if type(seed) is not int or seed < 0:
+            raise SoftcatError(f"seed = {seed!r}: accepted: a whole number, 0 or more")
+    elif samples is not None:
+        raise SoftcatError(f"samples are for a Latin hypercube (mode lhs), not for mode {mode}")
+
+
+def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
+    """Refuse zipped axes of unequal lengths, and values of a grid that are named twice, as members would run twice."""
+    lengths = {axis.key: len(axis.values) for axis in axes}
+    if mode == "zip" and len(set(lengths.values())) > 1:
+        found = ", ".join(f"{key} has {count}" for key, count in lengths.items())
+        raise SoftcatError(f"axes of unequal lengths cannot be zipped: {found}; give each as many values, or take grid")
+    for axis in axes if mode == "grid" else ():
+        text, times = Counter(json.dumps(value, default=str) for value in axis.values).most_common(1)[0]
+        if times > 1:
+            raise _refusal(axis.key, f"{text} is named twice", "different values")
+
+
+def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
+    """Refuse text that is not the needed quantity; a value out of range, in contrast, is a refused member."""
+    if {"material.index", "material.law"} & {axis.key for axis in axes}:
+        axes = [axis for axis in axes if axis.key.rpartition(".")[2] not in OF_THE_INDEX]
+    faults = []
+    for axis in axes:
+        kind = kind_of(scene, {}, axis.key)
+        for value in axis.values if isinstance(kind, Quantity) else ():
+            try:
+                if not is_number(value) and isinstance(kind, Quantity):
+                    kind.measured(value)
+            except NotAQuantity as error:
+                faults.append(Fault(axis.key, str(error), kind.accepted if kind is not None else ""))
+    if faults:
+        raise SceneError(list(dict.fromkeys(faults))[:_FAULTS_LISTED], SOURCE)
+
+
+def read_axes(
+    scene: Scene, vary: Mapping[str, Sequence[Value] | str] | Sequence[str], *, drawn: bool = False
+) -> tuple[SweepAxis, ...]:
+    """Read the varied keys with their values."""
+    texts = [vary] if isinstance(vary, str) else vary
+    faults: list[Fault] = []
+    axes: dict[str, SweepAxis] = {}
+    pairs = texts.items() if isinstance(texts, Mapping) else [(text, None) for text in texts]
+    for key, values in pairs:
+        try:
+            key, values = (str(key), values) if values is not None else _split(key)
+            if key in axes:
+                raise _refusal(key, "varied twice", "each key once")
+            axes[key] = _axis(scene, key, values, drawn)
+        except SceneError as error:
+            faults += error.faults
+    if not pairs:
+        faults.append(Fault("", "nothing is varied", _FORM))
+    if faults:
+        raise SceneError(faults, SOURCE)
+    return tuple(axes.values())
+
+
+def _split(text: object) -> tuple[str, str]:
+    key, equals, values = (part.strip() for part in str(text).partition("="))
+    if not isinstance(text, str) or not key or not equals or not values:
+        raise _refusal("--vary", f"{shown(text)} varies nothing", _FORM)
+    return key, values
+
+
+def _axis(scene: Scene, key: str, values: Sequence[Value] | str, drawn: bool) -> SweepAxis:
+    if isinstance(values, str):
+        if values.count(":") >= (1 if drawn else 2):
+            return read_range(scene, key, values, drawn=drawn)
+        if ":" in values and not values.lstrip().startswith(("[", "{", '"')):
+            raise _refusal(key, f"{shown(values)} is no range", SPACED)
+        listed = _list(scene, key, values)
+    elif not hasattr(values, "__len__"):
+        raise _refusal(key, f"{shown(values)} is no sequence of values", _FORM)
+    else:
+        listed = [value.item() if isinstance(value, np.generic) else value for value in values]
+    if not listed:
+        raise _refusal(key, "no value", _FORM)
+    for value in listed:
+        if is_number(value) and not math.isfinite(float(value)):
+            raise _refusal(key, f"{value} is not finite", "finite numbers")
+    return SweepAxis(key, tuple(listed))
+
+
+def _list(scene: Scene, key: str, text: str) -> list[Value]:
+    """Values between commas, read as TOML if possible; plain numbers take the unit of the last value."""
+    try:
+        values: list[Value] = tomllib.loads(f"values = [{text}]")["values"]
+    except (ValueError, RecursionError):
+        parts = [part.strip() for part in text.split(",")]
+        if not all(parts):
+            raise _refusal(key, f"{shown(text)} has an empty value", _FORM) from None
+        overrides, faults = read_overrides([f"{key}={part}" for part in parts])
+        if faults:
+            raise SceneError(faults) from None
+        values = [override.value for override in overrides]
+    kind = kind_of(scene, {}, key)
+    if not isinstance(kind, Quantity):
+        return values
+    unit = unit_of(str(values[-1])) if values else ""
+    if not unit and any(is_number(value) for value in values):
+        raise _refusal(key, f"{shown(text)} has no unit", kind.accepted)
+    return [f"{value!r} {unit}" if is_number(value) else value for value in values]
+
+
+_KIND = "table of a sweep"
+_CSV_FORM = "a header of dotted keys, groups.G,material.yield_stress [kPa], and a row of values for each member"
+_HEADER = re.compile(r"([A-Za-z_][\w-]*(?:\.[A-Za-z_][\w-]*)*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?")
+
+
+def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
+    """Read the members of a sweep from the rows of a CSV file."""
+    lines = [(number, cells_of(line)) for number, line in data_lines(text_of(path, _KIND, _CSV_FORM))]
+    if len(lines) < 2:
+        raise refusal(_KIND, path, [Fault("", "no rows below the header" if lines else "empty", _CSV_FORM)])
+    header = _header(path, *lines[0])
+    faults: list[Fault] = []
+    rows: list[list[Value]] = []
+    for number, cells in lines[1:]:
+        if len(cells) != len(header):
+            found = f"{len(cells)} values, but the header has {len(header)} keys"
+            faults.append(Fault(f"line {number}", found, "a value for each key"))
+            continue
+        row = [_cell(scene, key, unit, cell) for (key, unit), cell in zip(header, cells, strict=True)]
+        wrong = [(key, value) for (key, _), value in zip(header, row, strict=True) if isinstance(value, Fault)]
+        faults += [Fault(f"line {number}, {key}", fault.found, fault.accepted) for key, fault in wrong]
+        rows.append(row)
+    if faults:
+        raise refusal(_KIND, path, faults)
+    return tuple(SweepAxis(key, tuple(row[k] for row in rows)) for k, (key, _) in enumerate(header))
+
+
+def _header(file: Path, number: int, cells: Sequence[str]) -> list[tuple[str, str]]:
+    """Keys and units."""
+    header: dict[str, str] = {}
+    faults: list[Fault] = []
+    for cell in cells:
+        match = _HEADER.fullmatch(cell)
+        if match is None or ("." not in match[1] and match[1] != "model"):
+            faults.append(Fault(f"line {number}", f"{shown(cell)} is no dotted key", _CSV_FORM))
+            continue
+        key, unit = match[1], match[2] or ""
+        if key in header:
+            faults.append(Fault(f"line {number}", f"{key} stands there twice", "each key once"))
+        if unit not in ("", "1") and not _is_quantity(f"1 {unit}"):
+            faults.append(Fault(f"line {number}, {key}", f"unknown unit {shown(unit)}", "a unit, such as [mm]"))
+        header[key] = unit
+    if faults:
+        raise refusal(_KIND, file, faults)
+    return list(header.items())
+
+
+def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
+    """Value of a cell, or its fault."""
+    if not cell:
+        return Fault(key, "an empty cell", "a value")
+    number = number_in(cell)
+    if number is None:
+        overrides, faults = read_overrides([f"{key}={cell}"])
+        return faults[0] if faults else overrides[0].value
+    if not math.isfinite(number):
+        return Fault(key, f"{shown(cell)} is not finite", "a finite number")
+    if unit and unit != "1":
+        return f"{cell} {unit}"
+    kind = kind_of(scene, {}, key)
+    if not unit and isinstance(kind, Quantity):
+        return Fault(key, f"{shown(cell)} has no unit", f"a unit, or in the header: {key} [{kind.example.split()[-1]}]")
+    return int(cell) if re.fullmatch(r"[+-]?\d+", cell) else number
+
+
+def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
+    kind = kind_of(scene, {}, axis.key)
+    quantity = kind if isinstance(kind, Quantity) else None
+    if quantity is not None:
+        units = quantity.unit or SI_UNITS[quantity.dimension]
+    elif isinstance(kind, (Number, Whole)) or is_group(axis.key) or all(map(is_number, axis.values)):
+        units = "1"
+    elif all(map(_is_quantity, axis.values)):
+        units = si_unit(to_si_of_any(axis.values[0])[1]) or "1"
+    else:
+        return VariedColumn(axis.key, "", "lin", None, True)
+    column = VariedColumn(axis.key, units, axis.scale, quantity, False)
+    if axis.ends is None:
+        # Listed positive values over more than a decade have a logarithmic axis.
+        values = column.array(axis.values)
+        values = values[np.isfinite(values)]
+        if len(values) > 2 and np.min(values) > 0 and np.max(values) / np.min(values) > 10:
+            return VariedColumn(axis.key, units, "log", quantity, False)
+    return column
+
+
+def _is_quantity(value: Value) -> bool:
+    try:
+        to_si_of_any(value)
+    except NotAQuantity:
+        return False
+    return True

@@ -1,0 +1,268 @@
+"""What effects are worth: changes against closed forms and other laws, what goes along, ``softcat effects``."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+import softcat_sym as sc
+from softcat_sym import drawing
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.errors import SceneError
+from softcat_sym.plotting.pricing import pricing_table
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.studies.effect_importance import (
+    EVERYTHING,
+    Pricing,
+    PricingRow,
+    dependants,
+    everything,
+    price_effects,
+    requirements,
+    with_effects,
+)
+from tests.common.closed_forms import von_karman_sag
+from tests.common.in_process import Softcat, sets
+from tests.common.scenes import scene_of
+
+QUICK = ["run.frames=11", "numerics.cells=4"]
+NAMES = [effect.name for effect in REGISTRY]
+
+
+def rows_of(pricing: Pricing) -> dict[str, PricingRow]:
+    return {row.effect: row for row in pricing.rows}
+
+
+@pytest.fixture(scope="module")
+def yielding() -> Pricing:
+    """The published theory, a while into its flow."""
+    scene = sc.load_scene("arrested-overdamped", [*QUICK, "groups.duration=40", "run.effects=paper"])
+    return price_effects(scene, only=("inertia", "bending", "viscous-flow", "yielding", "shear"))
+
+
+@pytest.fixture(scope="module")
+def honey() -> Pricing:
+    scene, only = sc.load_scene("cold-honey", [*QUICK, "run.duration=0.05 s"]), ("inertia", "finite-stretch", "shear")
+    return price_effects(scene, name="cold-honey", only=(*only, "rotary-inertia", "yielding"))
+
+
+def test_without_bending_the_beam_is_the_string_and_without_stretching_the_linear_beam() -> None:
+    run = {"effects": ["bending", "extensibility"], "frames": 3, "duration": "0.01 s"}
+    scene = scene_of("elastic", "0 s", run=run, numerics={"cells": 20})
+    beam = price_effects(scene, only=("bending", "extensibility"))
+    filament, modulus = scene.filament, scene.material.youngs_modulus or 0.0
+    weight, inertia = filament.density * scene.load.gravity, filament.thickness**2 / 12
+    both = von_karman_sag(modulus, inertia, weight, filament.span)
+    assert beam.scale == pytest.approx(both, rel=0.01)
+    string = (3 * weight * filament.span**4 / (64 * modulus)) ** (1 / 3)
+    linear = weight * filament.span**4 / (384 * modulus * inertia)
+    for name, sag in (("bending", string), ("extensibility", linear)):
+        row = rows_of(beam)[name]
+        assert row.variant is not None and row.variant.outcome is Outcome.solved
+        # Heights are negative: what sags less lies above.
+        assert row.change_final == pytest.approx((both - sag) / both, abs=0.02)
+        assert row.change == pytest.approx(abs(row.change_final or 0), rel=1e-9)
+        assert row.change > 0.05
+
+
+@pytest.mark.slow
+def test_a_law_that_lost_an_effect_is_the_simpler_law(yielding: Pricing) -> None:
+    for effect, law, without in (
+        ("yielding", "maxwell", ("yield_stress",)),
+        ("viscous-flow", "elastic", ("yield_stress", "viscosity")),
+    ):
+        row = rows_of(yielding)[effect]
+        names = [name for name in yielding.base.effects if name not in (effect, *row.also)]
+        changes: dict[str, object] = {"material.law": law, "run.effects": names, "numerics.grading": yielding.grading}
+        run = sc.simulate(yielding.scene.replace(changes | {f"material.{key}": None for key in without}))
+        apart = run.data.midpoint.values - yielding.base.midpoint
+        # The simpler law may call for another integrator: they agree as closely as the time error allows.
+        assert row.change == pytest.approx(np.abs(apart).max() / yielding.scale, rel=1e-2), law
+        assert row.change_final == pytest.approx(apart[-1] / yielding.scale, rel=1e-2), law
+
+
+def test_what_needs_an_effect_leaves_with_it_and_what_it_needs_comes_along() -> None:
+    liquid = scene_of("maxwell")
+    for effect in REGISTRY:
+        gone = {effect.name, *dependants(effect.name, NAMES)}
+        assert all(not gone & set(other.needs) for other in REGISTRY if other.name not in gone)
+        had = {effect.name, *requirements(effect.name, (), liquid)}
+        assert all(set(other.needs) <= had for other in REGISTRY if other.name in had)
+    assert {"shear", "fibres"} <= set(dependants("bending", NAMES))
+    assert dependants("bending", ("inertia", "bending")) == ()
+    assert "viscous-flow" in requirements("yielding", (), liquid)
+    assert requirements("shear", NAMES, liquid) == ()
+    # Fibres do not come back through the numerics.
+    for numerics in ({"order": 2}, {"fibres": 6}):
+        bare = with_effects(scene_of(numerics=numerics), ("inertia", "bending", "extensibility"))
+        assert bare.numerics.order is None and bare.numerics.fibres is None
+
+
+def test_flow_put_in_brings_the_yield_stress() -> None:
+    """A filament no fibre of which yields is elastic, with flow and yield stress in it too."""
+    changes = [*QUICK, "groups.duration=20", 'run.effects=["inertia", "bending", "gravity-ramp"]']
+    row = rows_of(price_effects(sc.load_scene("no-yield", changes), only=["viscous-flow"]))["viscous-flow"]
+    assert row.also == ("yielding",) and row.reference is not None
+    assert row.share is not None and row.share < 1e-4
+    assert row.to_dict()["states_ratio"] > 1
+
+
+@pytest.mark.slow
+def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
+    found, cells, base = rows_of(yielding), yielding.cells, yielding.base
+    assert cells == 4
+    # Half a span: a height a cell, a place a node that is free, each with its velocity; a_0 on cells and a_1 on nodes.
+    positions = 2 * cells - 1
+    assert (base.states, base.algebraic) == (2 * positions + cells + cells + 1, 0)
+    still, shear, bending = (found[name].variant for name in ("inertia", "shear", "bending"))
+    assert still is not None and shear is not None and bending is not None
+    assert (still.algebraic, still.states) == (positions, 2 * cells + 1)
+    assert found["shear"].reference is base and found["shear"].to_dict()["states_ratio"] > 1
+    assert found["shear"].to_dict()["time_ratio"] == shear.solve / base.solve
+    assert found["bending"].to_dict()["instructions_ratio"] == base.instructions / bending.instructions > 1
+    assert found["bending"].to_dict()["time_ratio"] == base.solve / bending.solve
+
+
+@pytest.mark.slow
+def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
+    row = rows_of(honey)["finite-stretch"]
+    assert "shear" in row.also and row.variant is not None and row.reference is not None
+    assert set(row.reference.effects) - set(row.variant.effects) == {"finite-stretch"}
+    own = np.abs(row.variant.midpoint - row.reference.midpoint).max() / honey.scale
+    assert row.own_change == pytest.approx(own, rel=1e-12)
+    assert row.share == min(row.change or 0, own)
+    possible = {effect.name for effect in REGISTRY if effect.applies(honey.scene)}
+    assert set(everything(honey.scene, ())) == possible - {"rotary-inertia"}
+    assert "rotary-inertia" in everything(honey.scene, ("rotary-inertia",))
+
+
+def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
+    scene = scene_of("elastic", run={"effects": ["inertia", "bending"]}, numerics={"cells": 4, "solver": "cvodes"})
+    row = rows_of(price_effects(scene, only=["inertia"]))["inertia"]
+    assert row.variant is None and row.change is None and row.reference is None and "cvodes" in row.reason
+    # Without bending or inertia a straight string has no equilibrium: its only frame is the start.
+    scene = honey.scene.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
+    row = rows_of(price_effects(scene, only=["bending"]))["bending"]
+    assert row.fails and row.variant is not None and len(row.variant.time) == 1
+    assert row.change is None and row.share is None and row.change_final is None
+    with pytest.raises(SceneError, match="no effect 'inertai' to price"):
+        price_effects(honey.scene, only=["inertai"])
+
+
+@pytest.fixture(scope="module")
+def altered(honey: Pricing) -> Pricing:
+    """One effect that fails, one without a difference, one that is missed, one that cannot be had."""
+    found, base = rows_of(honey), honey.base
+    shear = found["shear"]
+    assert shear.variant is not None
+    failed = replace(shear, variant=replace(shear.variant, outcome=Outcome.step_limit))
+    same = replace(found["inertia"], variant=base, reference=base, change=0.0)
+    moved = replace(base, midpoint=base.midpoint + 0.25 * honey.scale, solve=2 * base.solve)
+    missed = replace(found["rotary-inertia"], in_force=False, variant=moved, reference=base, change=0.25)
+    return replace(honey, rows=(same, failed, missed, found["yielding"]))
+
+
+def test_tables_hold_the_numbers(altered: Pricing) -> None:
+    runs = rows_of(altered)["rotary-inertia"].variant, altered.base
+    sag, without = (f"{-1e3 * run.midpoint[-1]:.3g} mm" for run in runs if run is not None)
+    expected = f"left out: rotary-inertia (sag {sag}; without it {without})"
+    assert altered.reading == f"beyond the accuracy asked, in force: none; {expected}"
+    rows = list(csv.DictReader(io.StringIO(altered.to_frame().to_csv(index=False))))
+    assert [row["effect"] for row in rows] == [*(row.effect for row in altered.rows), EVERYTHING]
+    assert float(rows[2]["change"]) == 0.25 and rows[1]["outcome"] == "step_limit" and rows[1]["own_change"] == ""
+    lines = pricing_table({"honey": altered, "broken": "no | such law"}).splitlines()
+    assert len(lines) == 4 and all(line.count("|") == lines[0].count("|") for line in lines)
+    screen = Console(file=io.StringIO(), width=80, color_system=None)
+    drawing.report(altered).print(screen)
+    written = screen.file.getvalue()  # type: ignore[attr-defined]
+    assert "…" not in written and "25 %" in written and "step_limit" in written and "cannot be had" in written
+
+
+FILES = {"effects.json", "effects.csv", "effects.png", "scene.toml"}
+SHORT = ("numerics.cells=4", "run.frames=4", "run.duration=0.02 s")
+BASE = ("inertia", "bending", "viscous-stress")
+BARE = (*SHORT, f"run.effects={json.dumps(BASE)}")
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    monkeypatch.setenv("COLUMNS", "160")
+    return Softcat(monkeypatch, capsys)
+
+
+@pytest.mark.slow
+def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
+    output = tmp_path / "deep" / "out"
+    done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
+    assert (done.status, done.err) == (0, "")
+    assert {path.name for path in output.iterdir()} == FILES
+    assert all(name in done.out for name in (*NAMES, EVERYTHING))
+    found = json.loads((output / "effects.json").read_text())
+    assert (found["scene"], found["cells"], found["base"]["effects"]) == ("cold-honey", 4, list(BASE))
+    assert [row["effect"] for row in found["effects"] if row["in_force"]] == list(BASE)
+    rows = [*found["effects"], found["everything"]]
+    assert all((row["run"] is None) == bool(row["reason"]) for row in rows)
+    table = list(csv.DictReader((output / "effects.csv").read_text().splitlines()))
+    assert [line["effect"] for line in table] == [*NAMES, EVERYTHING]
+    for line, row in zip(table, rows, strict=True):
+        for key in ("change", "own_change", "estimate", "time_ratio"):
+            assert (float(line[key]) if line[key] else None) == row[key]
+    # The changes are those of the runs themselves.
+    grid = (*SHORT, f"numerics.grading={found['grading']!r}")
+    base, still = (
+        sc.simulate(sc.load_scene("cold-honey", [*grid, f"run.effects={json.dumps(names)}"])).data.midpoint.values
+        for names in (BASE, BASE[1:])
+    )
+    assert found["base"]["midpoint_largest_m"] == pytest.approx(abs(base).max(), rel=1e-12)
+    assert rows[0]["change"] == pytest.approx(abs(still - base).max() / abs(base).max(), rel=1e-9)
+
+
+@pytest.mark.slow
+def test_a_base_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp_path: Path) -> None:
+    # Straight, without weight at first, and without inertia: a string that has no shape.
+    changes = ("load.ramp=0.01 s", 'run.effects=["extensibility", "viscous-stress"]')
+    done = softcat("effects", "cold-honey", "-q", "-o", str(tmp_path), *sets(*SHORT, *changes))
+    assert (done.status, done.out) == (1, "")
+    assert done.err.startswith("softcat: no_equilibrium")
+    assert {path.name for path in tmp_path.iterdir()} == FILES
+    assert json.loads((tmp_path / "effects.json").read_text())["base"]["outcome"] == "no_equilibrium"
+
+
+@pytest.mark.slow
+def test_all_bundled_scenes_in_one_table(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    names = ("cold-honey", "gelatin-strand")
+    monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: names)
+    assert softcat("effects", "--bundled", "-q", "-o", str(tmp_path), *sets(*BARE)).status == 0
+    files = {f"effects_{name}.{kind}" for name in names for kind in ("json", "png")}
+    assert {path.name for path in tmp_path.iterdir()} == {*files, "pricing.md"}
+    assert "not priced" not in (tmp_path / "pricing.md").read_text()
+
+
+BAD: list[tuple[tuple[str, ...], str]] = [
+    ((), "name one scene, or ask for --bundled"),
+    (("cold-honey", "--bundled"), "name one scene, or ask for --bundled"),
+    (("nowhere.toml",), "no such file"),
+    (("cold-honey", "--set", "nonsense"), "'nonsense' sets nothing"),
+    (("cold-honey", "--set", "numerics.cells=2.5"), "numerics.cells"),
+    (("ink-bridge", "--set", "model=small-deflection"), "material.law"),
+    *((("--bundled", "--set", change), change.split("=")[0]) for change in ("nonsense", "material.yeild_stress=3 Pa")),
+]
+
+
+def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path: Path) -> None:
+    for arguments, named in BAD:
+        done = softcat("effects", *arguments, "-o", str(tmp_path / "out"))
+        assert (done.status, done.out) == (2, ""), arguments
+        assert named in done.err, (arguments, done.err)
+        assert not (tmp_path / "out").exists(), arguments
+    (tmp_path / "taken").write_text("a file")
+    for scene in ("cold-honey", "--bundled"):
+        done = softcat("effects", scene, "-o", str(tmp_path / "taken" / "below"))
+        assert done.status == 2 and "is not a directory" in done.err
