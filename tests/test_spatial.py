@@ -29,7 +29,7 @@ from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.run import run_form
 from softcat_sym.results.sideways import _Cells, _Matrix, sideways
 from softcat_sym.scene.ends import CLAMPED
-from softcat_sym.scene.material import CONSTANTS
+from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from tests.common.assembled import assemble
 from tests.common.pairs import differences, pair_of
@@ -339,7 +339,7 @@ def test_a_strand_that_is_pressed_buckles_sideways_as_fast_as_its_law_lets_it() 
         return s**2 * 1000 * area + modulus(s) * area * 4e-3**2 / 16 * k**4 - force * k**2
 
     for law, modulus in moduli.items():
-        material = {"law": law, **{name: {"youngs_modulus": E, "viscosity": eta}[name] for name in CONSTANTS[law]}}
+        material = {"law": law, **{name: {"youngs_modulus": E, "viscosity": eta}[name] for name in LAWS[law].constants}}
         scene = sc.Scene.from_dict(
             {
                 "filament": {"span": length, "thickness": 4e-3, "section": "circle", "density": 1000.0},

@@ -136,7 +136,7 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
         (0.02, 0.02, {}, ("midpoint", "20.0 mm up ± 1.1 %, 10 % of the span")),
         (-0.05, 0.05, {"right": "free"}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
     ):
-        held = dataclasses.replace(scene, ends=dataclasses.replace(scene.ends, **ends))
+        held = dataclasses.replace(scene, ends=scene.ends.model_copy(update=ends))
         found = {"midpoint_final_m": final, "midpoint_largest_m": largest, "error_estimate": {"total": 0.0112}}
         assert row in answer_rows(summary | found, held)
     # The error of the theory stands beside that of the numbers; where the midpoint tells nothing, another node does.

@@ -30,13 +30,14 @@ from tests.common.strips import timoshenko_sag
 
 
 def test_values_as_a_list_and_as_a_range() -> None:
-    assert read_variation("groups.delta = 0.01, 0.02,0.01") == Variation("groups.delta", ("0.01", "0.02"))
-    assert read_variation("groups.V=2.6:260:3:log").texts == ("2.6", "26", "260")
-    assert read_variation("groups.G=1:2:5").texts == ("1", "1.25", "1.5", "1.75", "2")
+    scene = sc.load_scene("continual-descent")
+    assert read_variation(scene, "groups.delta = 0.01, 0.02,0.01") == Variation("groups.delta", ("0.01", "0.02"))
+    assert read_variation(scene, "groups.V=2.6:260:3:log").texts == ("2.6", "26", "260")
+    assert read_variation(scene, "groups.G=1:2:5").texts == ("1", "1.25", "1.5", "1.75", "2")
     nothing = ("", "groups.G", "groups.G=", "=1,2", "groups.G=1", "groups.G=1,1", "groups.G=1,,2", "groups.G=1:2")
     for text in (*nothing, "groups.G=1:2:1", "groups.G=0:2:4:log", "groups.G=a:2:4", "groups.G=1:2:4:lin"):
-        with pytest.raises(SceneError, match=r"--vary: .*accepted: one variable"):
-            read_variation(text)
+        with pytest.raises(SceneError, match="accepted: "):
+            read_variation(scene, text)
 
 
 def test_numbers_are_groups_or_si() -> None:

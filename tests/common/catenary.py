@@ -8,15 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
+from softcat_sym.scene.ends import Ends
+
 Fields = dict[str, np.ndarray]
-
-
-@dataclass(frozen=True)
-class Ends:
-    left: str = "pinned"
-    right: str = "pinned"
-    drop: float = 0.0
-    motion: tuple[tuple[float, float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -49,7 +43,7 @@ class Scene:
     filament: Filament = field(default_factory=Filament)
     material: Material = field(default_factory=Material)
     load: Load = field(default_factory=Load)
-    ends: Ends = field(default_factory=Ends)
+    ends: Ends = field(default_factory=lambda: Ends(left="pinned", right="pinned"))
     run: Run = field(default_factory=Run)
 
 
