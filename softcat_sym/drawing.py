@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import singledispatch
 from html import escape
 from importlib import import_module
@@ -34,12 +34,15 @@ class Report:
         Heading above them.
     stale : sequence of str
         Patterns of files that an earlier result may have left, to be removed where this one does not replace them.
+    pictures : mapping of str to Figure
+        Figures, by name, of those pictures that are among the files as bytes, since a page holds them too.
     """
 
     files: Mapping[str, object]
     texts: Sequence[RenderableType] = ()
     title: str = ""
     stale: Sequence[str] = ()
+    pictures: Mapping[str, Figure] = field(default_factory=dict)
 
     def write(self, directory: str | Path) -> list[Path]:
         """Write all files into a folder, which is made if missing; each file is replaced whole."""
@@ -65,7 +68,8 @@ class Report:
             for name, content in self.files.items()
             if name.endswith(".png")
         }
-        return {name: cast("Figure", figure) for name, figure in made.items() if hasattr(figure, "savefig")}
+        found = {name: cast("Figure", figure) for name, figure in made.items() if hasattr(figure, "savefig")}
+        return {**found, **self.pictures}
 
 
 @singledispatch

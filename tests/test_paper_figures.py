@@ -13,8 +13,7 @@ import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.plotting.compare import boundary
-from softcat_sym.plotting.paper_figures import DPI, printed, strip_at
-from softcat_sym.plotting.style import axes_in_inches, new_figure
+from softcat_sym.plotting.paper_figures import strip_at
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import run_elements
@@ -154,17 +153,6 @@ def test_stopping_depths() -> None:
     between, beyond = stopping_depth(1.4), stopping_depth(1.9)
     assert between["paper"] is not None and between["exact"] is None
     assert beyond == {"paper": None, "exact": None}
-
-
-def test_same_figure_same_bytes() -> None:
-    def drawn() -> dict[str, bytes]:
-        figure = new_figure(2.0, 1.0)
-        axes_in_inches(figure, 0.3, 0.3, 1.5, 0.6).plot([0, 1], [0, 1])
-        return printed("try", figure)
-
-    first = drawn()
-    assert first == drawn() and b"/CreationDate" not in first["try.pdf"]
-    assert int.from_bytes(first["try.png"][16:20], "big") == 2 * DPI >= 400
 
 
 def test_a_figure_that_there_is_none_of_is_refused_and_an_interruption_says_how_to_go_on(

@@ -296,8 +296,6 @@ def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene)
 
 def test_shapes_are_drawn_swollen(descent, summary, scene):
     """About the same centreline, by as much as is asked and said."""
-    run = sc.simulate(sc.load_scene("gelatin-strand", {"numerics.estimate": False, "numerics.cells": 8}))
-    assert shapes_figure(run.data, run.summary, run.scene, radius=2.0).axes, "in three dimensions"
     plain, swollen = (shapes_figure(descent, summary, scene, radius=radius) for radius in (1.0, 5.0))
     (thin, thick) = (np.array(figure.axes[-1].patches[0].get_xy()) for figure in (plain, swollen))
     middle = len(thin) // 4
@@ -401,6 +399,18 @@ def drawn_words(figure: Figure) -> Iterator[tuple[str, Bbox]]:
             yield text.get_text(), text.get_window_extent()
 
 
+def overlapping(shown: list[tuple[str, Bbox]]) -> list[tuple[str, str]]:
+    pairs = itertools.combinations(shown, 2)
+    return [(a, b) for (a, one), (b, two) in pairs if one.padded(-0.5).overlaps(two.padded(-0.5))]
+
+
+def test_low_shapes_side_by_side_have_numbers_apart(make_run, make_scene, summary):
+    run = make_run(make_scene(span=0.06, thickness=8e-3), 9e-3 * TIMES, TIMES, cells=60)
+    figure = shapes_figure(run, summary, make_scene(span=0.06, thickness=8e-3))
+    assert len({axes.get_position().y0 for axes in figure.axes}) == 1 < len(figure.axes)
+    assert overlapping(list(drawn_words(figure))) == []
+
+
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.slow
 def test_every_word_can_be_read(make_run, make_scene, summary, name):
@@ -416,9 +426,7 @@ def test_every_word_can_be_read(make_run, make_scene, summary, name):
             paper = figure.bbox.padded(1.0)
             beyond = [text for text, box in shown if not (paper.contains(*box.min) and paper.contains(*box.max))]
             assert beyond == [], (what, style)
-            pairs = itertools.combinations(shown, 2)
-            over = [(a, b) for (a, one), (b, two) in pairs if one.padded(-0.5).overlaps(two.padded(-0.5))]
-            assert over == [], (what, style)
+            assert overlapping(shown) == [], (what, style)
             assert not any(axis.get_offset_text().get_text() for axis in figure.findobj(Axis))
 
 

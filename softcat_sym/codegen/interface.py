@@ -220,10 +220,8 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
 
 
 _ANY = ("curvature", "twist", "drop", "left_angle", "right_angle", *TIP_FORCE, *TIP_TORQUE, *DIRECTION)
-_NOT_NEGATIVE = (
-    *("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS),
-    *("surface_tension", "bath_density", "bath_viscosity"),
-)
+_WEIGHT = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", TIP_MASS)
+_NOT_NEGATIVE = (*_WEIGHT, "surface_tension", "bath_density", "bath_viscosity")
 _BOUNDS = {"poisson": "poisson", **dict.fromkeys((*_ANY, *itertools.chain(*END_TURNS)), "any")}
 _BOUNDS |= dict.fromkeys(_NOT_NEGATIVE, "not-negative")
 

@@ -87,7 +87,7 @@ def _of_fit(fit: Fit, posterior: Posterior | None = None) -> list[RenderableType
 
 def fit_page(
     fit: Fit,
-    pictures: Mapping[str, tuple[str, Figure]],
+    pictures: Mapping[str, tuple[str, bytes]],
     command: str = "",
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
@@ -116,7 +116,7 @@ def fit_page(
         remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
         basis=[*([] if posterior is None else posterior_texts(posterior)), *basis(fit)],
         features=[(film.name, feature_texts(film)) for film in fit.films if film.of_midpoint.any()],
-        pictures=[(name, what, b64encode(png(one)).decode()) for name, (what, one) in pictures.items()],
+        pictures=[(name, what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
         command=command,
     )
 
@@ -141,6 +141,7 @@ def fit_report(
         drawn["posterior"] = ("draws of the posterior, best fit and intervals", posterior.plot(fit))
     if collapse is not None:
         drawn["collapse"] = ("the levelled contour and the fitted filaments", collapse_figure(collapse))
+    pictures = {name: (caption, png(figure)) for name, (caption, figure) in drawn.items()}
     beside = {"laws": laws, "posterior": posterior, "collapse_test": collapse}
     facts = fit.to_dict() | {name: one.to_dict() for name, one in beside.items() if one is not None}
     files: dict[str, object] = {
@@ -148,13 +149,14 @@ def fit_report(
         "scene.toml": fitted_toml(fit),
         "fit.csv": fit.to_frame,
         "laws.csv": None if laws is None else laws.to_frame,
-        **{f"{name}.png": figure for name, (_, figure) in drawn.items()},
+        **{f"{name}.png": picture for name, (_, picture) in pictures.items()},
         "posterior.nc": None if posterior is None else posterior.to_bytes,
-        "fit.html": lambda: fit_page(fit, drawn, command, laws, posterior, collapse),
+        "fit.html": lambda: fit_page(fit, pictures, command, laws, posterior, collapse),
     }
     texts = [*([] if laws is None else _of_laws(laws)), *_of_fit(fit, posterior)]
     texts += [] if collapse is None else [_of_gaps(collapse)]
-    return Report(files, texts, stale=("laws.csv", "posterior.nc", *(f"{name}.png" for name in _SOMETIMES)))
+    stale = ("laws.csv", "posterior.nc", *(f"{name}.png" for name in _SOMETIMES))
+    return Report(files, texts, stale=stale, pictures={name: figure for name, (_, figure) in drawn.items()})
 
 
 _CAPTIONS = {

@@ -200,8 +200,12 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
         figure, body = _figure(4.6, phase_caption(diagram))
         for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
             _draw_phases(axes, diagram, sheet)
-        looks = dict.fromkeys(phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.labels))
-        patches = [Patch(facecolor=look.tint, edgecolor=style.GREY, linewidth=0.4, label=look.words) for look in looks]
+        used = {phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.labels)}
+        patches = [
+            Patch(facecolor=look.tint, edgecolor=style.GREY, linewidth=0.4, label=look.words)
+            for look in dict.fromkeys([*phase.LOOKS.values(), *used])
+            if look in used
+        ]
         lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
         legend(body, handles=patches, ncols=len(patches), handlelength=2.0, fontsize=7.2)
         legend(body, "upper left", handles=lines, ncols=len(lines), handlelength=2.0, fontsize=7.2)

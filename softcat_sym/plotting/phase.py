@@ -72,7 +72,7 @@ def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
         _draw_runs(axes, sheet)
         _draw_lines(axes, sheet)
         finish(axes, sheet)
-        _key(axes, sheet)
+        _key(axes)
     return figure
 
 
@@ -107,13 +107,16 @@ def _draw_runs(axes: Axes, sheet: PhaseSheet) -> None:
         x, y = np.array([(run.place.G, getattr(run.place, sheet.plane.y.key)) for run in runs]).T
         face = "white" if look.hollow else look.colour
         edge = None if look.marker in "x+" else look.colour
-        axes.scatter(x, y, s=8, marker=look.marker, c=face, edgecolors=edge, linewidths=0.6, zorder=2, clip_on=False)
+        mark: dict[str, Any] = {"marker": look.marker, "c": face, "edgecolors": edge, "linewidths": 0.6}
+        axes.scatter(x, y, s=8, zorder=2, clip_on=False, label=f"{look.words} ({len(runs)})", **mark)
 
 
 def _draw_lines(axes: Axes, sheet: PhaseSheet) -> None:
     """Lines, each with its number; the numbers climb, so that neighbours do not meet."""
     for number, line in enumerate(sheet.lines, start=1):
-        axes.plot(line.G, line.other, color=style.BLACK, linestyle=_LINES[line.source], linewidth=1.1, zorder=3)
+        label = f"{number}  {line.name}\n    {line.source}, {line.equation}"
+        look: dict[str, Any] = {"color": style.BLACK, "linestyle": _LINES[line.source], "linewidth": 1.1}
+        axes.plot(line.G, line.other, zorder=3, label=label, **look)
         there = np.flatnonzero(np.isfinite(line.G) & (line.G > sheet.plane.x.low) & (line.G < sheet.plane.x.high))
         if not len(there):
             continue
@@ -123,29 +126,15 @@ def _draw_lines(axes: Axes, sheet: PhaseSheet) -> None:
         axes.annotate(str(number), place, ha="center", va="center", fontsize=6, bbox=box, zorder=4)
 
 
-def _key(axes: Axes, sheet: PhaseSheet) -> None:
+def _key(axes: Axes) -> None:
     """Marks with their numbers of runs, and the numbered lines, at the right."""
-    handles = []
-    for look in (*LOOKS.values(), _FAILED):
-        count = sum(look_of(point.run.mark) is look for point in sheet.points)
-        if count:
-            face = "white" if look.hollow else look.colour
-            marker: dict[str, Any] = {
-                "marker": look.marker,
-                "color": look.colour,
-                "markerfacecolor": face,
-                "markersize": 4.5,
-            }
-            handles.append(Line2D([], [], linestyle="", label=f"{look.words} ({count})", **marker))
-    regimes = axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.03, 1.01), title="runs", fontsize=7.5)
-    regimes.set_alignment("left")
-    axes.add_artist(regimes)
-    lines = [Line2D([], [], color=style.BLACK, linestyle=_LINES[line.source], linewidth=1.1) for line in sheet.lines]
-    words = [f"{n}  {line.name}\n    {line.source}, {line.equation}" for n, line in enumerate(sheet.lines, start=1)]
-    formulas = axes.legend(
-        lines, words, loc="lower left", bbox_to_anchor=(1.03, -0.02), title="lines", fontsize=7, labelspacing=0.45
-    )
-    formulas.set_alignment("left")
+    handles = axes.get_legend_handles_labels()[0]
+    lines = [handle for handle in handles if isinstance(handle, Line2D)]
+    runs = [handle for handle in handles if handle not in lines]
+    upper: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.03, 1.01), "fontsize": 7.5, "markerscale": 1.6}
+    lower: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (1.03, -0.02), "fontsize": 7, "labelspacing": 0.45}
+    axes.add_artist(axes.legend(handles=runs, title="runs", alignment="left", **upper))
+    axes.legend(handles=lines, title="lines", alignment="left", **lower)
 
 
 _LOW, _HIGH = 1e-3, 3.0

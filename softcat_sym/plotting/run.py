@@ -291,6 +291,7 @@ def shapes_figure(
         heights = inch * np.ptp(y[:1], axis=1)
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
+        up = int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
         drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
         figure, body, panels = sheet.figure(
             f"shapes with their {drawn}", heights.tolist(), columns=columns, above=0.28 + 0.15 * lines,
@@ -304,7 +305,7 @@ def shapes_figure(
             axes.set_ylim(*ruler.of(bounds))
             _draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
-            axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else 6, steps=_STEPS))
+            axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else up, steps=_STEPS))
             if stacked and np.ptp(bounds) * stretch * inch < _LOW:
                 axes.set_yticks((0.0,))
             words = ", ".join(shape.label.split("\n")) if stacked else shape.label
