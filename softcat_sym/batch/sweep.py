@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import math
 import sys
 import tempfile
 import time
@@ -37,7 +36,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.files import fill_atomically, made, named, written_together
 from softcat_sym.results.fields import displacements
-from softcat_sym.results.motion import observed_motion
+from softcat_sym.results.motion import observed_motion, time_to_share
 from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -85,19 +84,6 @@ _SHAPES: Final[Mapping[str, Column]] = {
         ("stretch", "1", "stretch of the centreline"),
     )
 }
-
-
-def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
-    """Time at which the sag first reaches a share of its last value [s], linear between frames; NaN if it rises."""
-    if not sag[-1] > 0:
-        return math.nan
-    level = share * float(sag[-1])
-    frame = int(np.argmax(sag >= level))
-    if frame == 0:
-        return float(time[0])
-    before, after = float(sag[frame - 1]), float(sag[frame])
-    part = (level - before) / (after - before)
-    return float(time[frame - 1] + part * (time[frame] - time[frame - 1]))
 
 
 def _shapes(time: Floats, fields: Mapping[str, Floats], nodes: Floats, cells: Floats) -> Record:
