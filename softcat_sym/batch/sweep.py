@@ -456,15 +456,13 @@ def _refuse_plan(plan: SweepPlan) -> None:
     """Refuse a plan without any member that can be run, and keys that no scene has."""
     for key, value in plan.unknown_keys():
         plan.scene.replace({key: value})
-    order = (0, plan.members - 1, plan.members // 2, *range(plan.members))
-    if all(_refusal(plan, member) for member in order):
-        found = f"every one of the {plan.members} members is refused; the first: {_refusal(plan, 0)}"
-        raise SceneError([Fault("", found, "")], "of a sweep")
-
-
-def _refusal(plan: SweepPlan, member: int) -> str:
-    try:
-        shared_by(plan.scene).maker.member(plan.row(member))
-    except SceneError as error:
-        return "; ".join(map(str, error.faults))
-    return ""
+    maker, refusals = shared_by(plan.scene).maker, list[str]()
+    for member in (0, plan.members - 1, plan.members // 2, *range(plan.members)):
+        try:
+            maker.member(plan.row(member))
+        except SceneError as error:
+            refusals = refusals or ["; ".join(map(str, error.faults))]
+        else:
+            return
+    found = f"every one of the {plan.members} members is refused; the first: {refusals[0]}"
+    raise SceneError([Fault("", found, "")], "of a sweep")
