@@ -428,7 +428,7 @@ def run_sweep(plan: SweepPlan, directory: Path, where: Where, progress: MembersP
         for found in batch.recalled():
             parts.put(*found)
         missing = [number for number in range(batch.blocks) if number not in parts.places]
-        left = sum(len(batch.rows(number)) for number in missing)
+        left = sum(map(batch.size, missing))
         place = "nothing left to run"
         if missing:
             with watched(), where.pool(left) as pool:
