@@ -21,8 +21,8 @@ from softcat_sym.batch import worker
 from softcat_sym.batch.executor import RunPool
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.batch.sweep import time_to_share
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.results.motion import time_to_share
 from softcat_sym.solvers.compiled import CModel
 from tests.common.in_process import Softcat, sets
 

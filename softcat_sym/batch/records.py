@@ -122,6 +122,10 @@ class Batch:
         """Number of blocks."""
         return math.ceil(self.members / self.block_size)
 
+    def size(self, number: int) -> int:
+        """Number of members of a block."""
+        return min(self.block_size, self.members - number * self.block_size)
+
     def recalled(self) -> Iterator[tuple[int, bytes]]:
         """Blocks that the store has, packed."""
         for number in range(self.blocks):
@@ -140,14 +144,14 @@ class Batch:
         """Run missing blocks, and store each as soon as it is finished, unless workers died."""
         unfinished = defaultdict[int, dict[int, Record | Lost]](dict)
         rows = (row for number in missing for row in self.rows(number))
-        before = self.members - sum(len(self.rows(number)) for number in missing)
+        before = self.members - sum(map(self.size, missing))
         results = pool.map_members(work, rows, chunk)
         for place, result in counted(results, self.members, before, progress):
             # The last block may be shorter; no other comes after it.
             number = missing[place // self.block_size]
-            block, asked = unfinished[number], self.rows(number)
+            block = unfinished[number]
             block[place] = result
-            if len(block) < len(asked):
+            if len(block) < self.size(number):
                 continue
             del unfinished[number]
             records = [block[place] for place in sorted(block)]
@@ -155,7 +159,7 @@ class Batch:
                 [{"outcome": LOST, "message": one.message} if isinstance(one, Lost) else one for one in records]
             )
             if not any(isinstance(one, Lost) for one in records):
-                store.keep(self.key(asked), content)
+                store.keep(self.key(self.rows(number)), content)
             yield number, content
 
     def packed(self, records: Sequence[Record]) -> bytes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import math
 import sys
 import tempfile
 import time
@@ -38,7 +37,7 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.files import fill_atomically, made, named, written_together
 from softcat_sym.results.fields import displacements
-from softcat_sym.results.motion import observed_motion
+from softcat_sym.results.motion import observed_motion, time_to_share
 from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -83,19 +82,6 @@ _SHAPES: Final[Mapping[str, Column]] = {
         ("stretch", "1", "stretch of the centreline"),
     )
 }
-
-
-def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
-    """Time at which the sag first reaches a share of its last value [s], linear between frames; NaN if it rises."""
-    if not sag[-1] > 0:
-        return math.nan
-    level = share * float(sag[-1])
-    frame = int(np.argmax(sag >= level))
-    if frame == 0:
-        return float(time[0])
-    before, after = float(sag[frame - 1]), float(sag[frame])
-    part = (level - before) / (after - before)
-    return float(time[frame - 1] + part * (time[frame] - time[frame - 1]))
 
 
 def _shapes(time: Floats, fields: Mapping[str, Floats], nodes: Floats, cells: Floats) -> Record:
@@ -427,7 +413,7 @@ def run_sweep(plan: SweepPlan, directory: Path, where: Where, progress: MembersP
         for found in batch.recalled():
             parts.put(*found)
         missing = [number for number in range(batch.blocks) if number not in parts.places]
-        left = sum(len(batch.rows(number)) for number in missing)
+        left = sum(map(batch.size, missing))
         place = "nothing left to run"
         if missing:
             with watched(), where.pool(left) as pool:
@@ -455,15 +441,13 @@ def _refuse_plan(plan: SweepPlan) -> None:
     """Refuse a plan without any member that can be run, and keys that no scene has."""
     for key, value in plan.unknown_keys():
         plan.scene.replace({key: value})
-    order = (0, plan.members - 1, plan.members // 2, *range(plan.members))
-    if all(_refusal(plan, member) for member in order):
-        found = f"every one of the {plan.members} members is refused; the first: {_refusal(plan, 0)}"
-        raise SceneError([Fault("", found, "")], "of a sweep")
-
-
-def _refusal(plan: SweepPlan, member: int) -> str:
-    try:
-        shared_by(plan.scene).maker.member(plan.row(member))
-    except SceneError as error:
-        return "; ".join(map(str, error.faults))
-    return ""
+    maker, refusals = shared_by(plan.scene).maker, list[str]()
+    for member in (0, plan.members - 1, plan.members // 2, *range(plan.members)):
+        try:
+            maker.member(plan.row(member))
+        except SceneError as error:
+            refusals = refusals or ["; ".join(map(str, error.faults))]
+        else:
+            return
+    found = f"every one of the {plan.members} members is refused; the first: {refusals[0]}"
+    raise SceneError([Fault("", found, "")], "of a sweep")

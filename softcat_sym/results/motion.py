@@ -461,3 +461,16 @@ def rebound_of(heights: Floats) -> float:
     sag = -heights
     deepest = np.maximum.accumulate(sag)
     return float(np.max(deepest - sag) / np.max(sag)) if np.max(sag) > 0 else 0.0
+
+
+def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
+    """Time at which the sag first reaches a share of its last value [s], linear between frames; NaN if it rises."""
+    if not sag[-1] > 0:
+        return math.nan
+    level = share * float(sag[-1])
+    frame = int(np.argmax(sag >= level))
+    if frame == 0:
+        return float(time[0])
+    before, after = float(sag[frame - 1]), float(sag[frame])
+    part = (level - before) / (after - before)
+    return float(time[frame - 1] + part * (time[frame] - time[frame - 1]))

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.batch.sweep import time_to_share
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.registry import REGISTRY
@@ -31,7 +30,7 @@ from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.breaking import unbreakable
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, time_to_share
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
 from softcat_sym.scene.natural_curve import is_curved
