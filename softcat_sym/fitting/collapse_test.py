@@ -175,27 +175,13 @@ class CollapseTest:
 
 
 def read_contour(path: str | os.PathLike[str]) -> Contour:
-    """Read the contour of a strand on pillars.
+    """Read the contour of a strand on pillars from a CSV file, in SI and in the frame of the photograph.
 
-    Parameters
-    ----------
-    path : path
-        CSV file with columns ``x`` and ``y`` in any unit (``x_mm``, ``y [um]``, or ``x_px`` with a line
-        ``# camera.pixel = 0.05 mm``; pixels count downwards): the strand's centre line from left to right, or its
-        outline, both edges in one go around. Lines ``# pillars.gap = 2.0, 6.0`` have the x of both edges of each gap,
-        ``# pillars.height = 6 mm`` is optional, and ``# pillars.time = 30 s`` is the age of the photograph, the
-        scene's duration by default. ``# filament.thickness = 0.41 mm`` and other values of the scene may stand there
-        too.
-
-    Returns
-    -------
-    Contour
-        In SI, in the frame of the photograph.
-
-    Raises
-    ------
-    SoftcatError
-        With every fault and its line.
+    Columns ``x`` and ``y`` in any unit (``x_mm``, ``y [um]``, or ``x_px`` with a line ``# camera.pixel = 0.05 mm``;
+    pixels count downwards) hold the strand's centre line from left to right, or its outline, both edges in one go
+    around. Lines ``# pillars.gap = 2.0, 6.0`` have the x of both edges of each gap, ``# pillars.height = 6 mm`` is
+    optional, and ``# pillars.time = 30 s`` is the age of the photograph, the scene's duration by default. ``#
+    filament.thickness = 0.41 mm`` and other values of the scene may stand there too.
     """
     file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
     text = text_of(file, _KIND, accepted)
@@ -413,28 +399,10 @@ def collapse_test(
 ) -> CollapseTest:
     """Find the yield stress and the modulus of a strand from its contour over gaps between pillars.
 
-    Parameters
-    ----------
-    contour : Contour or path
-        As :func:`read_contour` takes it.
-    scene : Scene (or its name, path or dict)
-        The strand on one gap: thickness, section, density, surface tension, how it is held; rough values of its
-        constants. Its span is replaced by that of each gap.
-    also_free : sequence of str, optional
-        What is to be fitted besides, such as ``["viscosity"]``.
-    **how
-        As :func:`softcat_sym.fit` takes it.
-
-    Returns
-    -------
-    CollapseTest
-        The fit of all gaps, and of each its sag, its collapse factor in both published senses, and what the closed
-        formula says.
-
-    Raises
-    ------
-    SoftcatError
-        If the contour cannot be used, a strand lies on the bed, or the scene's law has no yield stress.
+    The scene is the strand on one gap: thickness, section, density, surface tension, how it is held, and rough values
+    of its constants; its span is replaced by that of each gap. `also_free` names what is fitted besides, such as
+    ``["viscosity"]``; the options are those of :func:`softcat_sym.fit`. A strand on the bed, and a law without a yield
+    stress, are refused.
     """
     seen = contour if isinstance(contour, Contour) else read_contour(contour)
     scene = as_scene(scene)

@@ -9,7 +9,8 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import chebyshev
+from numpy.polynomial import Chebyshev, chebyshev
+from numpy.polynomial.polyutils import mapdomain
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
@@ -98,34 +99,24 @@ _BLOCK = 7
 
 @dataclass(frozen=True, eq=False)
 class LogPolynomial:
-    """Chebyshev polynomials of log t, scaled to [-1, 1] on a stretch of time."""
+    """Chebyshev polynomials of log t on a stretch of time."""
 
     first: float  # Ends of the stretch [s], positive
     last: float
     degree: int  # Highest degree
 
+    @property
+    def _domain(self) -> list[float]:
+        return [math.log(self.first), math.log(self.last)]
+
     def columns(self, time: Floats) -> Floats:
         """Values of the basis at times [s], shape (n, degree + 1)."""
-        columns: Floats = np.asarray(chebyshev.chebvander(self._scaled(time), self.degree), dtype=np.float64)
-        return columns
+        return np.asarray(chebyshev.chebvander(mapdomain(np.log(time), self._domain, [-1, 1]), self.degree))
 
     def second_derivative(self, time: float) -> Floats:
         """d^2/dt^2 of the basis at one time [1/s^2], shape (degree + 1,)."""
-        identity = np.eye(self.degree + 1)
-        x, slope = float(self._scaled(np.array([time]))[0]), self._slope
-        first = chebyshev.chebval(x, chebyshev.chebder(identity, 1))
-        second = chebyshev.chebval(x, chebyshev.chebder(identity, 2))
-        # x = a + b log t, so that x' = b/t and x'' = -b/t^2.
-        curvature: Floats = np.asarray(second * slope**2 - first * slope, dtype=np.float64) / time**2
-        return curvature
-
-    @property
-    def _slope(self) -> float:
-        return 2 / math.log(self.last / self.first)
-
-    def _scaled(self, time: Floats) -> Floats:
-        scaled: Floats = np.log(time / self.first) * self._slope - 1
-        return scaled
+        basis, at = [Chebyshev.basis(k, self._domain) for k in range(self.degree + 1)], math.log(time)
+        return np.array([one.deriv(2)(at) - one.deriv(1)(at) for one in basis]) / time**2
 
 
 def noise_of(time: Floats, sag: Floats) -> float:

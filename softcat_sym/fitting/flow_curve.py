@@ -485,24 +485,11 @@ class FlowCurveFit:
         return second.criterion - best.criterion < (0.5 if _contains(other, one) else 1.0) * last
 
     def overrides(self, law: str | None = None) -> dict[str, str | float]:
-        """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
+        """Scene keys that hand the material of a law on, by default of the best, as ``scene.replace`` takes them.
 
-        Parameters
-        ----------
-        law : str or None
-            The law, by default the best.
-
-        Returns
-        -------
-        dict of str to str or float
-            ``material.law``, the shear constants as text with their units, and the index, a number.
-            :func:`softcat_sym.fitting.fitted_scene` also removes constants of another law from a scene, and replaces
-            ``maxwell`` by ``newtonian`` in a scene without a modulus.
-
-        Raises
-        ------
-        SoftcatError
-            If no such law was fitted, or the fit is one that no scene can take.
+        They are ``material.law``, the shear constants as text with their units, and the index, a number. A fit that no
+        scene can take is refused. :func:`softcat_sym.fitting.fitted_scene` also removes constants of another law from a
+        scene, and replaces ``maxwell`` by ``newtonian`` in a scene without a modulus.
         """
         candidate = self.candidate(law)
         unfit = candidate.unfit

@@ -103,7 +103,7 @@ _MEDIAN_TO_DEVIATION = 1.4826
 
 
 @dataclass(frozen=True)
-class Spread:
+class ResidualSpread:
     """The noise of a fit, in the unit of its residuals r."""
 
     # tau: the covariance of the unknowns is tau^2 (J^T J)^-1. For least squares, the standard deviation of r.
@@ -129,7 +129,7 @@ def taken(jacobian: Floats, readings: int) -> float:
 
 def noise_of(
     residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR, readings: int | None = None
-) -> Spread:
+) -> ResidualSpread:
     """Estimate the noise at an optimum from the first residuals, which are those of readings; the others are priors'.
 
     For a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with identically distributed
@@ -141,7 +141,7 @@ def noise_of(
     residuals, freedom = residuals[:readings], math.floor(readings - unknowns + 1e-6)
     # With no more data than unknowns the model meets all data: none is an outlier.
     if noise_known and (loss.kind == "linear" or freedom < 1):
-        return Spread(1.0, 1.0, 1.0, 1.0, None)
+        return ResidualSpread(1.0, 1.0, 1.0, 1.0, None)
     if freedom < 1:
         raise SoftcatError(
             f"{readings} data for {unknowns:.3g} unknowns do not determine the noise; accepted: at least "
@@ -153,13 +153,13 @@ def noise_of(
     least = max(least, 1.0 if readings < len(jacobian) and loss.kind == "linear" else 0.0)
     score = max(math.sqrt(float(psi @ psi) / freedom), least)
     if loss.kind == "linear":
-        return Spread(score, score, score**2, score, freedom)
+        return ResidualSpread(score, score, score**2, score, freedom)
     slopes = loss.slopes(residuals)
     slope = max(float(slopes.mean()), _MIN_SLOPE)
     few = 1 + unknowns / residuals.size * float(slopes.var()) / slope**2
     tau = few * score / slope
     middle = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(residuals))) * math.sqrt(residuals.size / freedom)
-    return Spread(tau, score, tau**2 * slope, 1.0 if noise_known else max(middle, least), freedom)
+    return ResidualSpread(tau, score, tau**2 * slope, 1.0 if noise_known else max(middle, least), freedom)
 
 
 # Largest standard error, of a logarithm, of a combination that is reported.
@@ -285,7 +285,7 @@ class Information:
     """
 
     names: tuple[str, ...]  # The k unknowns
-    spread: Spread  # Of the residuals
+    spread: ResidualSpread  # Of the residuals
     # shape (k, k); Inverse of J^T J/s^2, s being `noise`, with the errors of undetermined directions cut as above.
     covariance: Floats
     standard_errors: Floats  # shape (k,); Square roots of its diagonal, of q

@@ -85,7 +85,7 @@ class Profile:
     q: Floats  # shape (points,); Values at which the unknown was held, increasing, the optimum among them
     # shape (points,); (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k))
     # otherwise. For a robust loss, the rise of sum rho over
-    # :attr:`softcat_sym.fitting.identifiability.Spread.per_chi_square`.
+    # :attr:`softcat_sym.fitting.identifiability.ResidualSpread.per_chi_square`.
     increase: Floats
     others: Floats  # shape (points, k - 1); The other unknowns there
     threshold: float  # Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k)

@@ -21,7 +21,7 @@ from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.identifiability import Spread, is_identified
+from softcat_sym.fitting.identifiability import ResidualSpread, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
 from softcat_sym.fitting.problem import Marginal
@@ -190,7 +190,7 @@ def sample(
     chains: int = CHAINS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
-    noise: Spread | None = None,
+    noise: ResidualSpread | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
@@ -274,7 +274,7 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: Spread | None = None) -> None:
+    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: ResidualSpread | None = None) -> None:
         self._problem, self._priors, self._noise = problem, priors, noise
         # Added to r.r, and the number of readings that count, where the noise is integrated out.
         self._added, self._count = 0.0, 0

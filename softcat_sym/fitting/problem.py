@@ -79,17 +79,44 @@ class Noise:
 
 
 @dataclass(frozen=True, eq=False)
-class Filmed:
+class Readings:
+    """All readings of one film: of the midpoint, then of shapes, then of forces."""
+
+    time: Floats  # shape (n,); [s]
+    place: Floats  # shape (n,); [m]; NaN except for points of shapes
+    data: Floats  # shape (n,); [m], [N]
+    std: Floats  # shape (n,); NaN where it is not stated
+    is_force: NDArray[np.bool_]  # shape (n,)
+
+    @classmethod
+    def of(cls, series: Series) -> Readings:
+        """Collect the readings of one film."""
+
+        def rows(time: Floats, data: Floats, std: Floats | None, place: Floats | None = None) -> tuple[Floats, ...]:
+            unknown = np.full(time.size, np.nan)
+            return time, unknown if place is None else place, data, unknown if std is None else std
+
+        shapes, parts = series.shapes, [rows(series.time, series.midpoint, series.std)]
+        if shapes is not None:
+            parts.append(rows(shapes.time, shapes.y, shapes.std, shapes.x))
+        heights = sum(part[0].size for part in parts)
+        parts += [rows(one.time, one.force, one.std) for one in series.forces]
+        time, place, data, std = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return cls(time, place, data, std, np.arange(time.size) >= heights)
+
+    @property
+    def largest(self) -> float:
+        """Largest magnitude of the heights [m]; 0 if there are none."""
+        return float(np.max(np.abs(self.data[~self.is_force]), initial=0.0))
+
+
+@dataclass(frozen=True, eq=False)
+class Filmed(Readings):
     """One series, the model of its filament, and the unknowns of the problem on which that model depends."""
 
-    series: Series  # The measurements
+    series: Series  # The measurements, of which the readings have a standard error each
     model: ForwardModel  # The model that they are compared with
     columns: tuple[int, ...]  # Number in the problem of each unknown of the model
-    time: Floats  # shape (n,); Of every reading [s]: of the midpoint, then of points of whole shapes, then of forces
-    place: Floats  # shape (n,); x of a point of a shape from halfway between the supports [m]; NaN for other readings
-    data: Floats  # shape (n,); Heights [m] and forces [N]
-    std: Floats  # shape (n,); Standard errors
-    is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces
     scale: int | None = None  # Numbers of the camera's scale and tilt in the problem
     tilt: int | None = None
     theory: tuple[int, ...] = ()  # Numbers of the amplitudes of the theory's error in the problem
@@ -271,22 +298,16 @@ class FilamentProblem(Unknowns):
             unknowns = [(number, self.free[number]) for number in places]
             inside = [(number, free) for number, free in unknowns if free.path not in (SCALE, TILT)]
             of_camera = {free.path: number for number, free in unknowns if free.path in (SCALE, TILT)}
+            of_height = given.std if stated[False] else self.noise.deviation
+            of_force = given.std if stated[True] else self.noise.of_force
             films.append(
                 Filmed(
+                    **vars(replace(given, std=np.where(given.is_force, of_force, of_height))),
                     series=film,
                     model=ForwardModel(
                         one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)
                     ),
                     columns=tuple(number for number, _ in inside),
-                    time=given.time,
-                    place=given.place,
-                    data=given.data,
-                    std=np.where(
-                        given.is_force,
-                        given.std if stated[True] else self.noise.of_force,
-                        given.std if stated[False] else self.noise.deviation,
-                    ),
-                    is_force=given.is_force,
                     scale=of_camera.get(SCALE),
                     tilt=of_camera.get(TILT),
                     correlation=self.noise.correlation,
@@ -532,38 +553,6 @@ class FilamentProblem(Unknowns):
         return float(np.clip(together, 0.0, _MAX_CORRELATION))
 
 
-@dataclass(frozen=True, eq=False)
-class Readings:
-    """All readings of one film: of the midpoint, then of shapes, then of forces."""
-
-    time: Floats  # shape (n,); [s]
-    place: Floats  # shape (n,); [m]; NaN except for points of shapes
-    data: Floats  # shape (n,); [m], [N]
-    std: Floats  # shape (n,); NaN where it is not stated
-    is_force: NDArray[np.bool_]  # shape (n,)
-
-    @classmethod
-    def of(cls, series: Series) -> Readings:
-        """Collect the readings of one film."""
-
-        def rows(time: Floats, data: Floats, std: Floats | None, place: Floats | None = None) -> tuple[Floats, ...]:
-            unknown = np.full(time.size, np.nan)
-            return time, unknown if place is None else place, data, unknown if std is None else std
-
-        shapes, parts = series.shapes, [rows(series.time, series.midpoint, series.std)]
-        if shapes is not None:
-            parts.append(rows(shapes.time, shapes.y, shapes.std, shapes.x))
-        heights = sum(part[0].size for part in parts)
-        parts += [rows(one.time, one.force, one.std) for one in series.forces]
-        time, place, data, std = (np.concatenate(column) for column in zip(*parts, strict=True))
-        return cls(time, place, data, std, np.arange(time.size) >= heights)
-
-    @property
-    def largest(self) -> float:
-        """Largest magnitude of the heights [m]; 0 if there are none."""
-        return float(np.max(np.abs(self.data[~self.is_force]), initial=0.0))
-
-
 def _first_guess(series: Sequence[Series], readings: Sequence[Readings]) -> Noise:
     """Noise from second differences, to which a smooth motion hardly contributes."""
     forces = [one.force for film in series for one in film.forces]
@@ -686,28 +675,21 @@ def _unknowns(
     own: Sequence[tuple[FreeParameter, ...]],
 ) -> tuple[tuple[FreeParameter, ...], int, list[tuple[int, ...]]]:
     """All unknowns, the number of free parameters among them, and the numbers of the unknowns of each film."""
-    films, unknowns = len(own), list[FreeParameter]()
-    columns: list[list[int]] = [[] for _ in range(films)]
+    count = len(own)
 
     def numbered(free: FreeParameter, film: int, mark: str = "_") -> FreeParameter:
-        return free if films == 1 else replace(free, name=f"{free.name}{mark}{film + 1}", film=film + 1)
+        return free if count == 1 else replace(free, name=f"{free.name}{mark}{film + 1}", film=film + 1)
 
+    # Every unknown with the films that depend on it.
+    rows = list[tuple[FreeParameter, list[int]]]()
     for free in common:
-        having = [k for k in range(films) if free.path not in {one.path for one in single[k]}]
-        for k in having:
-            if k == having[0] or free.of_measurement:
-                unknowns.append(numbered(free, k) if free.of_measurement else free)
-            columns[k].append(len(unknowns) - 1)
-    for k, given in enumerate(single):
-        for free in given:
-            unknowns.append(numbered(free, k, "@"))
-            columns[k].append(len(unknowns) - 1)
-    asked = len(unknowns)
-    for k, given in enumerate(own):
-        for free in given:
-            unknowns.append(numbered(free, k))
-            columns[k].append(len(unknowns) - 1)
-    return tuple(unknowns), asked, [tuple(numbers) for numbers in columns]
+        having = [k for k in range(count) if free.path not in {one.path for one in single[k]}]
+        rows += [(numbered(free, k), [k]) for k in having] if free.of_measurement else [(free, having)]
+    rows += [(numbered(free, k, "@"), [k]) for k, given in enumerate(single) for free in given]
+    asked = len(rows)
+    rows += [(numbered(free, k), [k]) for k, given in enumerate(own) for free in given]
+    columns = [tuple(number for number, (_, films) in enumerate(rows) if k in films) for k in range(count)]
+    return tuple(free for free, _ in rows), asked, columns
 
 
 class Marginal(Unknowns):
