@@ -99,7 +99,7 @@ def test_arrest_with_and_without_surface_tension() -> None:
     truths = [np.interp(instants * elastic_time(bare), times, heights) / bare.filament.span]
     sides = 1 / bare.filament.thickness + 1 / bare.filament.width
     tension = {"surroundings.surface_tension": f"{0.3 * (bare.material.yield_stress or 0.0) / sides!r} N/m"}
-    pulled = shortened(bare.replace(tension), instants[-1], 116)
+    pulled = shortened(bare.replace(tension), float(instants[-1]), 116)
     judge = elements(pulled, Mesh(48, 6, grading=10.0))
     truths.append(midpoints(pulled, judge, instants))
     rows, found = [], [midpoints(one, sc.simulate(one.replace(resolved)), instants) for one in (bare, pulled)]
