@@ -66,7 +66,8 @@ def test_elements_tend_to_the_material_closure() -> None:
     The printed closure is near at the paper's slenderness because two errors cancel; without the one the other remains.
     Elements are those on record, and 64 x 2 at the least thickness, off by less than a fifth of what is claimed.
     """
-    thin = plane(DESCENT, {"groups.delta": 0.015})
+    # So narrow a strand would leave its plane.
+    thin = plane(DESCENT, {"groups.delta": 0.015, "run.dimensions": 2})
     truths = {0.015: (thin, midpoints(thin, elements(thin, Mesh(64, 2))))}
     for delta, name in ((0.03, DESCENT), (0.06, "descent, thick")):
         scene, times, heights = element_films.film(name)
