@@ -119,9 +119,8 @@ def swing_and_period(times: Floats, height: Floats) -> tuple[float, float]:
     swing = height - height.mean()
     up = np.flatnonzero((swing[:-1] < 0) & (swing[1:] >= 0))
     crossings = times[up] - swing[up] * np.diff(times)[up] / np.diff(swing)[up]
-    return float(lowest - (after - before) ** 2 / (8 * (after - 2 * lowest + before))), float(
-        np.mean(np.diff(crossings))
-    )
+    lowest -= (after - before) ** 2 / (8 * (after - 2 * lowest + before))
+    return float(lowest), float(np.mean(np.diff(crossings)))
 
 
 def test_elastic_swing() -> None:
