@@ -21,8 +21,7 @@ from softcat_sym.discretization.heat import Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
 from softcat_sym.discretization.parameters import energy_scale
-from softcat_sym.discretization.point_rule import PointRule
-from softcat_sym.discretization.sampling import OnePoint, Sampling, SpatialSampling
+from softcat_sym.discretization.sampling import Sampling
 from softcat_sym.discretization.shearing import shearing
 from softcat_sym.discretization.spatial import spatial_filament
 from softcat_sym.discretization.stencil import UNKNOWN, Field, Neighbours
@@ -38,11 +37,11 @@ def build(
     model: str,
     ends: tuple[Support, Support],
     body: Body,
-    rule: Sampling | SpatialSampling | None,
+    rule: Sampling | None,
 ) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
-    if isinstance(rule, (PointRule, OnePoint)):
+    if rule is not None and rule.is_spatial:
         return spatial_filament(b, rule)
     if rule is not None and equations.resolved is not None:
         mechanics = shearing(b, rule)
