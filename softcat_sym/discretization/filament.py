@@ -215,7 +215,7 @@ def _powers(
     load = [Field("power_load_0", NODES, lifted * of.y[0])]
     if not moved.is_zero():
         load.append(Field("power_load_1", _AT_RIGHT, moved))
-    load += [Field(one.name, one.where, one.value * scale) for one in outer.power]
+    load += [one.times(scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:
         stretching, moving = [], of.moved or (of.u, of.v)
@@ -224,23 +224,14 @@ def _powers(
             stretching.append((slope[0] * speed[0] + slope[1] * speed[1]) / of.stretch[i])
         power = of.double_force[0] * (stretching[1] - stretching[0]) * (scale / b.scale)
         gradient = [Field("power_gradient_0", INNER, power)]
-    plastic = [
-        Field(f"power_plastic_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
-        for k, one in enumerate(of.dissipation)
-    ]
-    lost = {
-        name: [Field(one.name, one.where, one.value * scale) for one in fields]
-        for name, fields in outer.dissipation.items()
-    }
-    softened = [Field(one.name, one.where, one.value * scale, one.ends) for one in heat.softening]
+    plastic = [one.times(scale, f"power_plastic_{k}") for k, one in enumerate(of.dissipation)]
+    lost = {name: [one.times(scale) for one in fields] for name, fields in outer.dissipation.items()}
+    softened = [one.times(scale) for one in heat.softening]
     groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
     groups |= {"energy_softening": softened} if softened else {}
     groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
     if b.equations.clocks:
-        groups[WORK_OF_AGEING] = [
-            Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
-            for k, one in enumerate(of.ageing)
-        ]
+        groups[WORK_OF_AGEING] = [one.times(scale, f"power_ageing_{k}") for k, one in enumerate(of.ageing)]
     return {
         name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
         for name, fields in groups.items()
@@ -258,16 +249,11 @@ def _observables(
     if terms.inertia:
         moving = mass * (of.u[0] ** 2 + of.v[0] ** 2) * speed**2 * b.density / 2
         kinetic.append(Field("moving", NODES, moving * span))
-        kinetic += [Field(one.name, one.where, one.value * span) for one in outer.kinetic]
+        kinetic += [one.times(span) for one in outer.kinetic]
     if terms.rotary_inertia:
         turning = b.node[0] * of.omega[0] ** 2 * rotary / (2 * b.scale**2)
         kinetic.append(Field("turning", NODES, turning * span))
-    stored = {
-        f"energy_{name}": tuple(
-            Field(name, one.where, one.value * span, {at: v * span for at, v in one.ends.items()}) for one in fields
-        )
-        for name, fields in of.energies.items()
-    }
+    stored = {f"energy_{name}": tuple(one.times(span, name) for one in fields) for name, fields in of.energies.items()}
     double_force = ca.SX(0) if of.double_force is None else of.double_force[0]
     return {
         "x": Field("x", NODES, of.x[0] * span),

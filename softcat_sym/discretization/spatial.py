@@ -416,13 +416,7 @@ class _Body:
             hanging = self._mass(None) * falling - (pulled * b.span if b.body.tip_force else 0)
             ends = {-1: ca.SX(hanging)}
         weight = Field("weight", Where(0, int(bool(ends))), self.mass * falling, ends)
-        kept = {
-            f"energy_{name}": tuple(
-                Field(one.name, one.where, one.value * b.span, {at: v * b.span for at, v in one.ends.items()})
-                for one in fields
-            )
-            for name, fields in stored.items()
-        }
+        kept = {f"energy_{name}": tuple(one.times(b.span) for one in fields) for name, fields in stored.items()}
         double = ca.SX(0) if self.double_force is None else self.double_force[0]
         return {
             **{name: Field(name, NODES, r[0] * b.span) for name, r in zip(PLACES, self.places, strict=True)},

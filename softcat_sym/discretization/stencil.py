@@ -93,6 +93,11 @@ class Field:
         """All of its expressions."""
         return (self.value, *self.ends.values())
 
+    def times(self, factor: ca.SX, name: str = "") -> Field:
+        """The same field in another unit, and by another name."""
+        ends = {at: value * factor for at, value in self.ends.items()}
+        return Field(name or self.name, self.where, self.value * factor, ends)
+
     def sites(self, count: int) -> list[int]:
         """Its sites where there are so many."""
         first = self.where.first % count
