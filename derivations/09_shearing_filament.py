@@ -376,7 +376,7 @@ of_W = {sigma: sp.diff(W, eps_e), tau_f: sp.diff(W, gamma_e)}
 stored_rate = sum(sp.diff(W, strain) * sp.diff(elastic_now[strain], t) for strain in (eps_e, gamma_e))
 for cell in cells.values():
     spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
-    held_drive = spring.driving.subs(eps_e, elastic_now[eps_e])
+    held_drive = spring.driving[0].subs(eps_e, elastic_now[eps_e])
     held_along = spring.conjugate.subs({tau_d: held_drive, gamma_p: plastic_shear})
     supplied = held_along * sp.diff(eps, t) + tau_f * sp.diff(gam, t)
     wasted = sigma * plastic_rate[0, 0] + held_drive * 2 * plastic_rate[0, 1]
@@ -407,11 +407,11 @@ for name, cell in cells.items():
     prove_equal(equivalent**2, shares[name] * sigma**2 + 3 * tau_d**2)
     prove_equal(equivalent**2, held_flow.equivalent**2)  # both are positive roots
     prove_equal(flow[0, 0], held_flow.axial_rate)
-    prove_equal(2 * flow[0, 1], held_flow.shear_rate + cell.carry * gamma_p * held_flow.axial_rate)
+    prove_equal(2 * flow[0, 1], held_flow.shear_rate[0] + cell.carry * gamma_p * held_flow.axial_rate)
     prove_equal(flow[1, 1], (1 - cell.carry) * flow[0, 0])
     prove_equal(flow[0, 2], 0)
     spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
-    power = spring.conjugate * held_flow.axial_rate + tau_d * held_flow.shear_rate
+    power = spring.conjugate * held_flow.axial_rate + tau_d * held_flow.shear_rate[0]
     prove_equal(power, phi(bulk.sigma_eq) * equivalent**2 / bulk.sigma_eq)
     prove_equal(power.subs(bulk.sigma_eq, equivalent), held_flow.dissipation.subs(bulk.sigma_eq, equivalent))
 
@@ -476,13 +476,13 @@ for cell in cells.values():
     elastic[gamma_e] = spring.elastic[1].subs(tiny).subs(elastic)
     now = {sigma: spring.stress[0].subs(elastic)}
     now[tau_f] = spring.stress[1].subs(elastic).subs(now)
-    now[tau_d] = spring.driving.subs(elastic).subs(now)
+    now[tau_d] = spring.driving[0].subs(elastic).subs(now)
     now[reissner.sigma_c] = spring.conjugate.subs(tiny).subs(now)
     stretching, sliding = E * (reissner.eps - reissner.eps_p), shear_modulus * (reissner.gamma - gamma_p)
     for symbol, wanted in ((sigma, stretching), (reissner.sigma_c, stretching), (tau_f, sliding), (tau_d, sliding)):
         prove_equal(now[symbol].subs(size, 0), 0)
         prove_equal(sp.diff(now[symbol], size).subs(size, 0), wanted)
-    added = reissner.fibre_flow(phi(sigma), sp.S.One, cell.carry).shear_rate.subs(gamma_p, 0)
+    added = reissner.fibre_flow(phi(sigma), sp.S.One, cell.carry).shear_rate[0].subs(gamma_p, 0)
     prove_equal(added, 3 * phi(bulk.sigma_eq) * tau_d / bulk.sigma_eq)
 
 # %% [markdown]
@@ -538,7 +538,7 @@ prove_equal(by_energy(2 * sp.sqrt(1 - zeta**2) / sp.pi), sections.CIRCLE.shear_c
 
 # %%
 sliding_rate = sp.Symbol("sliding_rate", positive=True)
-maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate.subs(gamma_p, 0)
+maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate[0].subs(gamma_p, 0)
 steady = sp.solve(maxwell.subs(tau_d, tau_f) - sp.sqrt(kappa_s) * sliding_rate, tau_f)[0]
 prove_equal(sp.sqrt(kappa_s) * A0 * steady, kappa_s * eta / 3 * A0 * sliding_rate)
 cowper_circle = 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu)
@@ -551,7 +551,7 @@ prove_equal(cowper_circle.subs(bulk.nu, sp.Rational(1, 2)), sections.CIRCLE.shea
 spring = reissner.fibre_spring(E, bulk.shear_modulus())
 prove_equal(spring.stress[0], E * (eps_e + gamma_e**2 / 4))
 prove_equal(spring.stress[1], shear_modulus * gamma_e + sigma * gamma_e / 2)
-prove_equal(spring.driving, tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
+prove_equal(spring.driving[0], tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
 for held, found in zip((both.normal_force, both.section_force, both.couple), derived["both ways"], strict=True):
     prove_equal(held, found)
 for rule in (laws.bingham_rate(), laws.maxwell_rate()):
@@ -560,4 +560,4 @@ for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     speed = rule.subs(sigma, bulk.sigma_eq)
     prove_equal(of_rule.axial_rate, speed * sigma / bulk.sigma_eq)
     turning = sp.Rational(3, 2) * gamma_p * of_rule.axial_rate
-    prove_equal(of_rule.shear_rate, 3 * speed * tau_d / bulk.sigma_eq - turning)
+    prove_equal(of_rule.shear_rate[0], 3 * speed * tau_d / bulk.sigma_eq - turning)

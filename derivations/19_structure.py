@@ -117,7 +117,7 @@ from softcat_sym.physics.symbols import sigma
 phi = sp.Symbol("phi", nonnegative=True)
 for share in (sp.S.One, sp.Rational(3, 4)):
     flow, hardening = reissner.hardened(reissner.fibre_flow(phi, share), share)
-    sheared = flow.shear_rate + reissner.CARRY * reissner.gamma_p * flow.axial_rate
+    sheared = flow.shear_rate[0] + reissner.CARRY * reissner.gamma_p * flow.axial_rate
     power = sigma * flow.axial_rate + reissner.tau_d * sheared
     stored = sum(
         sp.diff(hardening.stored, one) * rate

@@ -103,7 +103,7 @@ for law in (laws.law_of("elastic"), laws.law_of("maxwell")):
 c, held_shear, g = reissner.CARRY, sp.Symbol("gamma", real=True), growth
 gone = {reissner.eps_e: -g * reissner.eps_e}
 elastic_shear = held_shear - reissner.gamma_p * sp.exp(-c * reissner.eps_e)
-fading = sp.diff(elastic_shear, reissner.gamma_p) * fibre.shear_rate
+fading = sp.diff(elastic_shear, reissner.gamma_p) * fibre.shear_rate[0]
 fading += sp.diff(elastic_shear, reissner.eps_e) * gone[reissner.eps_e]
 prove_equal(fading.subs(reissner.gamma_e, elastic_shear), -g * elastic_shear)
 

@@ -23,8 +23,9 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
+from softcat_sym.physics import reissner
 from softcat_sym.physics import spatial as sl
-from softcat_sym.physics.bulk import nu, sigma_eq
+from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
 from softcat_sym.physics.reissner import eps_e
 from softcat_sym.physics.symbols import E, h0, sigma
 
@@ -115,7 +116,7 @@ def gradient(strain, second, third):
 
 
 whole = sp.simplify(gradient(e, ge2, ge3) * gradient(ep, gp2, gp3))
-spring = sl.point_spring(E, sl.axial_strain)
+spring = reissner.fibre_spring(E, shear_modulus(), shears=sl.SHEARS)
 total = [whole[1, 0] / whole[0, 0], whole[2, 0] / whole[0, 0]]
 prove_equal(sp.log(whole[0, 0]).subs({e: 0.3, ep: 0.2}), sp.Float(0.5))
 known = {sl.gamma[0]: total[0], sl.gamma[1]: total[1], sl.gamma_p[0]: gp2, sl.gamma_p[1]: gp3}
@@ -170,15 +171,15 @@ for order in (2, 3):
 
 # %%
 phi = sp.Symbol("phi")
-flow = sl.point_flow(phi)
+flow = reissner.fibre_flow(phi, shears=sl.SHEARS)
 total_eps, total_g = sp.Function("eps")(t), [sp.Function(f"gamma{n}")(t) for n in (2, 3)]
 plastic_eps, plastic_g = sp.Function("eps_p")(t), [sp.Function(f"gamma_p{n}")(t) for n in (2, 3)]
 elastic_eps = total_eps - plastic_eps
 carried = sp.exp(-sp.Rational(3, 2) * elastic_eps)
 elastic_g = [one - other * carried for one, other in zip(total_g, plastic_g, strict=True)]
 now = {eps_e: elastic_eps, **dict(zip(sl.gamma_e, elastic_g, strict=True))}
-s_now = spring.stress.subs(now)
-t_now = [one.subs(now).subs(sigma, s_now) for one in spring.shear_stress]
+s_now = spring.stress[0].subs(now)
+t_now = [one.subs(now).subs(sigma, s_now) for one in spring.stress[1:]]
 d_now = [one.subs(dict(zip(sl.tau, t_now, strict=True))).subs(now) for one in spring.driving]
 state = {sigma: s_now, **dict(zip(sl.tau_d, d_now, strict=True)), **dict(zip(sl.gamma_p, plastic_g, strict=True))}
 conjugate = spring.conjugate.subs(state)
@@ -190,7 +191,7 @@ stored = sp.diff(spring.stored.subs(now), t).subs(rates)
 worked = conjugate * sp.diff(total_eps, t) + sum(
     one * sp.diff(g_now, t) for one, g_now in zip(t_now, total_g, strict=True)
 )
-equivalent = phi * flow.square.subs(state) / sigma_eq
+equivalent = phi * flow.equivalent.subs(state) ** 2 / sigma_eq
 names = {one: sp.Symbol(f"n{n}") for n, one in enumerate([total_eps, *total_g, *plastic_g])}
 names[plastic_eps] = names[total_eps] - e
 speeds = {sp.diff(one, t): sp.Symbol(f"v{n}") for n, one in enumerate([total_eps, *total_g])}
@@ -228,7 +229,7 @@ prove_equal(n1, mean / L - (n2 * G2 + n3 * G3) / L - sp.Rational(3, 2) * bent / 
 r, angle = sp.symbols("r angle", positive=True)
 place = {sl.Y: r * sp.cos(angle), sl.Z: r * sp.sin(angle)}
 place |= {sl.W_2: -place[sl.Z], sl.W_3: place[sl.Y]}
-strain = sl.point_strain(sp.Rational(9, 10), natural=False)
+axial, *sheared = sl.point_strain(sp.Rational(9, 10), natural=False)
 
 
 def over_section(expression):
@@ -237,6 +238,6 @@ def over_section(expression):
 
 
 at_rest = {L: 1, G2: 0, G3: 0}
-prove_equal(over_section(E * strain.axial.subs(at_rest).diff(kappas[2]) ** 2), E * h0**2 / 16)
-prove_equal(over_section(E * strain.axial.subs(at_rest).diff(kappas[1]) ** 2), E * h0**2 / 16)
-prove_equal(over_section(mu * sum(one.subs(at_rest).diff(kappas[0]) ** 2 for one in strain.shear)), mu * h0**2 / 8)
+prove_equal(over_section(E * axial.subs(at_rest).diff(kappas[2]) ** 2), E * h0**2 / 16)
+prove_equal(over_section(E * axial.subs(at_rest).diff(kappas[1]) ** 2), E * h0**2 / 16)
+prove_equal(over_section(mu * sum(one.subs(at_rest).diff(kappas[0]) ** 2 for one in sheared)), mu * h0**2 / 8)

@@ -28,7 +28,7 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.run import run_form
 from softcat_sym.results.sideways import _Cells, _Matrix, sideways
-from softcat_sym.scene.ends import CLAMPED
+from softcat_sym.scene.ends import CLAMPED, SUPPORTS
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from tests.common.assembled import assemble
@@ -294,7 +294,7 @@ def test_what_surely_stays_in_its_plane_has_no_way_out_of_it() -> None:
                 held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[end]] = True
             stable = bool(_Matrix.of(found.tangent(1.0, 1.0), held).are_positive()[0])
             unstable += not stable
-            if found.stay(1.0, ends):
+            if found.stay(1.0, [SUPPORTS[end] for end in ends]):
                 sure += 1
                 assert stable, (ends, size)
     assert sure > 40 and unstable > 20, (sure, unstable)

@@ -32,7 +32,7 @@ from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_le
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.sampling import Sampling, SpatialSampling
+    from softcat_sym.discretization.sampling import Sampling
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -244,7 +244,7 @@ class Recorded:
         """What its sites compute."""
         return self.sampled_by(self.theory.rule)
 
-    def sampled_by(self, rule: Sampling | SpatialSampling | None) -> Program:
+    def sampled_by(self, rule: Sampling | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
         # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import casadi as ca
@@ -21,8 +21,7 @@ from softcat_sym.discretization.heat import Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
 from softcat_sym.discretization.parameters import energy_scale
-from softcat_sym.discretization.point_rule import PointRule
-from softcat_sym.discretization.sampling import OnePoint, Sampling, SpatialSampling
+from softcat_sym.discretization.sampling import Sampling
 from softcat_sym.discretization.shearing import shearing
 from softcat_sym.discretization.spatial import spatial_filament
 from softcat_sym.discretization.stencil import UNKNOWN, Field, Neighbours
@@ -38,11 +37,11 @@ def build(
     model: str,
     ends: tuple[Support, Support],
     body: Body,
-    rule: Sampling | SpatialSampling | None,
+    rule: Sampling | None,
 ) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
-    if isinstance(rule, (PointRule, OnePoint)):
+    if rule is not None and rule.is_spatial:
         return spatial_filament(b, rule)
     if rule is not None and equations.resolved is not None:
         mechanics = shearing(b, rule)
@@ -199,21 +198,20 @@ def _powers(
     load = [Field("power_load_0", NODES, lifted * of.y[0])]
     if not moved.is_zero():
         load.append(Field("power_load_1", _AT_RIGHT, moved))
+    load += [one.times(scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:
         power = necking_power(b, of.double_force, (of.x, of.y), of.moved or (of.u, of.v), of.stretch)
         gradient = [Field("power_gradient_0", INNER, power * (scale / b.scale))]
-
-    def scaled(fields: Sequence[Field], name: str = "") -> list[Field]:
-        """In units of the quadratures, by their own names or numbered."""
-        names = [f"{name}_{k}" if name else one.name for k, one in enumerate(fields)]
-        return [one.mapped(label, lambda v: v * scale) for label, one in zip(names, fields, strict=True)]
-
-    groups = {"plastic": scaled(of.dissipation, "power_plastic"), "load": load + scaled(outer.power)}
-    groups |= {"gradient": gradient, **{name: scaled(fields) for name, fields in outer.dissipation.items()}}
-    groups |= {"energy_softening": scaled(heat.softening)} if heat.softening else {}
+    plastic = [one.times(scale, f"power_plastic_{k}") for k, one in enumerate(of.dissipation)]
+    lost = {name: [one.times(scale) for one in fields] for name, fields in outer.dissipation.items()}
+    softened = [one.times(scale) for one in heat.softening]
+    groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
+    groups |= {"energy_softening": softened} if softened else {}
     groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
-    return groups | ({WORK_OF_AGEING: scaled(of.ageing, "power_ageing")} if b.equations.clocks else {})
+    if b.equations.clocks:
+        groups[WORK_OF_AGEING] = [one.times(scale, f"power_ageing_{k}") for k, one in enumerate(of.ageing)]
+    return groups
 
 
 def _observables(
@@ -227,14 +225,11 @@ def _observables(
     if terms.inertia:
         moving = mass * (of.u[0] ** 2 + of.v[0] ** 2) * speed**2 * b.density / 2
         kinetic.append(Field("moving", NODES, moving * span))
-        kinetic += [one.mapped(one.name, lambda v: v * span) for one in outer.kinetic]
+        kinetic += [one.times(span) for one in outer.kinetic]
     if terms.rotary_inertia:
         turning = b.node[0] * of.omega[0] ** 2 * rotary / (2 * b.scale**2)
         kinetic.append(Field("turning", NODES, turning * span))
-    stored = {
-        f"energy_{name}": tuple(one.mapped(name, lambda v: v * span) for one in fields)
-        for name, fields in of.energies.items()
-    }
+    stored = {f"energy_{name}": tuple(one.times(span, name) for one in fields) for name, fields in of.energies.items()}
     double_force = ca.SX(0) if of.double_force is None else of.double_force[0]
     return {
         "x": Field("x", NODES, of.x[0] * span),

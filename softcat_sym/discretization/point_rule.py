@@ -34,6 +34,7 @@ class PointRule:
         """Number of points."""
         return len(self.weight)
 
+    is_spatial: ClassVar[bool] = True
     heading: ClassVar[str] = """\
 /* Places of the points of a section, what a twist shears there, over half the thickness, and their shares of it. */"""
 
@@ -41,6 +42,18 @@ class PointRule:
     def is_of_fibres(self) -> bool:
         """Whether every point has plastic states of its own, as here."""
         return True
+
+    @property
+    def recall(self) -> Floats:
+        """Every point has its own states."""
+        return np.eye(self.points)
+
+    project = recall
+
+    @property
+    def across(self) -> Floats:
+        """Nothing of its states is linear through the thickness."""
+        return np.zeros(self.points)
 
     @property
     def tables(self) -> Mapping[str, Floats]:

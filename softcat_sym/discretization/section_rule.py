@@ -53,13 +53,21 @@ class SectionRule:
         """Its numbers, by the names that code which loops over fibres has for them."""
         return {"zeta": self.zeta, "weight": self.weight}
 
+    is_spatial: ClassVar[bool] = False
     heading: ClassVar[str] = """\
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */"""
 
     @property
-    def places(self) -> list[tuple[float, float]]:
-        """Coordinate and weight of every point."""
-        return [(float(zeta), float(weight)) for zeta, weight in zip(self.zeta, self.weight, strict=True)]
+    def places(self) -> list[dict[str, float]]:
+        """Numbers of every point."""
+        return [
+            {"zeta": float(zeta), "weight": float(weight)} for zeta, weight in zip(self.zeta, self.weight, strict=True)
+        ]
+
+    @property
+    def across(self) -> Floats:
+        """Place of every point through the thickness, from -1 to 1."""
+        return self.zeta
 
     @property
     def label(self) -> str:

@@ -11,14 +11,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
-import sympy as sp
 
-from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.cell import (
     Builder,
     Program,
     Sided,
-    branch_name,
     derivatives,
     neck_force,
     necking_power,
@@ -30,15 +27,13 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.end_springs import end_springs
 from softcat_sym.discretization.held_ends import Held
 from softcat_sym.discretization.parameters import energy_scale
-from softcat_sym.discretization.sampling import OnePoint, SpatialSampling, point_labels
-from softcat_sym.discretization.section_rule import POINT as POINT_SHOWN
-from softcat_sym.discretization.stencil import FIBRE, Field, Leaf, Neighbours, Same
+from softcat_sym.discretization.sampling import OnePoint, Sampling
+from softcat_sym.discretization.section_points import Sampled, sampled
+from softcat_sym.discretization.stencil import Field, Leaf, Neighbours, Same
 from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, TIP_TORQUE
 from softcat_sym.discretization.unknowns import CELLS, INNER, NODES, PLACES, TURN, Slot, Where
 from softcat_sym.physics import spatial, symbols
-from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.reissner import eps_e, eps_p
-from softcat_sym.physics.spatial import MEANS, POINT, STRAINS, SpatialSection
+from softcat_sym.physics.spatial import MEANS, STRAINS
 
 Three = tuple[ca.SX, ca.SX, ca.SX]
 
@@ -47,9 +42,6 @@ SPEEDS, SPIN = ("u", "v", "w"), ("o1", "o2", "o3")
 
 _ROUND = 1e-24
 """Square of the angle between two nodes below which it counts as none."""
-
-_NO_STRESS = 1e-12
-"""Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
 
 
 @dataclass
@@ -63,7 +55,7 @@ class _Cell:
     torques: tuple[list[ca.SX], list[ca.SX]] = ([], [])  # On either node, in its own axes [Pa m]
 
 
-def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
+def spatial_filament(b: Builder, rule: Sampling) -> Program:
     """Rates of all unknowns, powers and observables of a filament in three dimensions.
 
     Raises
@@ -85,13 +77,13 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
     values = {**b.values, symbols.h0: b.h_cell, **dict(zip(STRAINS, cell.strains, strict=True))}
     if terms.curved:
         values |= dict(zip(spatial.NATURAL, _natural(b), strict=True))
-    points = _sampled(b, section, rule, values, cell.rates)
-    values |= dict(zip(MEANS, points.means, strict=True))
+    points = sampled(b, section, rule, values | dict(zip(spatial.RATES, cell.rates, strict=True)))
+    values |= points.means
     conjugate = [b.area_cell * one for one in derivatives(section.power, STRAINS, values)]
     _act(b, cell, turn, conjugate)
     stretch = b.stage("stretch", CELLS, ca.sqrt(sum((one**2 for one in cell.slope), ca.SX(0))))
     pull, surface = surface_force(b, stretch)
-    tension_now = b.area_cell * points.means[0] / cell.strains[0]
+    tension_now = b.area_cell * points.means[MEANS[0]] / cell.strains[0]
     tension = b.stage("tension", CELLS, tension_now) if b.equations.neck is not None else Same()
     double_force, necked = neck_force(b, stretch, tension)
     along = (pull + necked) / stretch[0]
@@ -104,13 +96,13 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         for side, parts in zip(("first", "last"), cell.torques, strict=True)
     ]
     of = _Body(b, places, speeds, moved, turn, spin, force, torque, stretch, double_force)
-    rates = tuple(of.rate(slot, points.rates) for slot in ordered(b.slots))
+    rates = tuple(of.rate(slot, points.plastic) for slot in ordered(b.slots))
     volume = b.length[0] * b.area_cell
     stored = {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface}
     stored |= {"supports": [one.stored for one in of.springs]} if of.springs else {}
     powers = of.powers(Field("power_plastic_0", CELLS, volume * points.dissipation * of.work))
     shown = {**of.shown(stored), **_shown(b, cell, conjugate, tension_now, points)}
-    return program_of(b, rates, powers, shown, {name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")})
+    return program_of(b, rates, powers, shown, points.profiles)
 
 
 def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
@@ -249,134 +241,6 @@ def _of_a_turn(q: Sequence[ca.SX], slope: Sequence[ca.SX]) -> list[ca.SX]:
     w, x, y, z = q
     a, b, c, d = slope
     return [-x * a + w * b + z * c - y * d, -y * a - z * b + w * c + x * d, -z * a + y * b - x * c + w * d]
-
-
-@dataclass
-class _Points:
-    """Sums over the section of a cell."""
-
-    means: list[ca.SX]
-    energy: ca.SX
-    dissipation: ca.SX
-    rates: dict[str, ca.SX]  # Of the plastic states [1/s]
-    shown: dict[str, ca.SX]  # Of single points
-
-
-def _sampled(
-    b: Builder,
-    section: SpatialSection,
-    rule: SpatialSampling,
-    values: Mapping[Any, Any],
-    rates: Sequence[ca.SX],
-) -> _Points:
-    """Stress and flow at the points of a section, and their means."""
-    if isinstance(rule, OnePoint):
-        for name, symbol in rule.symbols.items():
-            b.leaves.adopt(symbol, Leaf(FIBRE, name))
-    points = []
-    for place in rule.places:
-        here = {**values, **{symbol: ca.SX(place[symbol.name]) for symbol in POINT}}
-        points.append(_Point(b, section, here))
-    found: dict[str, ca.SX] = {}
-    for number, (spring, flow) in enumerate(section.branches):
-        kinds = ("axial", "shear2", "shear3")
-        names = [[branch_name(f"{kind}_{label}", number) for label in rule.labels] for kind in kinds]
-        states = [[ca.SX(0)] * rule.points] * 3
-        if flow is not None:
-            slots = [[Slot(name, "cell", (False, False), True, "", section=True) for name in row] for row in names]
-            states = [[b.unknown(slot)[0] for slot in row] for row in slots]
-        modulus = b.equations.law.branches[number].modulus
-        for k, point in enumerate(points):
-            moving = point.add(spring, flow, modulus, [row[k] for row in states])
-            if flow is not None:
-                found |= {row[k]: rate for row, rate in zip(names, moving, strict=True)}
-    if section.viscous is not None:
-        for point in points:
-            point.resist(section.viscous, rates)
-    return _summed(b, rule, points, found)
-
-
-def _summed(b: Builder, rule: SpatialSampling, points: Sequence[_Point], rates: dict[str, ca.SX]) -> _Points:
-    weights = [place["weight"] for place in rule.places]
-
-    def mean(name: str, values: Sequence[ca.SX]) -> ca.SX:
-        total = sum((weight * value for weight, value in zip(weights, values, strict=True)), ca.SX(0))
-        return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
-
-    rows = list(zip(*(point.contributions() for point in points), strict=True))
-    return _Points(
-        means=[mean(symbol.name, row) for symbol, row in zip(MEANS, rows, strict=True)],
-        energy=mean("energy", [point.energy for point in points]),
-        dissipation=mean("dissipation", [point.dissipation for point in points]),
-        rates=rates,
-        shown={
-            f"{POINT_SHOWN}{name}_{label}": value
-            for label, point in zip(point_labels(rule), points, strict=True)
-            for name, value in (("yields", point.yields), ("speed", point.speed))
-        },
-    )
-
-
-class _Point:
-    """One point of a section: its stress is the derivative of its stored energy, its flow is driven by it."""
-
-    def __init__(self, b: Builder, section: SpatialSection, values: dict[Any, Any]) -> None:
-        self.values, self.section = values, section
-        self.strain = [printed(one, values) for one in (section.strain.axial, *section.strain.shear)]
-        self.stress = [ca.SX(0)] * 3  # Conjugate to the strains
-        self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
-
-    def add(
-        self, spring: spatial.PointSpring, flow: spatial.PointFlow | None, modulus: sp.Expr, plastic: Sequence[ca.SX]
-    ) -> list[ca.SX]:
-        """A spring with its flow rule: the rates of its plastic state."""
-        strains, states = (spatial.axial_strain, *spatial.gamma), (eps_p, *spatial.gamma_p)
-        values = {**self.values, **dict(zip((*strains, *states), (*self.strain, *plastic), strict=True))}
-        for symbols_, expressions in (
-            ((eps_e, *spatial.gamma_e), spring.elastic),
-            ((symbols.sigma,), (spring.stress,)),
-            (spatial.tau, spring.shear_stress),
-            (spatial.tau_d, spring.driving),
-        ):
-            for symbol, expression in zip(symbols_, expressions, strict=True):
-                values[symbol] = printed(expression, values)
-        stress = [printed(spring.conjugate, values), *(values[one] for one in spatial.tau)]
-        self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
-        self.energy += printed(spring.stored, values)
-        if flow is None:
-            return []
-        # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
-        floor = (_NO_STRESS * printed(modulus, values)) ** 2
-        values[sigma_eq] = ca.sqrt(ca.fmax(printed(flow.square, values), floor))
-        named = dict(zip(("axial", "shear_2", "shear_3"), (flow.axial_rate, *flow.shear_rate), strict=True))
-        named |= {"speed": flow.speed, "dissipation": flow.dissipation, "yields": flow.yields}
-        found = CellFunction(named, tuple(values))(values)
-        self.dissipation += found["dissipation"]
-        self.speed = ca.fmax(self.speed, found["speed"])
-        self.yields = ca.fmax(self.yields, found["yields"])
-        return [ca.SX(found[name]) for name in ("axial", "shear_2", "shear_3")]
-
-    def resist(self, potential: sp.Expr, rates: Sequence[ca.SX]) -> None:
-        """The viscous stress beside the springs: the derivative of its Rayleigh potential."""
-        strain = self.section.strain
-        moving = [
-            sum((printed(one.diff(by), self.values) * rate for by, rate in zip(STRAINS, rates, strict=True)), ca.SX(0))
-            for one in (strain.axial, *strain.shear)
-        ]
-        by = (spatial.eps_t, *spatial.gamma_t)
-        values = {**self.values, **dict(zip(by, moving, strict=True))}
-        values |= dict(zip(spatial.gamma, self.strain[1:], strict=True))
-        stress = derivatives(potential, by, values)
-        self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
-        self.dissipation += 2 * printed(potential, values)
-        if not self.section.branches:
-            self.speed, self.yields = ca.fabs(moving[0]), ca.SX(1)
-
-    def contributions(self) -> list[ca.SX]:
-        """What it gives to each of `MEANS`."""
-        axial, second, third = self.stress
-        Y, Z, W_2, W_3 = (self.values[one] for one in POINT)
-        return [axial, axial * Y, axial * Z, second, third, second * W_2 + third * W_3]
 
 
 @dataclass
@@ -531,10 +395,7 @@ class _Body:
             hanging = self._mass(None) * falling - (pulled * b.span if b.body.tip_force else 0)
             ends = {-1: ca.SX(hanging)}
         weight = Field("weight", Where(0, int(bool(ends))), self.mass * falling, ends)
-        kept = {
-            f"energy_{name}": tuple(one.mapped(one.name, lambda v: v * b.span) for one in fields)
-            for name, fields in stored.items()
-        }
+        kept = {f"energy_{name}": tuple(one.times(b.span) for one in fields) for name, fields in stored.items()}
         double = ca.SX(0) if self.double_force is None else self.double_force[0]
         return {
             **{name: Field(name, NODES, r[0] * b.span) for name, r in zip(PLACES, self.places, strict=True)},
@@ -548,7 +409,7 @@ class _Body:
 
 
 def _shown(
-    b: Builder, cell: _Cell, conjugate: Sequence[ca.SX], tension: ca.SX, points: _Points
+    b: Builder, cell: _Cell, conjugate: Sequence[ca.SX], tension: ca.SX, points: Sampled
 ) -> dict[str, Field | tuple[Field, ...]]:
     """What a run stores of the cells; curvature, moment, shear and shear force are those of the plane."""
     Lam, second, third, twist, k_2, k_3 = cell.strains
@@ -565,7 +426,7 @@ def _shown(
         "torque": conjugate[3],
         "moment_2": conjugate[4],
         "moment": -conjugate[5],
-        "stress_mean": points.means[0],
-        "stress_bending": points.means[1] / float(b.equations.shape.zeta_squared),
+        "stress_mean": points.means[MEANS[0]],
+        "stress_bending": points.means[MEANS[1]] / float(b.equations.shape.zeta_squared),
     }
     return {name: Field(name, CELLS, ca.SX(value)) for name, value in (values | points.shown).items()}

@@ -97,6 +97,10 @@ class Field:
         """What becomes of it at every site, under another name."""
         return Field(name, self.where, change(self.value), {at: change(value) for at, value in self.ends.items()})
 
+    def times(self, factor: ca.SX, name: str = "") -> Field:
+        """The same field in another unit, and by another name."""
+        return self.mapped(name or self.name, lambda value: value * factor)
+
     def sites(self, count: int) -> list[int]:
         """Its sites where there are so many."""
         first = self.where.first % count

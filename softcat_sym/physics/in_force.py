@@ -254,13 +254,13 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
         for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), spring.stress, strict=True))[:kept]:
             yield stated(f"{name} stress of a fibre{which}", symbol.xreplace(new), value.xreplace(new), "2.8")
         if resolved.shears:
-            along = spring.conjugate.xreplace({reissner.tau_d: spring.driving}).xreplace(given)
+            along = spring.conjugate.xreplace({reissner.tau_d: spring.driving[0]}).xreplace(given)
             yield stated(f"conjugate stress of a fibre{which}", conjugate[0].xreplace(new), along, "THEORY 12a")
     if resolved.viscous is not None:
         new = _part(len(resolved.branches), several, _FIBRE)
         which = f", part {len(resolved.branches) + 1}" if several else ""
         moving = {reissner.eps_t: Rate(reissner.eps, sy.t, 1), reissner.gamma_t: Rate(reissner.gamma, sy.t, 1)}
-        pairs = zip(("axial", "shear"), (conjugate[0], tau_f), resolved.viscous.stress, strict=True)
+        pairs = zip(("axial", "shear"), (conjugate[0], tau_f), _viscous_stress(resolved), strict=True)
         for name, symbol, value in list(pairs)[:kept]:
             shown = value.xreplace(moving)
             yield stated(f"viscous {name} stress of a fibre{which}", symbol.xreplace(new), shown, "2.8")
@@ -271,12 +271,18 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
             yield stated("sum over the parts in parallel", total, added, "2.8")
 
 
+def _viscous_stress(resolved: ResolvedSection) -> tuple[sp.Expr, sp.Expr]:
+    """What the Rayleigh potential of a fibre derives to, axially and in shear."""
+    potential = sp.S.Zero if resolved.viscous is None else resolved.viscous.rayleigh
+    return sp.diff(potential, reissner.eps_t), sp.diff(potential, reissner.gamma_t)
+
+
 def _stress_of_chains(resolved: ResolvedSection, chains: ChainResponse) -> Iterator[Stated]:
     yield stated("strain of a fibre", reissner.eps, resolved.cell.axial_strain - resolved.relaxed, "2.6")
     yield from _conformation(chains, reissner.eps)
     solvent = sp.S.Zero
     if resolved.viscous is not None:
-        solvent = resolved.viscous.stress[0].xreplace({reissner.eps_t: Rate(reissner.eps, sy.t, 1)})
+        solvent = _viscous_stress(resolved)[0].xreplace({reissner.eps_t: Rate(reissner.eps, sy.t, 1)})
     yield stated("stress of a fibre", sy.sigma, chain_stress + solvent, "2.8")
 
 
@@ -291,7 +297,7 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
             continue
         new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
         if resolved.shears:
-            drive = resolved.branches[j].spring.driving.xreplace(new)
+            drive = resolved.branches[j].spring.driving[0].xreplace(new)
             yield stated(f"driving shear stress{which}", reissner.tau_d.xreplace(new), drive, "THEORY 12a")
         total = flow if branch.flow is not None else reissner.STILL
         if branch.flow is not None and equations.terms.hardens:
@@ -306,7 +312,7 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
             f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), sy.t, 1), total.axial_rate.xreplace(new), "3.7"
         )
         if resolved.shears:
-            shear = total.shear_rate.xreplace(new)
+            shear = total.shear_rate[0].xreplace(new)
             yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), sy.t, 1), shear, "3.7")
 
 
@@ -328,7 +334,7 @@ def _hardening(
         moved,
         equivalent=moved.equivalent.xreplace(named),
         axial_rate=moved.axial_rate.xreplace(named),
-        shear_rate=moved.shear_rate.xreplace(named),
+        shear_rate=(moved.shear_rate[0].xreplace(named),),
     )
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -136,40 +138,58 @@ CARRY = sp.Rational(3, 2)
 """``carry`` of a section that shrinks both ways."""
 
 
+class Shear(NamedTuple):
+    """Symbols of one shear of a point of the section."""
+
+    total: sp.Symbol
+    plastic: sp.Symbol
+    elastic: sp.Symbol
+    rate: sp.Symbol
+    stress: sp.Symbol  # Conjugate to it
+    drive: sp.Symbol  # Stress that drives its flow
+
+
+IN_PLANE = (Shear(gamma, gamma_p, gamma_e, gamma_t, tau_f, tau_d),)
+"""The shear of a filament in its plane; three dimensions have two."""
+
+
 @dataclass(frozen=True, slots=True)
 class FibreSpring:
     """The stored energy of a fibre and its derivatives; what the package runs on is differentiated from the energy."""
 
-    elastic: tuple[sp.Expr, sp.Expr]  # (eps_e, gamma_e) of the strains (eps, gamma), the plastic state and eps_e
+    elastic: tuple[sp.Expr, ...]  # eps_e and gamma_e of the strains (eps, gamma), the plastic state and eps_e
     stored: sp.Expr  # Per unit undeformed volume, of (eps_e, gamma_e)
-    stress: tuple[sp.Expr, sp.Expr]  # sigma of (eps_e, gamma_e), and tau of sigma and these
+    stress: tuple[sp.Expr, ...]  # sigma of (eps_e, gamma_e), and tau of sigma and these
     conjugate: sp.Expr  # Stress conjugate to eps, of (sigma, tau_d) and the plastic state
-    driving: sp.Expr  # tau_d = -d stored/d gamma_p, of tau and eps_e
+    driving: tuple[sp.Expr, ...]  # tau_d = -d stored/d gamma_p, of tau and eps_e
 
 
 def fibre_spring(
-    modulus: sp.Expr, shearing: sp.Expr, carry: sp.Expr = CARRY, relaxed: sp.Expr = sp.S.Zero, *, shear: bool = True
+    modulus: sp.Expr,
+    shearing: sp.Expr,
+    carry: sp.Expr = CARRY,
+    relaxed: sp.Expr = sp.S.Zero,
+    *,
+    shear: bool = True,
+    shears: tuple[Shear, ...] = IN_PLANE,
 ) -> FibreSpring:
     """Energy E (eps_e + gamma_e^2/4)^2/2 + mu gamma_e^2/2: Hencky's to third order if the volume is kept.
 
     A fibre of a section that does not shear has no plastic shear, and none of its stress is the shear's.
     """
     carried = sp.exp(-carry * eps_e) if shear else sp.S.One
-    lengthened = eps_e + gamma_e**2 / 4 if shear else eps_e
-    drawn, sheared = modulus * lengthened**2 / 2, shearing * gamma_e**2 / 2
-    along = modulus * sp.expand(sp.diff(drawn, eps_e) / modulus)
-    # What the shear stress has of the axial one, as a multiple of it.
-    share = sp.diff(lengthened, gamma_e)
+    square = sp.Add(*(one.elastic**2 for one in shears))
+    lengthened = eps_e + square / 4 if shear else eps_e
     return FibreSpring(
-        elastic=(eps - relaxed - eps_p, gamma - gamma_p * carried),
-        stored=drawn + sheared,
-        # Expanded nothing is left of the first: to simplify the whole takes a quarter of a second.
+        elastic=(eps - relaxed - eps_p, *(one.total - one.plastic * carried for one in shears)),
+        stored=modulus * lengthened**2 / 2 + shearing * square / 2,
+        # What the shear stress has of the axial one, as a multiple of it.
         stress=(
-            along,
-            sp.expand(sp.diff(drawn, gamma_e) - share * along) + sp.factor(sp.diff(sheared, gamma_e)) + share * sigma,
+            modulus * lengthened,
+            *(shearing * one.elastic + sigma * sp.diff(lengthened, one.elastic) for one in shears),
         ),
-        conjugate=sigma + carry * gamma_p * tau_d if shear else sigma,
-        driving=carried * tau_f,
+        conjugate=sigma + carry * sp.Add(*(one.plastic * one.drive for one in shears)) if shear else sigma,
+        driving=tuple(carried * one.stress for one in shears),
     )
 
 
@@ -180,13 +200,23 @@ class FibreFlow:
     # sig_eq of (sigma, tau_d). It vanishes where nothing is stressed: a consumer floors it before it divides.
     equivalent: sp.Expr
     axial_rate: sp.Expr  # Rates of eps_p and gamma_p
-    shear_rate: sp.Expr
+    shear_rate: tuple[sp.Expr, ...]
     speed: sp.Expr  # Equivalent plastic rate phi(sig_eq)
     dissipation: sp.Expr  # Plastic power per unit undeformed volume
     yields: sp.Expr  # 1 where the fibre flows, otherwise 0
 
+    def subs(self, values: Mapping[sp.Expr, sp.Expr]) -> FibreFlow:
+        """The same of other stresses."""
+        plain = {
+            name: getattr(self, name).subs(values, simultaneous=True)
+            for name in ("equivalent", "axial_rate", "speed", "dissipation", "yields")
+        }
+        return FibreFlow(shear_rate=tuple(one.subs(values, simultaneous=True) for one in self.shear_rate), **plain)
 
-def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> FibreFlow:
+
+def fibre_flow(
+    rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY, shears: tuple[Shear, ...] = IN_PLANE
+) -> FibreFlow:
     """sig_eq = sqrt(m sigma^2 + 3 tau_d^2), eps_p_t = phi m sigma/sig_eq; gamma_p is carried by the plastic stretch.
 
     Of a plastic deformation that leaves sections plane the shear rate 3 phi tau_d/sig_eq is gamma_p_t + c gamma_p
@@ -195,9 +225,9 @@ def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY)
     speed = rate.subs(sigma, sigma_eq)
     axial = share * speed * sigma / sigma_eq
     return FibreFlow(
-        equivalent=sp.sqrt(share * sigma**2 + 3 * tau_d**2),
+        equivalent=sp.sqrt(share * sigma**2 + 3 * sp.Add(*(one.drive**2 for one in shears))),
         axial_rate=axial,
-        shear_rate=3 * speed * tau_d / sigma_eq - carry * gamma_p * axial,
+        shear_rate=tuple(3 * speed * one.drive / sigma_eq - carry * one.plastic * axial for one in shears),
         speed=speed,
         dissipation=speed * sigma_eq,
         yields=sp.sign(speed),
@@ -207,10 +237,10 @@ def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY)
 def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> FibreFlow:
     """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = sqrt(m) |sigma|."""
     both = fibre_flow(rate, share, carry)
-    return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=sp.Integer(0))
+    return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=(sp.S.Zero,))
 
 
-STILL = FibreFlow(*(sp.Integer(0) for _ in fields(FibreFlow)))
+STILL = FibreFlow(sp.S.Zero, sp.S.Zero, (sp.S.Zero,), sp.S.Zero, sp.S.Zero, sp.S.Zero)
 """A fibre that does not flow."""
 
 
@@ -232,9 +262,8 @@ def hardened(
     which tau_d is the driving stress of. So the energy is closed at any stretch.
     """
     axially, across = backstress.back_stress(share)
-    less = {sigma: sigma - axially} | ({tau_d: tau_d - across} if shear else {})
-    moved = FibreFlow(*(getattr(flow, one.name).subs(less, simultaneous=True) for one in fields(FibreFlow)))
-    sheared = moved.shear_rate + carry * gamma_p * moved.axial_rate if shear else sp.S.Zero
+    moved = flow.subs({sigma: sigma - axially} | ({tau_d: tau_d - across} if shear else {}))
+    sheared = moved.shear_rate[0] + carry * gamma_p * moved.axial_rate if shear else sp.S.Zero
     rates = (
         backstress.back_rate(moved.axial_rate, backstress.axial, moved.speed),
         backstress.back_rate(sheared, backstress.shear, moved.speed) if shear else sp.S.Zero,
@@ -253,31 +282,24 @@ def growing(flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, *, 
     """
     still = flow or STILL
     axial = growth * eps_e
-    across = growth * gamma_e * sp.exp(carry * eps_e) - carry * gamma_p * axial if shear else sp.Integer(0)
+    across = growth * gamma_e * sp.exp(carry * eps_e) - carry * gamma_p * axial if shear else sp.S.Zero
     return replace(
         still,
         axial_rate=still.axial_rate + axial,
-        shear_rate=still.shear_rate + across,
+        shear_rate=(still.shear_rate[0] + across,),
         dissipation=still.dissipation + sigma_c * axial + tau_d * across,
     )
 
 
-def strain_rates(of: ShearingCell) -> tuple[sp.Expr, sp.Expr]:
-    """Rates of the axial and the shear strain of a fibre, of (Lam, Gam, k) and their rates."""
-    moving = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
-    axial, shear = (
-        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving))
-        for strain in (of.axial_strain, of.shear_strain)
-    )
-    return axial, shear
+def strain_rates(strains: Iterable[sp.Expr], moving: Iterable[tuple[sp.Symbol, sp.Symbol]]) -> tuple[sp.Expr, ...]:
+    """Rates of strains, of what they are made of and its rates."""
+    pairs = tuple(moving)
+    return tuple(sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in pairs)) for strain in strains)
 
 
 def director_rates() -> tuple[sp.Expr, sp.Expr]:
     """Rates of (Lam, Gam), of (r_X, psi) and their rates."""
-    moving = ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t))
-    first, second = (
-        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving)) for strain in director_strains()
-    )
+    first, second = strain_rates(director_strains(), ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t)))
     return first, second
 
 
@@ -298,6 +320,7 @@ RIGIDITY = 1000
 class FibreBranch:
     """One spring of a fibre with its flow rule."""
 
+    modulus: sp.Expr  # Young's modulus of the material
     spring: FibreSpring
     flow: FibreFlow | None  # Plastic rates, of (sigma, tau_d), gamma_p and ``sigma_eq``; None where it does not flow
     hardening: FibreHardening | None = None
@@ -305,32 +328,36 @@ class FibreBranch:
 
 @dataclass(frozen=True, slots=True)
 class ViscousFibre:
-    """The viscous stress of a fibre."""
+    """The viscous stress of a fibre: what its Rayleigh potential, half the power, derives to."""
 
-    stress: tuple[sp.Expr, sp.Expr]  # Conjugate to the strains, of gamma and the rates of (eps, gamma)
-    rayleigh: sp.Expr  # Half the power, of the shear strain and the rates of the strains (eps, gamma)
-    strain_rates: tuple[sp.Expr, sp.Expr]  # These rates, of (Lam, Gam, k) and theirs
-    natural_rate: sp.Expr  # Rate of the strain without stress, beyond which the axial one is counted
+    rayleigh: sp.Expr  # Of the shear strain and the rates of the strains (eps, gamma)
+    strain_rates: tuple[sp.Expr, ...]  # These rates, of the strains of the cell and theirs
+    natural_rate: sp.Expr = sp.S.Zero  # Rate of the strain without stress, beyond which the axial one is counted
 
 
 @dataclass(frozen=True, slots=True)
-class ResolvedSection:
-    """What one cell of a filament with a resolved section consists of."""
+class SampledSection:
+    """What one point of a section answers to the strains of its cell, and what the section sums over its points."""
+
+    point_strains: tuple[sp.Expr, ...]  # Axial strain of a point and its shears
+    kinds: tuple[Shear, ...]  # One in the plane, two in space
+    branches: tuple[FibreBranch, ...]  # Springs in parallel
+    viscous: ViscousFibre | None  # What acts beside them
+    # Means over the section, by name: their symbol, of the stresses conjugate to the strains, times a lever.
+    means: Mapping[str, tuple[sp.Symbol, sp.Expr, sp.Expr]]
+
+
+@dataclass(frozen=True, slots=True)
+class ResolvedSection(SampledSection):
+    """What one cell of a filament in its plane with a resolved section consists of."""
 
     shears: bool  # Whether shear is physics here; otherwise it is only kept small
     strains: tuple[sp.Expr, sp.Expr]  # (Lam, Gam) of (r_X, psi), and their rates
     strain_rates: tuple[sp.Expr, sp.Expr]
     cell: ShearingCell  # The chain from strains to forces
-    branches: tuple[FibreBranch, ...]  # Springs in parallel
-    viscous: ViscousFibre | None  # What acts beside them
     relative_thickness: sp.Expr  # h/h0 of Lam
     rotary_inertia: sp.Expr  # rho I0, undeformed
     relaxed: sp.Expr  # Strain of a fibre where the filament is as curved as it is by nature
-
-    @property
-    def flows(self) -> bool:
-        """Whether there is a plastic state."""
-        return any(branch.flow is not None for branch in self.branches)
 
 
 def resolve(
@@ -345,14 +372,21 @@ def resolve(
         for mean, more in (natural_strains(shape), natural_strains(shape, rates=True))
     )
     return ResolvedSection(
-        shears=shear,
-        strains=director_strains(),
-        strain_rates=director_rates(),
-        cell=cell,
+        point_strains=(cell.axial_strain, cell.shear_strain),
+        kinds=IN_PLANE,
         branches=tuple(
             _branch(shape, cell, branch, relaxed + natural, shear=shear, hardens=hardens) for branch in law.branches
         ),
         viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, natural_rate, shear=shear),
+        means={
+            "axial": (sigma_mean, sigma_c, sp.S.One),
+            "axial_zeta": (sigma_zeta, sigma_c, zeta),
+            "shear": (tau_mean, tau_f, sp.S.One),
+        },
+        shears=shear,
+        strains=director_strains(),
+        strain_rates=director_rates(),
+        cell=cell,
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
         relaxed=relaxed,
@@ -362,7 +396,7 @@ def resolve(
 def _branch(
     shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr, *, shear: bool, hardens: bool
 ) -> FibreBranch:
-    modulus, shearing = stiffness(shape, branch.modulus), shear_modulus().subs(E, branch.modulus)
+    modulus, shearing = stiffness(shape, branch.modulus), sp.factor(shear_modulus().subs(E, branch.modulus))
     flow = hardening = None
     if branch.flow is not None:
         share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
@@ -371,19 +405,26 @@ def _branch(
             flow, hardening = hardened(flow, share, cell.carry, shear=shear)
     if branch.growth is not None:
         flow = growing(flow, branch.growth, cell.carry, shear=shear)
-    return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow, hardening)
+    spring = fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear)
+    return FibreBranch(branch.modulus, spring, flow, hardening)
+
+
+def rayleigh(
+    along: sp.Expr, viscosity: sp.Expr, carry: sp.Expr = CARRY, shears: tuple[Shear, ...] = IN_PLANE
+) -> sp.Expr:
+    """Half the power of a viscous stress: `along` the fibre, eta/3 (Trouton) in the shear of the whole deformation.
+
+    The stretch carries that shear as well.
+    """
+    square = sp.Add(*((one.rate + carry * one.total * eps_t) ** 2 for one in shears))
+    return along * eps_t**2 / 2 + viscosity * square / 6
 
 
 def _viscous(
     shape: Section, cell: ShearingCell, viscosity: sp.Expr, natural_rate: sp.Expr, *, shear: bool
 ) -> ViscousFibre:
-    # Shear viscosity eta/3 (Trouton) on the shear rate of the whole deformation, which the stretch carries as well.
-    sheared = gamma_t + cell.carry * gamma * eps_t if shear else gamma_t
-    rayleigh = resistance(shape, viscosity) * eps_t**2 / 2 + viscosity * sheared**2 / 6
-    axial_rate, shear_rate = strain_rates(cell)
-    return ViscousFibre(
-        stress=(sp.diff(rayleigh, eps_t), sp.diff(rayleigh, gamma_t)),
-        rayleigh=rayleigh,
-        strain_rates=(axial_rate - natural_rate, shear_rate),
-        natural_rate=natural_rate,
+    axial_rate, shear_rate = strain_rates(
+        (cell.axial_strain, cell.shear_strain), ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
     )
+    potential = rayleigh(resistance(shape, viscosity), viscosity, cell.carry if shear else sp.S.Zero)
+    return ViscousFibre(potential, (axial_rate - natural_rate, shear_rate), natural_rate)

@@ -11,11 +11,26 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from softcat_sym.physics.bulk import shear_modulus, sigma_eq
+from softcat_sym.physics.bulk import shear_modulus
 from softcat_sym.physics.laws import Law
-from softcat_sym.physics.reissner import CARRY, Gam, Lam, eps_e, eps_p
+from softcat_sym.physics.reissner import (
+    CARRY,
+    FibreBranch,
+    Gam,
+    Gam_t,
+    Lam,
+    Lam_t,
+    SampledSection,
+    Shear,
+    ViscousFibre,
+    fibre_flow,
+    fibre_spring,
+    rayleigh,
+    sigma_c,
+    strain_rates,
+)
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0, sigma
+from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0
 
 SOURCE = "THEORY3D"
 Three = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -26,6 +41,11 @@ k_2 = enter("k_2", r"\kappa_2", PER_LENGTH, "curvature about the second axis", S
 k_3 = enter("k_3", r"\kappa_3", PER_LENGTH, "curvature about the third axis, that of the plane", SOURCE)
 STRAINS = (Lam, Gam, Gam_3, k_1, k_2, k_3)
 """Gamma and kappa."""
+RATES = (
+    *(Lam_t, Gam_t, enter("Gam_3_t", r"\dot\Gamma_3", RATE, "rate of Gam_3", SOURCE)),
+    *(enter(f"k_{n}_t", rf"\dot\kappa_{n}", (0, -1, -1), f"rate of k_{n}", SOURCE) for n in (1, 2, 3)),
+)
+"""Their rates."""
 
 NATURAL: Three = tuple(
     enter(f"k0_{n}", rf"\kappa^0_{n}", PER_LENGTH, f"natural {what}", SOURCE)
@@ -45,9 +65,9 @@ gamma = tuple(enter(f"gamma_s{n}", rf"\gamma_{n}", ONE, f"shear of a point along
 gamma_p = tuple(enter(f"gamma_p{n}", rf"\gamma^p_{n}", ONE, f"plastic shear along axis {n}", SOURCE) for n in (2, 3))
 gamma_e = tuple(enter(f"gamma_e{n}", rf"\gamma^e_{n}", ONE, f"elastic shear along axis {n}", SOURCE) for n in (2, 3))
 gamma_t = tuple(enter(f"gamma_t{n}", rf"\dot\gamma_{n}", RATE, f"rate of gamma along axis {n}", SOURCE) for n in (2, 3))
-eps_t = enter("eps_s_t", r"\dot\epsilon", RATE, "rate of the axial strain of a point", SOURCE)
 tau = tuple(enter(f"tau_s{n}", rf"\tau_{n}", STRESS, f"shear stress conjugate to gamma_{n}", SOURCE) for n in (2, 3))
 tau_d = tuple(enter(f"tau_d{n}", rf"d_{n}", STRESS, f"stress that drives gamma_p{n}", SOURCE) for n in (2, 3))
+SHEARS = tuple(map(Shear, gamma, gamma_p, gamma_e, gamma_t, tau, tau_d))
 
 MEANS = tuple(
     enter(name, latex, STRESS, f"mean over the section of {what}", SOURCE)
@@ -93,22 +113,18 @@ def relative(first: tuple[sp.Expr, ...], second: tuple[sp.Expr, ...]) -> tuple[s
     )
 
 
-@dataclass(frozen=True, slots=True)
-class PointStrain:
-    """Strains of a point of the section, of `STRAINS`, the natural ones and the point (2.1, 2.2)."""
+def point_strain(correction: sp.Expr, *, natural: bool) -> Three:
+    """Strains of a point of the section (2.1, 2.2), less the natural ones: axial, and the shears along both axes.
 
-    axial: sp.Expr
-    shear: tuple[sp.Expr, sp.Expr]
-
-
-def point_strain(correction: sp.Expr, *, natural: bool) -> PointStrain:
-    """Log Lam + Lam^-3/2 (k_2 Z - k_3 Y), and c Gam_i/Lam with what the twist shears, less the natural ones."""
+    Log Lam + Lam^-3/2 (k_2 Z - k_3 Y), and c Gam_i/Lam with what the twist shears.
+    """
     lever, root = Lam ** (-CARRY), sp.sqrt(correction)
     at_rest = NATURAL if natural else (sp.Integer(0),) * 3
     turned = [lever * now - before for now, before in zip((k_1, k_2, k_3), at_rest, strict=True)]
-    return PointStrain(
-        axial=sp.log(Lam) + h0 / 2 * (turned[1] * Z - turned[2] * Y),
-        shear=(root * Gam / Lam + h0 / 2 * turned[0] * W_2, root * Gam_3 / Lam + h0 / 2 * turned[0] * W_3),
+    return (
+        sp.log(Lam) + h0 / 2 * (turned[1] * Z - turned[2] * Y),
+        root * Gam / Lam + h0 / 2 * turned[0] * W_2,
+        root * Gam_3 / Lam + h0 / 2 * turned[0] * W_3,
     )
 
 
@@ -124,79 +140,10 @@ def power(correction: sp.Expr) -> sp.Expr:
 
 
 @dataclass(frozen=True, slots=True)
-class PointSpring:
-    """The stored energy of a point and its derivatives."""
-
-    elastic: Three  # eps_e and gamma_e, of the strains, the plastic state and eps_e (2.3)
-    stored: sp.Expr  # Per unit undeformed volume, of the elastic strains (2.4)
-    stress: sp.Expr  # s, what flows along the fibre (3.1)
-    shear_stress: tuple[sp.Expr, sp.Expr]  # t_i, of s and the elastic strains
-    driving: tuple[sp.Expr, sp.Expr]  # d_i of t_i and eps_e (3.3)
-    conjugate: sp.Expr  # sigma, conjugate to the axial strain, of s and d_i (3.2)
-
-
-def point_spring(modulus: sp.Expr, eps: sp.Expr) -> PointSpring:
-    """W = E (eps_e + gamma_e^2/4)^2/2 + mu gamma_e^2/2 of elastic strains in the group of F (2.3)."""
-    shearing, carried = shear_modulus().subs(E, modulus), sp.exp(-CARRY * eps_e)
-    square = gamma_e[0] ** 2 + gamma_e[1] ** 2
-    lengthened = eps_e + square / 4
-    return PointSpring(
-        elastic=(eps - eps_p, *(total - plastic * carried for total, plastic in zip(gamma, gamma_p, strict=True))),
-        stored=modulus * lengthened**2 / 2 + shearing * square / 2,
-        stress=modulus * lengthened,
-        shear_stress=tuple(shearing * one + sigma * one / 2 for one in gamma_e),
-        driving=tuple(carried * one for one in tau),
-        conjugate=sigma + CARRY * (tau_d[0] * gamma_p[0] + tau_d[1] * gamma_p[1]),
-    )
-
-
-@dataclass(frozen=True, slots=True)
-class PointFlow:
-    """J2 flow of a point under (s, d_2, d_3), in ``sigma_eq`` as one symbol (3.3, 3.4)."""
-
-    square: sp.Expr  # Of the equivalent stress
-    axial_rate: sp.Expr
-    shear_rate: tuple[sp.Expr, sp.Expr]
-    speed: sp.Expr
-    dissipation: sp.Expr
-    yields: sp.Expr
-
-
-def point_flow(rate: sp.Expr) -> PointFlow:
-    """eps_p_t = phi s/sig_eq, gamma_i,p_t = 3 phi d_i/sig_eq - 3/2 gamma_i,p eps_p_t: both lose phi sig_eq."""
-    speed = rate.subs(sigma, sigma_eq)
-    axial = speed * sigma / sigma_eq
-    shear = tuple(
-        3 * speed * drive / sigma_eq - CARRY * plastic * axial for drive, plastic in zip(tau_d, gamma_p, strict=True)
-    )
-    return PointFlow(
-        square=sigma**2 + 3 * (tau_d[0] ** 2 + tau_d[1] ** 2),
-        axial_rate=axial,
-        shear_rate=shear,
-        speed=speed,
-        dissipation=speed * sigma_eq,
-        yields=sp.sign(speed),
-    )
-
-
-def rayleigh(viscosity: sp.Expr) -> sp.Expr:
-    """Half the power of a viscous stress: eta along the fibre, eta/3 in the shear of the whole deformation (3.6)."""
-    sheared = [moving + CARRY * strain * eps_t for moving, strain in zip(gamma_t, gamma, strict=True)]
-    return viscosity * (eps_t**2 / 2 + (sheared[0] ** 2 + sheared[1] ** 2) / 6)
-
-
-@dataclass(frozen=True, slots=True)
-class SpatialSection:
+class SpatialSection(SampledSection):
     """What one cell of a filament in three dimensions consists of."""
 
-    strain: PointStrain
     power: sp.Expr
-    branches: tuple[tuple[PointSpring, PointFlow | None], ...]  # Springs in parallel, with their flow
-    viscous: sp.Expr | None  # The Rayleigh potential beside them
-
-
-_EPS = enter("eps_s", r"\epsilon", ONE, "axial strain of a point", SOURCE)
-axial_strain = _EPS
 
 
 def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSection:
@@ -211,13 +158,25 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSectio
         raise ValueError("a sheet twists and bends as a plate: take a rectangle")
     if law.chains is not None or any(branch.growth is not None for branch in law.branches):
         raise ValueError("chains and springs that grow are those of a filament in its plane")
-    correction = shape.shear_correction
+    correction, viscosity, (second, third) = shape.shear_correction, law.viscosity, tau
+    strains = point_strain(correction, natural=natural)
+    of_points = (sigma_c, sigma_c * Y, sigma_c * Z, second, third, second * W_2 + third * W_3)
     return SpatialSection(
-        strain=point_strain(correction, natural=natural),
-        power=power(correction),
+        point_strains=strains,
+        kinds=SHEARS,
         branches=tuple(
-            (point_spring(branch.modulus, _EPS), None if branch.flow is None else point_flow(branch.flow.rate))
+            FibreBranch(
+                branch.modulus,
+                fibre_spring(branch.modulus, shear_modulus().subs(E, branch.modulus), shears=SHEARS),
+                None if branch.flow is None else fibre_flow(branch.flow.rate, shears=SHEARS),
+            )
             for branch in law.branches
         ),
-        viscous=None if law.viscosity is None else rayleigh(law.viscosity),
+        viscous=None
+        if viscosity is None
+        else ViscousFibre(
+            rayleigh(viscosity, viscosity, shears=SHEARS), strain_rates(strains, zip(STRAINS, RATES, strict=True))
+        ),
+        means={mean.name: (mean, of_point, sp.S.One) for mean, of_point in zip(MEANS, of_points, strict=True)},
+        power=power(correction),
     )

@@ -10,7 +10,7 @@ without one is left alone: as its curvature grows its sections turn at that pace
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -176,7 +176,7 @@ class _Cells:
         strains = Lam, shears * Lam, fields["curvature"] * Lam * length
         return cls(length, *strains, force, fields["shear_force"], fields["moment"], stiffness)
 
-    def stay(self, modulus: float, ends: tuple[Support, Support]) -> bool:
+    def stay(self, modulus: float, ends: Sequence[Support]) -> bool:
         """Whether they surely stay in their plane.
 
         In frames that do not turn with the filament the two turns phi of a section have the energy (A p^2 + B r^2 +

@@ -10,8 +10,8 @@ import numpy as np
 
 from softcat_sym.discretization.cell import Builder, derivatives, printed
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.section_points import sampled
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
-from softcat_sym.discretization.shearing import sampled
 from softcat_sym.discretization.stencil import PARAMETER, UNKNOWN, Leaf
 from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import choose_effects
@@ -48,7 +48,7 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
     resolved = equations.resolved
     assert resolved is not None
     fibres = sampled(builder, resolved, rule, {**builder.values, **straight})
-    means = {reissner.sigma_mean: fibres.axial, reissner.sigma_zeta: fibres.axial_zeta, reissner.Lam: s}
+    means = {**fibres.means, reissner.Lam: s}
     forces = [printed(force, {**builder.values, **means}) for force in (resolved.cell.tension, resolved.cell.moment)]
     names = [f"axial_{label}" for label in rule.labels]
     found = [ca.vertcat(*(fibres.plastic[name] for name in names)), *forces]
@@ -75,8 +75,7 @@ def sheared_cell(material: Mapping[str, object]) -> OneCell:
     by = (reissner.Lam, reissner.Gam, reissner.k)
     values = {**builder.values, **dict(zip(by, strains, strict=True))}
     fibres = sampled(builder, resolved, rule, values)
-    values |= {reissner.sigma_mean: fibres.axial, reissner.sigma_zeta: fibres.axial_zeta}
-    values |= {reissner.tau_mean: fibres.shear}
+    values |= fibres.means
     names = [f"{kind}_{label}" for kind in ("axial", "shear") for label in rule.labels]
     a = ca.SX.sym("a", len(names))
     forces = derivatives(resolved.cell.power, by, values)[:2]
