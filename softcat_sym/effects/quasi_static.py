@@ -176,7 +176,8 @@ def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floa
     """Sags from the first one on, and the times [s] at which flow reaches them."""
     sag = np.geomspace(first, max(_DEEP, 2 * first), _POINTS)
     beam = weight / scales.bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
-    speed = np.array([_flow_speed(scene, weight, float(height), beam) for height in sag])
+    held = is_held(scene)  # Else it flows as a beam alone
+    speed = np.array([_flow_speed(scene, weight, float(height), beam) if held else beam for height in sag])
     moving = np.minimum.accumulate(speed > 0)
     slowness = np.where(moving, 1 / np.where(moving, speed, 1.0), 0.0)
     time = np.concatenate([[0.0], np.cumsum((slowness[1:] + slowness[:-1]) / 2 * np.diff(sag))])
@@ -186,8 +187,6 @@ def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floa
 
 def _flow_speed(scene: Scene, weight: float, sag: float, beam: float) -> float:
     """Rate of the sag over span [1/s] by flow alone: about the slower of beam and string."""
-    if not is_held(scene):
-        return beam
     taut = weight * (sag + 1 / (8 * sag))
     string = taut / _viscosity(scene, taut) * (1 + 8 / 3 * sag**2) / (16 / 3 * sag)
     return scales.smaller_of(beam, string)
