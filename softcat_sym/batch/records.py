@@ -6,7 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,9 +14,6 @@ import numpy.typing as npt
 from softcat_sym import store
 from softcat_sym.batch.executor import Lost, MembersProgress, RunPool, counted
 from softcat_sym.batch.members import Row
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 LOST = "lost"
 """Outcome of a member whose workers died."""
@@ -72,38 +69,37 @@ def versions() -> dict[str, str]:
     return {name: store.version(name) for name in _VERSIONS}
 
 
-def variables_of(table: Table, columns: Mapping[str, Column]) -> dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]:
-    """Variables of a dataset."""
+Variables = Mapping[str, tuple[tuple[str, ...], npt.NDArray[Any], Mapping[str, Any]]]
+"""Dimensions, values and attributes by name, as :class:`xarray.Dataset` takes them."""
+
+
+def variables_of(table: Table, columns: Mapping[str, Column]) -> dict[str, Any]:
+    """Variables of a table."""
     return {name: (("member", *column.dims), table[name], column.attrs) for name, column in columns.items()}
 
 
-def append(file: Any, part: xr.Dataset, start: int, members: int) -> None:
-    """Write members from `start` on into an open netCDF file that has room for all; the first part makes its variables.
+def append(file: Any, variables: Variables, start: int, members: int) -> None:
+    """Write members from `start` on into an open netCDF file that has room for all; the first call makes its variables.
 
     xarray itself writes a file from the whole of a dataset, which may be larger than the memory.
     """
     import h5py
 
     text = h5py.string_dtype()
-    if not file.dimensions:
-        file.dimensions = {name: members if name == "member" else size for name, size in part.sizes.items()}
-        file.attrs.update(part.attrs)
-    for name, variable in part.variables.items():
-        values = variable.values
-        if values.dtype.kind == "U":
-            values = values.astype(object)
-        if "member" not in variable.dims:
-            if name not in file.variables:
-                file.create_variable(name, variable.dims, data=values).attrs.update(variable.attrs)
-            continue
+    for name, (dims, values, attrs) in variables.items():
         if name not in file.variables:
-            shape = values.shape[1:]
+            sizes = (members, *values.shape[1:]) if dims[0] == "member" else values.shape
+            for dim, size in zip(dims, sizes, strict=True):
+                if dim not in file.dimensions:
+                    file.dimensions[dim] = size
+            is_text, shape = values.dtype.kind == "U", values.shape[1:]
             at_once = max(1, min(members, _CHUNK_MEMBERS, _CHUNK_BYTES // (values.itemsize * int(np.prod(shape)))))
-            packing = {} if values.dtype == object else {"compression": "gzip", "compression_opts": 4, "shuffle": True}
-            dtype = text if values.dtype == object else values.dtype
-            made = file.create_variable(name, variable.dims, dtype=dtype, chunks=(at_once, *shape), **packing)
-            made.attrs.update(variable.attrs)
-        file.variables[name][start : start + len(values)] = values
+            packing = {} if is_text else {"compression": "gzip", "compression_opts": 4, "shuffle": True}
+            options = {"chunks": (at_once, *shape), **packing} if dims[0] == "member" else {}
+            made = file.create_variable(name, dims, dtype=text if is_text else values.dtype, **options)
+            made.attrs.update(attrs)
+        place = slice(start, start + len(values)) if dims[0] == "member" else ...
+        file.variables[name][place] = values.astype(object) if values.dtype.kind == "U" else values
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from softcat_sym import store
 from softcat_sym.batch.executor import MembersProgress, Where
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.batch.records import Batch, Column, Record, Table, append, unpacked, variables_of, versions
+from softcat_sym.batch.records import Batch, Column, Record, Table, Variables, append, unpacked, variables_of, versions
 from softcat_sym.batch.reference_member import (
     RESOLUTION,
     ReferenceMember,
@@ -182,14 +182,14 @@ class _Parts:
             self._file.seek(place)
             yield number * self._plan.block_size, unpacked(self._file.read(size))
 
-    def dataset(self, start: int, table: Table) -> xr.Dataset:
+    def variables(self, start: int, table: Table) -> Variables:
         """A block as it is in ``sweep.nc``."""
-        plan, variables = self._plan, variables_of(table, self._columns)
+        plan = self._plan
         values = plan.varied_values(plan.rows(start, len(table)))
         varied = {column.key: (("member",), values[column.key], column.attrs) for column in plan.columns}
         share = np.linspace(0.0, 1.0, plan.scene.run.frames)
-        frame = ("frame", share, {"units": "1", "long_name": "time over the duration of the member"})
-        return xr.Dataset(varied | variables, {"frame": frame})
+        frame = (("frame",), share, {"units": "1", "long_name": "time over the duration of the member"})
+        return {"frame": frame, **varied, **variables_of(table, self._columns)}
 
 
 @dataclass
@@ -212,8 +212,9 @@ def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: Reference
 
     def fill_store(passing: Path) -> None:
         with netcdf_file(passing) as (file, check):
+            file.attrs.update(about)
             for start, table in parts:
-                append(file, parts.dataset(start, table).assign_attrs(about), start, plan.members)
+                append(file, parts.variables(start, table), start, plan.members)
                 counts.outcomes.update(table["outcome"].tolist())
                 counts.regimes.update(filter(None, table["regime"].tolist()))
                 check()
