@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import ValidatorFunctionWrapHandler, field_validator
@@ -66,16 +67,6 @@ class Support:
         """Whether anything of it gives way."""
         return Hold.SPRING in (self.x, self.y, self.angle)
 
-    def with_springs(self, place: float, turn: float) -> Support:
-        """The same with springs of this stiffness: rigid where it is infinite, none where it is zero."""
-        if not self.has_springs:
-            return self
-        x, y, angle = (
-            hold if hold is not Hold.SPRING else Hold.RIGID if value == math.inf else hold if value else Hold.FREE
-            for hold, value in zip((self.x, self.y, self.angle), (place, place, turn), strict=True)
-        )
-        return replace(self, x=x, y=y, angle=angle)
-
     @property
     def kind(self) -> str:
         """The plain support most like it, as C and live pages name it."""
@@ -96,6 +87,20 @@ ELASTIC = Support("elastic", Hold.SPRING, Hold.SPRING, Hold.SPRING)
 """What of it is not given is rigid."""
 
 SUPPORTS: dict[str, Support] = {one.name: one for one in (CLAMPED, PINNED, FREE, ELASTIC)}
+
+
+@lru_cache(maxsize=256)
+def _support(name: str, place: float | None, turn: float | None) -> Support:
+    """A support with springs of this stiffness: rigid where none is given, none where it is zero. Asked very often."""
+    one = SUPPORTS[name]
+    if not one.has_springs:
+        return one
+    x, y, angle = (
+        hold if hold is not Hold.SPRING else Hold.RIGID if value is None else hold if value else Hold.FREE
+        for hold, value in zip((one.x, one.y, one.angle), (place, place, turn), strict=True)
+    )
+    return replace(one, x=x, y=y, angle=angle)
+
 
 End = Literal["clamped", "pinned", "free", "elastic"]
 _END = Choice(End)
@@ -138,7 +143,8 @@ class Ends(Part):
     @property
     def supports(self) -> tuple[Support, Support]:
         """What holds the left and the right end."""
-        left, right = (SUPPORTS[getattr(self, side)].with_springs(*self.stiffness(side)) for side in ("left", "right"))
+        left = _support(self.left, self.left_stiffness, self.left_rotational_stiffness)
+        right = _support(self.right, self.right_stiffness, self.right_rotational_stiffness)
         return left, SLIDING if self.right_slides and right == CLAMPED else right
 
     def stiffness(self, side: str) -> tuple[float, float]:
