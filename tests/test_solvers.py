@@ -26,7 +26,6 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
@@ -410,29 +409,6 @@ def test_a_failed_compilation_is_an_error_with_the_compilers_words(
         sc.simulate(short_scene())
     assert kept.entries(kept.LIBRARIES) == []
     assert not list(nothing_compiled_yet.rglob("*.c"))
-
-
-@pytest.mark.slow
-def test_a_strand_of_which_a_part_stays_elastic_rings_on_and_is_not_expected_to_fall() -> None:
-    """Chocolate: it yields a little at first, at its clamps only, and then rings by less than a tenth of its sag.
-
-    What is expected is what absolute tolerances are measured by.
-    """
-    strand = sc.Scene(
-        filament={"span": "7.3 mm", "thickness": "1.1 mm", "section": "circle", "density": "1200 kg/m^3"},
-        material={
-            "law": "bingham",
-            "youngs_modulus": "940 kPa",
-            "shear_yield_stress": "120 Pa",
-            "shear_viscosity": "4.9 Pa*s",
-        },
-        surroundings={"surface_tension": "0.04 N/m"},
-        run={"duration": "0.8 s", "frames": 2001},
-        numerics={"cells": 10, "fibres": 8, "estimate": False},
-    )
-    run = sc.simulate(strand)
-    deep = float(np.max(np.abs(run.data.midpoint.values))) / strand.filament.span
-    assert 0.2 < expected_sag(strand) / deep < 2
 
 
 # Where a run begins: equilibria that Newton's method finds, and that are stable.
