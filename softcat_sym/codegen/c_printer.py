@@ -249,7 +249,8 @@ class Writer:
         lines += [f"    double *restrict w{row} = w{f' + {row} * n' if row else ''};" for row in rows]
         lines += [*each, *(f"    {line}" for line in before)]
         if where.alone:
-            lines.append(f"    const int i = {where.first if where.first >= 0 else f'n - {-where.first}'};")
+            site = where.first if where.first >= 0 else f"n - {-where.first}"
+            lines += [f"    const int i = {site};"] if re.search(r"\bi\b", "\n".join(within)) else []
             lines += [f"    {line}" for line in within] + ["    (void)n;"]
         else:
             end = f"n - {where.behind}" if where.behind else "n"

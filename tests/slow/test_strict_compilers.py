@@ -12,7 +12,7 @@ import softcat_sym as sc
 
 pytestmark = pytest.mark.slow
 
-SCENES = ("no-yield", "ink-bridge", "maxwell-slow", "beam-viscometer", "drawn-blob")
+SCENES = ("no-yield", "ink-bridge", "maxwell-slow", "beam-viscometer", "drawn-blob", "glass-fibre")
 """Of different laws, ends, sections and surroundings."""
 WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", "-o", "/dev/null")
 COMPILERS = {"gcc": ("-O1", "-fanalyzer"), "clang": ()}
