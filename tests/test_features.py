@@ -138,10 +138,12 @@ def test_the_start_of_the_third_law_is_where_a_closely_filmed_descent_has_slowed
 @pytest.mark.statistical
 def test_a_beam_that_flows_has_no_third_law() -> None:
     time = np.linspace(0, 3, 120)
-    scatter = 1e-5 * draws(2).standard_normal(len(time))
+    # The slope of log(sag) over log(t) errs by 1e-6/(1e-3 * 2)/(sqrt(80) * 0.3) = 2e-4: 0.005, by which it would be
+    # printed as another, is 25 standard errors away.
+    scatter = 1e-6 * draws(2).standard_normal(len(time))
     found = read(time, -1e-3 * time + scatter)
     assert found.prefactor.value is None
-    assert "t^1.0" in found.prefactor.reason  # The exponent is known to a thousandth
+    assert "t^1.0" in found.prefactor.reason
 
 
 def test_an_oscillation_that_does_not_fade_has_no_decay_rate() -> None:
