@@ -67,6 +67,7 @@ def run(
                         raise
         except BaseException:
             _kill_group(process)
+            process.wait()  # After Ctrl-C Popen would wait for a quarter of a second only, and leave the process behind
             raise
     return subprocess.CompletedProcess(command, process.returncode, out, err)
 
