@@ -297,7 +297,7 @@ def test_compiled_failures_keep_the_sound_part(monkeypatch: pytest.MonkeyPatch) 
         integration(run).run(run.start, run.p, -1.0, run.scale, Silence())
 
 
-def test_ctrl_c_stops_a_long_run_within_a_second() -> None:
+def test_ctrl_c_stops_a_long_run() -> None:
     interpreted_one = sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})
     for scene in (LONG, asking(interpreted_one, backend="interpreted")):
         sent: list[float] = []
