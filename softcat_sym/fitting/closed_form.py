@@ -1,4 +1,4 @@
-"""Modulus and viscosity of a Maxwell filament from features of its film, without running a model."""
+"""Modulus and viscosity of a Maxwell filament from features of its film: one problem for IPOPT, without any run."""
 
 from __future__ import annotations
 
@@ -8,178 +8,236 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
+from scipy.optimize import brentq
 
 from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
-from softcat_sym.errors import Fault, SoftcatError
-from softcat_sym.fitting.features import Features, Floats, modulus_of
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.features import Features, Floats, Oscillation
 from softcat_sym.physics import closed_forms, rheometry
-from softcat_sym.physics.regimes import E_star, tau_star
+from softcat_sym.physics.regimes import E_star
 from softcat_sym.physics.regimes import H as SAG
 from softcat_sym.physics.symbols import L as SPAN
-from softcat_sym.physics.symbols import eta, g, rho
+
+# Errors of the theory, as logarithms, on films of the full model: of R and d of small oscillations, of B, of t_high.
+_OF_R, _OF_D, _OF_B, _OF_ONSET = 0.02, 0.07, 0.025, 0.2
+# An oscillation of amplitude A about a sag H is slower by this share of (A/H)^2, where elasticity gives less than 0.7 of
+# its stiffness, and by this share of (H/L)^2; the error of either, as a share of it; and the error of d over (A/H)^2.
+_SOFTENING, _SOFT_BELOW, _SOFT_WIDTH, _DEEP, _UNSURE, _OF_LARGE_D = 2.0, 0.70, 0.06, 1.5, 0.4, 8.0
+# Standard deviation of the logarithms of both constants before the film is seen, and the largest that is reported.
+_UNKNOWN, _LARGEST = 7.0, 1.0
+_SETTINGS: dict[str, Any] = {"ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-7, "acceptable_tol": 1e-6}, "print_time": False}
 
 
-@dataclass(frozen=True, eq=False)
-class Constants:
-    """Modulus and viscosity."""
+@dataclass(frozen=True)
+class Determined:
+    """A constant, or the reason why the features do not determine it."""
 
-    youngs_modulus: float  # E [Pa] and the extensional eta [Pa s]
-    viscosity: float
+    value: float | None  # In SI units
+    log_error: float | None  # Standard error of its logarithm, from reading and theory
+    reason: str = ""
 
     @property
-    def relaxation_time(self) -> float:
-        """eta/E [s]."""
-        return self.viscosity / self.youngs_modulus
-
-
-def first_guess(features: Features, density: float) -> Constants:
-    """Constants by frequency, decay rate and sag, as a fit starts from them.
-
-    The modulus is that of a cable, whose shape changes with its stiffness (Irvine and Caughey 1974); outside of a
-    cable's lowest mode, by R^2 + d^2 and the sag with the shape held. The viscosity follows from B, or from the decay
-    rate where there is no B.
-    """
-    if not (math.isfinite(density) and density > 0):
-        raise SoftcatError(f"closed form:\n  {Fault('density', f'{density:g}', 'a positive number')}")
-    ringing, load = features.ringing, features.prefactor.value
-    if ringing is None:
-        raise SoftcatError(f"features do not give a modulus: {features.frequency.reason}")
-    if load is None and features.decay.value is None:
-        found = "neither B nor a decay rate gives the viscosity"
-        raise SoftcatError(f"features do not give a viscosity: {found}: {features.prefactor.reason}")
-    decay, span, gravity = max(ringing.decay, 0.0), features.span, features.gravity
-    cable = modulus_of(ringing.frequency, decay, ringing.sag, gravity, span)
-    if cable is None:
-        unit = math.sqrt(span / gravity)
-        known = {rheometry.R: ringing.frequency * unit, rheometry.d_R: decay * unit, SAG: ringing.sag, SPAN: span}
-        number = float(evaluate(rheometry.MODULUS_FROM_SAG.right, known)[0])
-    else:
-        number = cable.modulus
-    if number <= 0:
-        found = "the frequency is lower than that of a filament under its weight alone"
-        raise SoftcatError(f"features do not give a modulus: {found}")
-    modulus = number * density * gravity * span
-    if load is None:
-        return Constants(modulus, modulus / (2 * ringing.decay))
-    return Constants(modulus, _viscosity(features, density, load))
-
-
-def _viscosity(features: Features, density: float, load: float) -> float:
-    known = {rheometry.B: load, rho: density, g: features.gravity, SPAN: features.span}
-    return float(evaluate(rheometry.VISCOSITY_FROM_B.right, known)[0])
-
-
-_NAMES = ("frequency", "decay", "sag", "B", "t_high")
-_SETTINGS: dict[str, Any] = {"ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-10}, "print_time": False}
-_WIDEST = math.log(1e8)
+    def interval(self) -> tuple[float, float] | None:
+        """95 % interval."""
+        if self.value is None or self.log_error is None:
+            return None
+        factor = math.exp(1.96 * self.log_error)
+        return self.value / factor, self.value * factor
 
 
 @dataclass(frozen=True, eq=False)
-class CombinedEstimate:
-    """Constants from all features together."""
+class ClosedForm:
+    """Constants from all features of a film together."""
 
-    constants: Constants  # E and eta
-    # shape (2, 2); Of log E and log eta, from the errors of reading and the tolerance for the theory
-    covariance: Floats
-    misfit: float  # Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance
-    freedom: int  # Features used less two
+    youngs_modulus: Determined  # E
+    viscosity: Determined  # The extensional eta
+    covariance: Floats  # shape (2, 2); Of log E and log eta
+    misfit: float  # Sum of squares over errors of reading and theory
     residuals: dict[str, float]  # (theory - measured)/measured of every feature used, as logarithms
 
 
-def combined_estimate(features: Features, density: float, theory_error: float = 0.05) -> CombinedEstimate:
-    """Weigh frequency, decay, sag, B and t_high by their errors, under the theory of one fixed shape.
+class _Problem:
+    """Unknown logarithms, equations among them, and what is known of them."""
 
-    The constraints are: R^2 + d^2 by the sag, d = 1/(2 tau), B = 1/(2 V), t_high by B. Features that the film does not
-    show are left out.
+    def __init__(self) -> None:
+        self.unknowns: dict[str, ca.SX] = {}
+        self.start, self.equations = list[float](), list[ca.SX]()
+        self.known, self.covariance = dict[str, float](), np.zeros((0, 0))
+
+    def add(self, **start: float) -> list[ca.SX]:
+        """Unknowns whose logarithms start at these."""
+        new = {name: ca.SX.sym(name) for name in start}
+        self.unknowns |= new
+        self.start += start.values()
+        return [ca.exp(symbol) for symbol in new.values()]
+
+    def know(self, covariance: Floats, **values: float) -> None:
+        """Measured logarithms and their covariance."""
+        self.known |= values
+        size = len(self.covariance)
+        grown = np.zeros((size + len(values),) * 2)
+        grown[:size, :size], grown[size:, size:] = self.covariance, covariance
+        self.covariance = grown
+
+    def solve(self) -> tuple[dict[str, float], Floats, float]:
+        """Minimise the squares under the equations: unknowns, covariance of all of them, and the sum of squares."""
+        x, equations = ca.vertcat(*self.unknowns.values()), ca.vertcat(*self.equations)
+        root = np.linalg.inv(np.linalg.cholesky(self.covariance))
+        misfit = ca.vertcat(*(self.unknowns[name] - value for name, value in self.known.items()))
+        residual = ca.mtimes(ca.DM(root), misfit)
+        solver = ca.nlpsol("closed_form", "ipopt", {"x": x, "f": ca.sumsqr(residual) / 2, "g": equations}, _SETTINGS)
+        answer = solver(x0=self.start, lbg=0, ubg=0)
+        if not solver.stats()["success"]:
+            raise SoftcatError(f"IPOPT finds no constants for all features: {solver.stats()['return_status']}")
+        jacobians = ca.Function("jacobians", [x], [ca.jacobian(residual, x), ca.jacobian(equations, x)])
+        of_residual, of_equations = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(answer["x"]))
+        # Directions along the equations: the last rows of V in the singular value decomposition of their Jacobian.
+        free = np.linalg.svd(of_equations)[2][len(of_equations) :].T
+        spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
+        found = dict(zip(self.unknowns, np.asarray(answer["x"], dtype=float).ravel().tolist(), strict=True))
+        return found, spread, 2 * float(answer["f"])
+
+
+def closed_form(features: Features, density: float, gyration: float) -> ClosedForm:
+    """Constants of a Maxwell filament that fell from rest between level clamps, straight at first.
+
+    IPOPT weighs R, d, H, B and t_high by their errors of reading and by those of the theory, with the constraints of
+    :mod:`softcat_sym.physics.rheometry`: the frequency of a hanging beam under tension, Maxwell's relaxation of its
+    elastic share, and the 1/3 law with bending.
+
+    Parameters
+    ----------
+    features : Features
+        As read from the film.
+    density, gyration : float
+        Density [kg/m^3], and the section's radius of gyration sqrt(I/A) [m].
+
+    Raises
+    ------
+    SoftcatError
+        If the film shows neither an oscillation nor the 1/3 law.
     """
-    first = first_guess(features, density)
-    measured, covariance = _measured(features, theory_error)
-    used = [k for k in range(len(_NAMES)) if np.isfinite(measured[k])]
-    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(used, used)]))
-    unknown = ca.MX.sym("z", 2 + len(_NAMES))
-    residual = ca.mtimes(ca.DM(root), unknown[[2 + k for k in used]] - ca.DM(measured[used]))
-    constraints = _constraints(unknown)
-    found, cost = _solved(unknown, residual, constraints, _guess(first, features, density, measured))
-    jacobians = ca.Function("jacobians", [unknown], [ca.jacobian(residual, unknown), ca.jacobian(constraints, unknown)])
-    of_residual, of_constraints = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(found))
-    # Directions along the constraints: the last rows of V in the singular value decomposition of their Jacobian.
-    free = np.linalg.svd(of_constraints)[2][of_constraints.shape[0] :].T
-    spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
-    modulus = math.exp(found[0]) * density * features.gravity * features.span
-    return CombinedEstimate(
-        constants=Constants(modulus, _viscosity(features, density, math.exp(found[5]))),
-        covariance=spread[:2, :2],
-        misfit=2 * cost,
-        freedom=len(used) - 2,
-        residuals={_NAMES[k]: float(found[2 + k] - measured[k]) for k in used},
+    unit, slimness = math.sqrt(features.span / features.gravity), gyration / features.span
+    pressure = density * features.gravity * features.span
+    problem, ringing = _Problem(), features.ringing
+    late = None if features.late is None else _late_load(features, slimness)
+    if ringing is None and late is None:
+        raise SoftcatError(f"features: {features.frequency.reason}; {features.prefactor.reason}")
+    first = None if ringing is None else _first_modulus(ringing, features, slimness)
+    if late is None:
+        assert first is not None
+        viscous = first / (2 * unit * max(ringing.decay, 0.02 * ringing.frequency))
+    else:
+        viscous = late / (2 * features.prefactor.value)
+    [V] = problem.add(V=math.log(viscous))
+    problem.know(np.array([[_UNKNOWN**2]]), V=math.log(viscous))
+    if late is not None:
+        _add_late_law(problem, V, features, late)
+    if first is not None:
+        _add_ringing(problem, V, first, ringing, features, slimness)
+    found, spread, misfit = problem.solve()
+    names = list(problem.unknowns)
+
+    def determined(name: str, unit: float, reason: str) -> Determined:
+        if name not in names:
+            return Determined(None, None, reason)
+        error = math.sqrt(spread[names.index(name), names.index(name)])
+        if error > _LARGEST:
+            return Determined(None, None, f"known to a factor of {math.exp(min(error, 99)):.2g} only")
+        return Determined(unit * math.exp(found[name]), error)
+
+    places = [names.index(name) if name in names else None for name in ("E", "V")]
+    covariance = np.array([[np.nan if i is None or j is None else spread[i, j] for j in places] for i in places])
+    return ClosedForm(
+        determined("E", pressure, features.frequency.reason),
+        determined("V", pressure * unit, features.prefactor.reason),
+        covariance,
+        misfit,
+        {name: found[name] - value for name, value in problem.known.items() if name not in ("E", "V")},
     )
 
 
-def _solved(unknown: ca.MX, residual: ca.MX, constraints: ca.MX, guess: Floats) -> tuple[Floats, float]:
-    """Unknowns that minimise the sum of squares under the constraints, and half of that sum."""
-    problem: dict[str, Any] = {"x": unknown, "f": 0.5 * ca.sumsqr(residual), "g": constraints}
-    solver = ca.nlpsol("features", "ipopt", problem, _SETTINGS)
-    answer = solver(x0=guess, lbg=0, ubg=0, lbx=guess - _WIDEST, ubx=guess + _WIDEST)
-    if not solver.stats()["success"]:
-        raise SoftcatError(f"IPOPT finds no constants for all features together: {solver.stats()['return_status']}")
-    return np.asarray(answer["x"], dtype=float).ravel(), float(answer["f"])
+def _boundary_layer(sag: float, slimness: float) -> float:
+    """r_T at a sag, both over the span."""
+
+    def excess(log_r: float) -> float:
+        known = {rheometry.r_T: math.exp(log_r), SAG: sag, SPAN: 1.0, rheometry.k_g: slimness}
+        return math.log(float(evaluate(rheometry.LAYER.left, known)[0] / evaluate(rheometry.LAYER.right, known)[0]))
+
+    return math.exp(brentq(excess, math.log(0.1), math.log(1e6)))
 
 
-def _measured(features: Features, theory_error: float) -> tuple[Floats, Floats]:
-    """Logarithms of the dimensionless features, NaN where unread, and their covariance."""
+def _late_load(features: Features, slimness: float) -> float:
+    """Ratio of B as it is read, from the slope of sag^3, to 1/(2 V)."""
+    law = features.late
+    sag = float(law.sag(np.array([0.5 * (law.first + law.last)]))[0]) / features.span
+    known = {rheometry.r_T: _boundary_layer(sag, slimness), SAG: sag, SPAN: 1.0}
+    return float(evaluate(rheometry.late_prefactor(), known)[0])
+
+
+def _add_late_law(problem: _Problem, V: ca.SX, features: Features, late: float) -> None:
+    seen, onset = features.prefactor, features.t_high
+    [B] = problem.add(B=math.log(seen.value))
+    problem.equations.append(ca.log(2 * V * B / late))
+    problem.know(np.array([[seen.log_variance + _OF_B**2]]), B=math.log(seen.value))
+    if onset.value is not None:
+        clock = math.log(onset.value / math.sqrt(features.span / features.gravity))
+        [t_high] = problem.add(t_high=clock)
+        values = {rheometry.B: 1 / (2 * V), rheometry.alpha: float(closed_forms.TOLERANCE)}
+        theory = CellFunction({"": closed_forms.T_HIGH}, tuple(values))(values)[""]
+        problem.equations.append(ca.log(theory / t_high))
+        problem.know(np.array([[onset.log_variance + _OF_ONSET**2]]), t_high=clock)
+
+
+_VIBRATION = (E_star, rheometry.Omega, rheometry.r_T, SAG, SPAN, rheometry.k_g)
+
+
+def _first_modulus(ringing: Oscillation, features: Features, slimness: float) -> float:
+    """E/(rho g L) of the lowest frequency, on a grid: of all moduli with a mode at that frequency, the largest."""
+    sag, unit = ringing.sag / features.span, math.sqrt(features.span / features.gravity)
+    layer = _boundary_layer(sag, slimness)
+    at_rest = float(evaluate(rheometry.SAG_SHARE, {rheometry.r_T: layer})[0]) / (sag * (layer * slimness) ** 2)
+    grid = np.geomspace(at_rest, 1e6 * at_rest, 1200)
+    values = (grid, math.hypot(ringing.frequency, ringing.decay) * unit, layer, sag, 1.0, slimness)
+    rows = {symbol: np.broadcast_to(value, grid.shape) for symbol, value in zip(_VIBRATION, values, strict=True)}
+    sign = np.sign(evaluate(rheometry.vibration(), rows))
+    crossings = np.flatnonzero(sign[1:] != sign[:-1])
+    return float(grid[crossings[-1]] if len(crossings) else grid[0])
+
+
+def _add_ringing(
+    problem: _Problem, V: ca.SX, first: float, ringing: Oscillation, features: Features, slimness: float
+) -> None:
     unit = math.sqrt(features.span / features.gravity)
-    scales = (unit, unit, 1 / features.span, 1.0, 1 / unit)
-    readings = (features.frequency, features.decay, features.sag, features.prefactor, features.t_high)
-    measured = np.array(
-        [math.nan if one.value is None else math.log(one.value * s) for one, s in zip(readings, scales, strict=True)]
-    )
-    covariance = np.diag([0.0, 0.0, 0.0, features.prefactor.log_variance, features.t_high.log_variance])
-    covariance[:3, :3] = features.ringing_covariance
-    return measured, covariance + theory_error**2 * np.eye(len(_NAMES))
-
-
-def _constraints(unknown: ca.MX) -> ca.MX:
-    """Logarithms of both sides of every equation, in log(E*, V) and the logarithms of the features."""
-    values = {
-        E_star: ca.exp(unknown[0]),
-        tau_star: ca.exp(unknown[1] - unknown[0]),
-        rheometry.R: ca.exp(unknown[2]),
-        rheometry.d_R: ca.exp(unknown[3]),
-        SAG: ca.exp(unknown[4]),
-        SPAN: ca.MX(1.0),
-        rheometry.B: ca.exp(unknown[5]),
-        rheometry.alpha: ca.MX(float(closed_forms.TOLERANCE)),
-    }
-    sides = {
-        "modulus": rheometry.MODULUS_FROM_SAG.right,
-        "decay": rheometry.DECAY.right,
-        "viscous": rheometry.VISCOUS_NUMBER.right,
-        "onset": closed_forms.T_HIGH,
-    }
-    right = CellFunction(sides, tuple(values))(values)
-    constraints: ca.MX = ca.vertcat(
-        # Not as a logarithm, as the right side may become negative during the search.
-        right["modulus"] / values[E_star] - 1,
-        ca.log(right["decay"]) - unknown[3],
-        ca.log(right["viscous"]) - unknown[1],
-        ca.log(right["onset"]) - unknown[6],
-    )
-    return constraints
-
-
-def _guess(first: Constants, features: Features, density: float, measured: Floats) -> Floats:
-    """Logarithms of E* and V, then of the features, measured or expected."""
-    span, gravity = features.span, features.gravity
-    load = evaluate(
-        rheometry.B_FROM_VISCOSITY.right,
-        {rho: density, g: gravity, SPAN: span, eta: first.viscosity},
-    )
-    modulus = math.log(first.youngs_modulus / (density * gravity * span))
-    log_load = math.log(float(load[0]))
-    relaxation = first.relaxation_time / math.sqrt(span / gravity)
-    decay = float(evaluate(rheometry.DECAY.right, {tau_star: relaxation})[0])
-    known = {rheometry.B: math.exp(log_load), rheometry.alpha: float(closed_forms.TOLERANCE)}
-    onset = float(evaluate(closed_forms.T_HIGH, known)[0])
-    expected = np.array([measured[0], math.log(decay), measured[2], log_load, math.log(onset)])
-    number = float(evaluate(rheometry.VISCOUS_NUMBER.right, known)[0])
-    return np.concatenate([[modulus, math.log(number)], np.where(np.isfinite(measured), measured, expected)])
+    sag, share = ringing.sag / features.span, ringing.amplitude(ringing.middle) / ringing.sag
+    layer, frequency = _boundary_layer(sag, slimness), ringing.frequency * unit
+    decay = max(ringing.decay * unit, 1e-3 * frequency)
+    start = {"E": first, "Omega": math.hypot(frequency, decay), "r": layer, "R": frequency, "d": decay, "H": sag}
+    E, Omega, r, R, d, H = problem.add(**{name: math.log(value) for name, value in start.items()})
+    values = dict(zip(_VIBRATION, (E, Omega, r, H, 1.0, slimness), strict=True))
+    cell = CellFunction(
+        {"vibration": rheometry.vibration(), "left": rheometry.LAYER.left, "right": rheometry.LAYER.right},
+        _VIBRATION,
+    )(values)
+    x = [problem.unknowns[name] for name in start]
+    slope = ca.gradient(cell["vibration"], ca.vertcat(*x))
+    size = float(np.linalg.norm(np.asarray(ca.Function("size", x, [slope])(*(problem.start[-6:])))))
+    # Of the stiffness Omega^2 the share p relaxes: s^2 + (1 - p) Omega^2 + p Omega^2 s/(s + 1/tau) = 0.
+    p = -2 * slope[0] / slope[1]
+    at_start = ca.Function("share", x, [p])(*problem.start[-6:])
+    elastic = float(np.clip(float(at_start), 0.02, 1.0))
+    soft = _SOFTENING * share**2 / (1 + ca.exp((p - _SOFT_BELOW) / _SOFT_WIDTH)) + _DEEP * H**2
+    small, rate = R / (1 - soft), E / V
+    problem.equations += [
+        ca.log(cell["left"] / cell["right"]),
+        cell["vibration"] / size,
+        (small**2 - 3 * d**2 + 2 * d * rate) / Omega**2 - 1,
+        (3 * d * small**2 - d**3 + (d**2 - small**2) * rate) / Omega**2 - d + (1 - p) * rate,
+    ]
+    softening = float(ca.Function("soft", x, [soft])(*problem.start[-6:]))
+    theory = np.diag([math.hypot(_OF_R, _UNSURE * softening), math.hypot(_OF_D, _OF_LARGE_D * share**2) / elastic**2, 0])
+    names = ["R", "d", "H"] if features.decay.value is not None else ["R", "H"]
+    used = [("R", "d", "H").index(name) for name in names]
+    covariance = (features.ringing_covariance + theory**2)[np.ix_(used, used)]
+    problem.know(covariance, **{name: math.log(start[name]) for name in names})
+    problem.know(np.array([[_UNKNOWN**2]]), E=math.log(first))
