@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
@@ -69,7 +70,9 @@ def _code_of(rate: Any, own: tuple[tuple[str, Any], ...]) -> PointCode:
     generator = ca.CodeGenerator("point_law", {"with_header": False, "casadi_int": "int"})
     for function in _functions(rate, tuple(constants.values())):
         generator.add(function)
-    source = {**hand_written, "point_law.h": str(generator.dump())}
+    # CasADi asks `a ? b : c` of a double a, which clang's -Wfloat-conversion refuses.
+    text = re.sub(r"\((a\d+)\?", r"((\1!=0)?", str(generator.dump()))
+    source = {**hand_written, "point_law.h": text}
     return PointCode(MappingProxyType(source), tuple(constants))
 
 
