@@ -18,9 +18,10 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.accuracy import front, work_precision_figure
 from softcat_sym.single_run import build
 from softcat_sym.solvers.interpreted import compiled_rhs
+from softcat_sym.solvers.rates import Rates
 from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Rates, Task, ready, scene_of
+from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
     TOLERANCES,
     Answers,
@@ -55,7 +56,7 @@ def test_jacobian_is_that_of_differences(short: sc.Scene) -> None:
         compiled_rhs(filament.graph, model_for(filament.structure)),
     )
     assert prepared.start is not None
-    rates, solution = Rates(prepared, external, prepared.start), prepared.solve(Silence())
+    rates, solution = Rates(external, prepared.start, prepared.p), prepared.solve(Silence())
     state, step, t = np.append(solution.x[:, -1], solution.z[:, -1]), 1e-7, float(prepared.times[-1])
     moved = [rates.rates(t, state + step * unit) - rates.rates(t, state - step * unit) for unit in np.eye(len(state))]
     expected = np.array(moved).T / (2 * step)

@@ -10,24 +10,21 @@ from functools import lru_cache
 from statistics import median
 from typing import Any, Literal
 
-import casadi as ca
 import numpy as np
 from scipy.integrate import solve_ivp
-from scipy.sparse import csc_matrix
 
-from softcat_sym.codegen.right_hand_side import JACOBIAN
 from softcat_sym.codegen.structure import model_for
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.interpreted import External, compiled_rhs
+from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.rates import Rates
 from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Silence, Solution
-from softcat_sym.solvers.start import Start
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +133,7 @@ def ready(scene: Scene, task: Task) -> Callable[[], Solved]:
         raise SoftcatError("no equilibrium was found to start from")
     if task.method == "scipy-radau":
         external = compiled_rhs(filament.graph, model_for(filament.structure))
-        return _radau(prepared, Rates(prepared, external, prepared.start))
+        return _radau(prepared, Rates(external, prepared.start, prepared.p))
     return lambda: _own(prepared)
 
 
@@ -145,58 +142,6 @@ def _own(prepared: Prepared) -> Solved:
     if solution.outcome is not Outcome.solved:
         raise SoftcatError(f"{solution.outcome.name}: {solution.message}")
     return Solved(midpoint_heights(prepared.graph, solution), solution.steps)
-
-
-_STIFF = 1e9
-"""Relaxation rate of algebraic unknowns towards the solution of their equation, in units of the time scale; for large
-rates a stiffly accurate method solves that equation itself (Hairer & Wanner 1996, VI.1)."""
-
-
-class Rates:
-    """Rates of all unknowns, differential ones first, and their sparse Jacobian, from the C of the filament."""
-
-    def __init__(self, prepared: Prepared, external: External, start: Start) -> None:
-        jacobian = ca.external(JACOBIAN, str(external.library))
-        self.start = np.concatenate([start.x, start.z])
-        pace = np.zeros(0)
-        if len(start.z):
-            towards = np.asarray(ca.diag(jacobian(0, start.x, start.z, prepared.p)[5])).ravel()
-            if np.any(towards == 0):
-                fault = Fault("run.effects", "algebraic unknowns without an equation of their own", "others")
-                raise SceneError([fault])
-            pace = -_STIFF / towards
-        t, y = ca.MX.sym("t"), ca.MX.sym("y", len(self.start))
-        given = t, y[: len(start.x)], y[len(start.x) :], ca.DM(prepared.p)
-        ode, alg = external.rhs(*given)
-        _, ode_x, ode_z, _, alg_x, alg_z = jacobian(*given)
-        scaled = ca.diag(ca.DM(pace))
-        whole = ca.blockcat([[ode_x, ode_z], [scaled @ alg_x, scaled @ alg_z]])
-        self.rates = _buffered(ca.Function("rates", [t, y], [ca.vertcat(ode, scaled @ alg)]))
-        self._entries = _buffered(ca.Function("jacobian", [t, y], [whole]))
-        self._pattern = whole.sparsity()
-
-    def jacobian(self, t: float, state: Floats) -> Any:
-        """The Jacobian as a ``scipy.sparse.csc_matrix``."""
-        pattern = self._pattern
-        return csc_matrix((self._entries(t, state), pattern.row(), pattern.colind()), shape=pattern.shape)
-
-
-def _buffered(function: ca.Function) -> Callable[[float, Floats], Floats]:
-    """Entries of a function of time and state; memory is shared with CasADi, so that a call costs its arithmetic."""
-    buffer, evaluate = function.buffer()
-    time, state, result = np.zeros(1), np.zeros(function.size1_in(1)), np.zeros(function.nnz_out(0))
-    buffer.set_arg(0, memoryview(time.data))  # type: ignore[call-arg]
-    buffer.set_arg(1, memoryview(state.data))  # type: ignore[call-arg]
-    buffer.set_res(0, memoryview(result.data))  # type: ignore[call-arg]
-
-    def entries(at: float, values: Floats) -> Floats:
-        time[0], state[:] = at, values
-        evaluate()
-        if buffer.ret():
-            raise ArithmeticError(f"{function.name()} of a filament is not defined at t = {at:g}")
-        return result.copy()
-
-    return entries
 
 
 def _radau(prepared: Prepared, rates: Rates) -> Callable[[], Solved]:
