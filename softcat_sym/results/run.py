@@ -53,7 +53,7 @@ from softcat_sym.results.motion import (
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
-from softcat_sym.results.sideways import seeded, sideways
+from softcat_sym.results.out_of_plane_stability import out_of_plane_instability, perturbed_3d_scene
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
@@ -275,7 +275,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     motion = observed_motion(scene, effects, time, places, fields, moved, extremes)
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, most)))
     per_period, yielded = frames_a_period(extremes, len(time)), has_yielded(prepared, solution)
-    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
+    aside = out_of_plane_instability(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),
         *(too_few_frames(time[-1], len(time), per_period) if answers else []),
@@ -350,7 +350,7 @@ def run_form(scene: Scene) -> Form[Run]:
     def read(content: bytes) -> Run:
         arrays = unpacked(content)
         summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
-        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else seeded(scene)
+        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else perturbed_3d_scene(scene)
         return Run(moved or scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
 
     return Form(write, read)
