@@ -334,7 +334,9 @@ class PhaseDiagram(Drawable):
             f"lattice were run, refined where neighbours differ: {sheet.lattice.saved} were saved "
             f"({sheet.lattice.saved / sheet.nodes:.0%}). Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in "
             "every fibre over the last tenth of the run; hollow: except within "
-            f"{CLAMP_REGION:g} L of the ends, where the clamps still flow. A run that is no answer has no regime, unless its sag first passes {PASSED:g} L: "
+            f"{CLAMP_REGION:g} L of the ends, where the clamps still "
+            "flow. A run that is no answer has no regime, unless its sag first passes "
+            f"{PASSED:g} L: "
             "then the regime is that of the run up to this sag."
         )
 
