@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.interrupts import Interrupts, interrupts_go_to
 from softcat_sym.reference.element_loop import (
     POINT_STATE,
     POINTS,
@@ -23,7 +24,6 @@ from softcat_sym.reference.element_loop import (
     Problem,
     State,
     Strip,
-    deferred,
     deformation_of,
     element_sources,
     fingerprint,
@@ -411,16 +411,17 @@ def run_elements(
         march.restore(state)
         began -= float(state["wall"].item())
     saved = time.perf_counter()
-    with deferred() as interrupt:
+    interrupts = Interrupts(held_back=True)
+    with interrupts_go_to(interrupts.note):
         while not march.finished:
             march.advance()
             if progress is not None:
                 progress.update(second * march.time, second * march.step)
-            ends = interrupt.pending or march.finished
+            ends = interrupts.noticed or march.finished
             if checkpoint is not None and (ends or time.perf_counter() - saved > checkpoint_every):
                 saved = time.perf_counter()
                 write_checkpoint(checkpoint, key, {**march.state(), "wall": np.array(saved - began)})
-            if interrupt.pending:
+            if interrupts.noticed:
                 raise KeyboardInterrupt
     # The nodes of a face that thins share one displacement.
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
