@@ -325,20 +325,9 @@ def study(
     limit: float = LIMIT,
     on_progress: Callable[[str, float], None] = lambda what, share: None,
 ) -> WorkPrecision:
-    """Measure a scene with this program and others; times are comparable within one study only, and are not stored.
+    """Measure a scene with this program and others, within `limit` [s]; times are comparable within one study only.
 
-    Parameters
-    ----------
-    name : str
-        Name of the scene.
-    asked : Scene
-        The scene.
-    programs : sequence of Method
-        Programs besides this one.
-    limit : float
-        Time limit of the study [s], at which a running task is stopped.
-    on_progress : callable
-        Receives the present task, and the share of the time that has passed.
+    `on_progress` receives the present task, and the share of the time that has passed. Nothing is stored.
     """
     effects = choose_effects(asked)
     backend = choose_backend(asked, effects)
