@@ -361,7 +361,7 @@ def run_elements(
 
     A `checkpoint` holds the complete state, every so many seconds, at the end and on Ctrl-C, which is then passed on;
     if it is there the run goes on from it, to the very same numbers. SceneError names every key that the elements do
-    not know; SoftcatError if an element is turned inside out, the energies do not add up, or the checkpoint is another's.
+    not know; SoftcatError if an element is turned inside out, energies do not add up, or the checkpoint is another's.
     """
     if not 0 < step_factor <= 1:
         raise SoftcatError(f"step_factor of {step_factor}: take a value above 0, and at most 1, the stable step")

@@ -84,24 +84,6 @@ def versions_now() -> str:
     return json.dumps({name: version(name) for name in _VERSIONS})
 
 
-@dataclass(frozen=True)
-class WrittenRun:
-    """What a run left behind."""
-
-    files: tuple[Path, ...]  # In the order of interest
-    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
-
-    def joined_by(self, directory: str | Path, contents: Mapping[str, object]) -> WrittenRun:
-        """Write more beside it; the summary states how long all but itself took."""
-        began = perf_counter()
-        files = write_results(directory, contents)
-        spent, wall = perf_counter() - began, self.summary["wall_s"]
-        wall = {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}
-        summary = {**self.summary, "wall_s": wall}
-        write_results(directory, {"summary.json": summary})
-        return WrittenRun((*self.files, *files), summary)
-
-
 @dataclass(frozen=True, eq=False)
 class Run(drawing.Drawable):
     """A finished run.
@@ -238,9 +220,14 @@ class Run(drawing.Drawable):
         """
         return write_results(directory, self.files())
 
-    def written(self, directory: str | Path) -> WrittenRun:
-        """Write as :meth:`save` does; the summary states how long all but itself took."""
-        return WrittenRun((), self.summary).joined_by(directory, self.files())
+    def written(self, directory: str | Path, contents: Mapping[str, object]) -> tuple[Run, list[Path]]:
+        """Write files into a folder; the run returned, and ``summary.json``, state how long that took, too."""
+        began = perf_counter()
+        files = write_results(directory, contents)
+        spent, wall = perf_counter() - began, self.summary["wall_s"]
+        run = self.revised({"wall_s": {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}})
+        write_results(directory, {"summary.json": run.summary})
+        return run, files
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``."""
