@@ -76,7 +76,7 @@ def table(title: str, spent: Mapping[str, float], errors: Mapping[str, float]) -
 
 
 def test_published_physics_beside_radau_and_rk4() -> None:
-    """Radau has our C and its exact Jacobian. RK4 has no step control, and cells that are all alike: it ends 7e-3 off."""
+    """Radau has our C and its exact Jacobian. RK4 has no step control, and cells that are all alike: it is 7e-3 off."""
     ours = ready_to_solve(DESCENT, rtol=3e-3)
     lengths, paper = ours.graph.grid.cell_length, {"run.frames": 2, "run.effects": "paper"}
     # Of 1e-1 to 1e-3 this tolerance costs the least.
