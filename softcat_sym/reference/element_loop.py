@@ -54,7 +54,7 @@ _ONLY: dict[str, object] = {
 class Problem:
     """What the elements solve, in units of span, Young's modulus and density."""
 
-    law: str  # A name of ``point_code.LAWS``
+    law: str  # A key of `LAWS`
     thickness: float  # h0/L
     material: tuple[tuple[str, float], ...]  # Constants of the law over E and the elastic time
     poisson: float  # Poisson's ratio
