@@ -317,7 +317,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
     run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    run.written(folder).joined_by(folder, drawing.report(run).files)
+    run.written(folder, {**run.files(), **drawing.report(run).files})
     return folder
 
 

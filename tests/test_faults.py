@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
@@ -84,19 +83,6 @@ def test_what_casadi_swallows_is_heard_before_a_compiler_is_waited_for() -> None
         signal.signal(signal.SIGINT, found)
 
 
-def test_outside_the_main_thread_nothing_is_installed() -> None:
-    seen: list[object] = []
-
-    def work() -> None:
-        with ended_like_ctrl_c():
-            seen.append(signal.getsignal(signal.SIGTERM))
-
-    thread = threading.Thread(target=work)
-    thread.start()
-    thread.join()
-    assert seen == [signal.SIG_DFL]
-
-
 IGNORING = """
 import signal, softcat_sym.cli, softcat_sym.simulate
 from softcat_sym.interrupts import ended_like_ctrl_c
@@ -157,22 +143,6 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
     # One is what the compiler has said of itself.
     assert len(texts) == 2 if compiling == "the model" else len(texts) <= 2
     assert all(store.recall(path.name, cache.TEXTS) is not None for path in texts)  # only what is whole is recalled
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.slow
-def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    note = hanging(tmp_path / "bin" / "ccx")
-    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
-    asked = ("compare", "continual-descent", "-o", str(tmp_path / "out"), "--engine", "calculix", "-q", *SHORT)
-    with started(*asked) as process:
-        until(note.exists, process)
-        os.kill(int(note.read_text().split()[0]), signal.SIGKILL)
-        _, message = process.communicate(timeout=60)
-    assert process.returncode == 2
-    assert message.startswith("softcat: CalculiX failed: killed by signal 9: Killed (after 0 s of simulated time)")
-    assert message.count("\n") == 1
-    assert is_gone(note)
     assert not (tmp_path / "out").exists()
 
 

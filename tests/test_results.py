@@ -272,9 +272,7 @@ def test_what_decides_a_run_decides_its_key() -> None:
     assert re.findall("Infinity", json.dumps(form.read(form.write([float("inf"), 0.1, None])))) == ["Infinity"]
 
 
-def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
-    results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_harmed_or_in_another_place_is_not_taken(results_of_studies: Path) -> None:
     key, other = store.key_of("one"), store.key_of("other")
     assert store.recall(key) is None
     store.keep(key, b"content" * 100)
@@ -287,19 +285,3 @@ def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
         path.write_bytes(content)
         assert store.recall(key) is None
     assert len(cache.clear(cache.RESULTS)[cache.RESULTS]) == 2 and cache.entries(cache.RESULTS) == []
-    monkeypatch.setattr(store, "LIMIT", 250)
-    names = [64 * digit for digit in "abc0"]
-    for age, name in enumerate(names):
-        store.keep(name, b"content")
-        os.utime(results_of_studies / name, (age, age))
-    store.keep(names[-1], b"content")
-    left = {entry.path.name for entry in cache.entries(cache.RESULTS)}
-    assert left == {names[-1], names[-2], names[-3]}, "the least recently used goes"
-
-
-def test_a_full_disk_ends_no_study(results_of_studies: Path) -> None:
-    results_of_studies.write_text("no folder")
-    with pytest.warns(UserWarning, match="nothing is kept in .* set SOFTCAT_CACHE"):
-        store.keep("000", b"content")
-    assert store.recall("00") is None
-    results_of_studies.unlink()

@@ -35,15 +35,15 @@ def accuracy(
     store.
     """
     from softcat_sym.progress import Display
+    from softcat_sym.studies.integrators import METHODS, RIVALS
     from softcat_sym.studies.work_precision import LIMIT, LIMIT_OF_ALL, study
-    from softcat_sym.studies.work_precision_programs import PROGRAMS, RIVALS
 
     asked, output = cli.scene_and_directory(scene, changes, output, "accuracy")
-    programs, usual = (PROGRAMS, LIMIT_OF_ALL) if everything else (RIVALS, LIMIT)
+    methods, usual = (METHODS, LIMIT_OF_ALL) if everything else (RIVALS, LIMIT)
     try:
         with Display(quiet=quiet) as progress:
             progress.stage("accuracy")
-            found = study(scene, asked, programs, limit or usual, lambda what, share: progress.reach(share, what))
+            found = study(scene, asked, methods, limit or usual, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
     report = drawing.report(found)

@@ -35,9 +35,9 @@ def phase(
     row and a mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy is 1e-2 and the
     filament has 40 graded cells. After Ctrl-C the same command resumes from the finished runs.
     """
-    from softcat_sym.batch.phase_runs import PLANES
     from softcat_sym.progress import MembersBar
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
+    from softcat_sym.studies.phase_runs import PLANES
 
     asked, output = cli.scene_and_directory(scene, changes, output, "phase", SETTINGS)
     planes = plane or list(PLANES)

@@ -51,7 +51,7 @@ def run(
     from softcat_sym.simulate import simulated
     from softcat_sym.solvers.solution import Interrupted
 
-    written = None
+    files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
     try:
         with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
@@ -65,15 +65,15 @@ def run(
             ending().no_limit()
             progress.stage("writing")
             # The numbers are written first, so that they remain after Ctrl-C during the drawing.
-            written = trajectory.written(output)
+            trajectory, files = trajectory.written(output, trajectory.files())
             if not no_pictures:
                 progress.stage("drawing pictures")
                 report = drawing.report(trajectory, name=drawn, radius=radius)
-                written = written.joined_by(output, report.files)
+                trajectory, pictures = trajectory.written(output, report.files)
+                files += pictures
     except KeyboardInterrupt:
-        left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
+        left = "nothing was written" if not files else f"the run is in {output}, its pictures are not: {again}"
         raise cli.interrupted(left) from None
-    films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
@@ -83,7 +83,7 @@ def run(
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 
-        print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
+        print_summary(trajectory.summary, asked, (*films, *files), verbose=verbose)
     cli.judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 

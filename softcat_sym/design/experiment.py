@@ -295,37 +295,14 @@ def design_experiment(
 
     The standard errors are those of the Cramer-Rao bound with white noise: the inverse of the Fisher information
     sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
-    Tobias 2007). The worst is minimised over span and thickness by a grid and a pattern search; one run of each
-    filament serves all its films, at the highest frame rate unless `frames_at_most` binds.
+    Tobias 2007). The worst of all `free` ones that are not the camera's is minimised over span and thickness by a grid
+    and a pattern search; one run of each filament serves all its films, at the highest frame rate unless `max_frames`
+    binds. With `rough` values that may be wrong by a factor the worst error is that over all corners, two a parameter.
 
-    Parameters
-    ----------
-    scene : Scene
-        With rough values.
-    free : sequence of str
-        Names as in a fit. Those of the camera (``time_offset``, ``initial_sag``) are estimated, but do not count.
-    noise : str or float
-        Standard deviation of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film.
-    within : mapping
-        ``{"filament.span": ("2 mm", "50 mm"), "frame_rate": ("25 Hz", "1 kHz"), "run.duration": "5 s"}``; of
-        ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``. What is left out stays.
-    nuisance : sequence of str
-        More that is unknown and does not count.
-    max_frames : int, optional
-        That the camera keeps.
-    rough : float
-        Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
-    max_sag : str or float, optional
-        How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
-    progress : Progress, optional
-        Hears of every trial.
-
-    Raises
-    ------
-    SceneError
-        If a design variable is unknown or its bounds make no sense, or something cannot be free.
-    SoftcatError
-        If no experiment within the bounds determines the parameters, with the combination that is determined.
+    `noise` is that of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film; `within` has
+    bounds of ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``, what is left out stays;
+    `nuisance` is unknown too and does not count; `max_sag` is a length with its unit, or a fraction of the span.
+    SoftcatError names the combination that is determined where no experiment determines the parameters.
     """
     judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, max_frames, rough, max_sag)
     return _chosen(scene, judge, _searched(judge, progress or Silence()), max_frames)

@@ -53,7 +53,7 @@ from softcat_sym.results.motion import (
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
-from softcat_sym.results.sideways import seeded, sideways
+from softcat_sym.results.out_of_plane_stability import out_of_plane_instability, perturbed_3d_scene
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
@@ -82,24 +82,6 @@ _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 def versions_now() -> str:
     """Versions of this package and of those it calculates with, as JSON."""
     return json.dumps({name: version(name) for name in _VERSIONS})
-
-
-@dataclass(frozen=True)
-class WrittenRun:
-    """What a run left behind."""
-
-    files: tuple[Path, ...]  # In the order of interest
-    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
-
-    def joined_by(self, directory: str | Path, contents: Mapping[str, object]) -> WrittenRun:
-        """Write more beside it; the summary states how long all but itself took."""
-        began = perf_counter()
-        files = write_results(directory, contents)
-        spent, wall = perf_counter() - began, self.summary["wall_s"]
-        wall = {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}
-        summary = {**self.summary, "wall_s": wall}
-        write_results(directory, {"summary.json": summary})
-        return WrittenRun((*self.files, *files), summary)
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,9 +220,14 @@ class Run(drawing.Drawable):
         """
         return write_results(directory, self.files())
 
-    def written(self, directory: str | Path) -> WrittenRun:
-        """Write as :meth:`save` does; the summary states how long all but itself took."""
-        return WrittenRun((), self.summary).joined_by(directory, self.files())
+    def written(self, directory: str | Path, contents: Mapping[str, object]) -> tuple[Run, list[Path]]:
+        """Write files into a folder; the run returned, and ``summary.json``, state how long that took, too."""
+        began = perf_counter()
+        files = write_results(directory, contents)
+        spent, wall = perf_counter() - began, self.summary["wall_s"]
+        run = self.revised({"wall_s": {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}})
+        write_results(directory, {"summary.json": run.summary})
+        return run, files
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``."""
@@ -275,7 +262,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     motion = observed_motion(scene, effects, time, places, fields, moved, extremes)
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, most)))
     per_period, yielded = frames_a_period(extremes, len(time)), has_yielded(prepared, solution)
-    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
+    aside = out_of_plane_instability(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),
         *(too_few_frames(time[-1], len(time), per_period) if answers else []),
@@ -350,7 +337,7 @@ def run_form(scene: Scene) -> Form[Run]:
     def read(content: bytes) -> Run:
         arrays = unpacked(content)
         summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
-        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else seeded(scene)
+        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else perturbed_3d_scene(scene)
         return Run(moved or scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
 
     return Form(write, read)
