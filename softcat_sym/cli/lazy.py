@@ -2,34 +2,37 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator
+import builtins
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from importlib.machinery import ModuleSpec, PathFinder
-from importlib.util import LazyLoader
+from importlib import import_module
+from types import SimpleNamespace
 from typing import Any
 
 
-class _LazyFinder:
-    """Finds modules as ever, and has them loaded by the standard library's lazy loader; packages load at once."""
+class _LazyModule:
+    """Stands for a module, which is imported when it is asked for a name."""
 
-    def find_spec(self, fullname: str, path: Any, target: Any = None) -> ModuleSpec | None:
-        spec = PathFinder.find_spec(fullname, path, target)
-        if spec is not None and spec.loader is not None and spec.submodule_search_locations is None:
-            spec.loader = LazyLoader(spec.loader)
-        return spec
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, attribute: str) -> Any:
+        return getattr(import_module(self._name), attribute)
+
+
+def _import_lazily(name: str, _globals: object, _locals: object, modules: Sequence[str], _level: int) -> object:
+    """Answer ``from name import modules`` without importing anything."""
+    return SimpleNamespace(**{module: _LazyModule(f"{name}.{module}") for module in modules})
 
 
 @contextmanager
 def lazy_imports() -> Iterator[None]:
-    """Load the modules that are imported in this block at the first use of one of their names.
+    """Import the modules in this block, each a ``from package import module``, when one of their names is first used.
 
-    They are imported as modules, ``from package import module``: a name of a module loads it. Only commands do so, in
-    one thread; libraries of this package import at their top.
+    Linters and type checkers see imports like any others.
     """
-    finder = _LazyFinder()
-    sys.meta_path.insert(0, finder)
+    imports, builtins.__import__ = builtins.__import__, _import_lazily  # type: ignore[assignment]
     try:
         yield
     finally:
-        sys.meta_path.remove(finder)
+        builtins.__import__ = imports

@@ -21,10 +21,6 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
     return replace(terms, curing=tuple(Course.of(*one) for one in scene.material.histories().items()))
 
 
-def _applies(scene: Scene) -> bool:
-    return bool(scene.material.histories())
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     meaning = "largest change of the sag if the constants keep their initial values"
     if not scene.material.histories():
@@ -40,7 +36,7 @@ CURING = Effect(
     summary="constants of the material that are tables or formulas of time",
     source="Castonguay et al. 2025",
     adapt=_adapted,
-    applies=_applies,
+    applies=lambda scene: bool(scene.material.histories()),
     without_it="no constant of the material is a table or a formula of time",
     estimate=_estimate,
     observable="the same, from the sag and the ringing of a run",

@@ -19,10 +19,6 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
     return replace(terms, natural_strain=tuple(Course.of(*one) for one in scene.material.natural_strains().items()))
 
 
-def _applies(scene: Scene) -> bool:
-    return bool(scene.material.natural_strains())
-
-
 def largest_strains(scene: Scene) -> tuple[float, float]:
     """Largest magnitude of the mean natural strain and of its difference over the thickness, during the run."""
     material, duration = scene.material, scene.run.duration
@@ -58,7 +54,7 @@ NATURAL_STRAIN = Effect(
     summary="stress-free strain of the material that changes in time, more at the top or at the bottom",
     source="Timoshenko 1925",
     adapt=_adapted,
-    applies=_applies,
+    applies=lambda scene: bool(scene.material.natural_strains()),
     without_it="the scene states no material.natural_strain",
     estimate=_estimate,
     observable="tension by the natural strain over that by the weight at the sag, or curl of a free filament",

@@ -24,10 +24,6 @@ _SQUARE = 0.1
 """Relative difference of the sides of a rectangle above which surface tension would round it."""
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.surroundings.surface_tension > 0
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     starts = "it acts at once" if scene.initial.surface == "fresh" else "it acted before t = 0"
     meaning = f"reduction of the sag by the pull of the surface, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
@@ -46,10 +42,6 @@ def unstable_faults(scene: Scene) -> list[Fault]:
     return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
 
 
-def _indispensable(scene: Scene) -> str:
-    return "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else ""
-
-
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
     return [*filter(None, (neglected_surface(scene, motion.capillary), rounded_corners(scene)))]
 
@@ -59,7 +51,7 @@ SURFACE_TENSION = Effect(
     summary="axial force gamma P_0/2 s^-1/2 (for a sheet 2 gamma D_0), and that of the outline's slope",
     source="Eggers & Dupont 1994",
     contribute=partial(replace, surface_tension=True),
-    applies=_applies,
+    applies=lambda scene: scene.surroundings.surface_tension > 0,
     without_it="the scene states no surface tension",
     estimate=_estimate,
     observable="share of the pull of the surface in the axial force, times that of the load carried in tension",
@@ -69,7 +61,7 @@ SURFACE_TENSION = Effect(
     causes=("surface",),
     needs=("extensibility",),
     in_paper=False,
-    indispensable=_indispensable,
+    indispensable=lambda scene: "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else "",
     faults=unstable_faults,
 )
 
