@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.outcome import Outcome
 
 with lazy_imports():
+    from importlib import metadata
+
     from softcat_sym import files, store
     from softcat_sym.effects import choosing
     from softcat_sym.scene import reading
@@ -158,9 +160,7 @@ VerboseOption = Annotated[bool, switch("Print everything, with reasons and formu
 
 def _version(asked: bool) -> None:
     if asked:
-        import importlib.metadata
-
-        typer.echo(f"softcat {importlib.metadata.version('softcat_sym')}")
+        typer.echo(f"softcat {metadata.version('softcat_sym')}")
         raise typer.Exit
 
 
