@@ -10,10 +10,6 @@ from softcat_sym.effects.forecast import shaken_share
 from softcat_sym.scene.scene import Scene
 
 
-def _indispensable(scene: Scene) -> str:
-    return f"gravity is shaken at {scene.load.shake_frequency:g} Hz" if scene.load.shake > 0 else ""
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del motion
     share, formula = shaken_share(scene), "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
@@ -33,5 +29,7 @@ GRAVITY_SHAKING = Effect(
     derivation="01_balance",
     needs=("inertia",),
     in_paper=False,
-    indispensable=_indispensable,
+    indispensable=lambda scene: (
+        f"gravity is shaken at {scene.load.shake_frequency:g} Hz" if scene.load.shake > 0 else ""
+    ),
 )

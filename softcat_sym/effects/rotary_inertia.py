@@ -29,10 +29,6 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     )
 
 
-def _spared(scene: Scene) -> str:
-    return "it makes runs with yielding hinges many times longer" if YIELDING.applies(scene) else ""
-
-
 ROTARY_INERTIA = Effect(
     name="rotary-inertia",
     summary="angular momentum of the sections",
@@ -48,5 +44,5 @@ ROTARY_INERTIA = Effect(
     dear=True,
     needs=("inertia", "shear"),
     in_paper=False,
-    saved=_spared,
+    saved=lambda scene: "it makes runs with yielding hinges many times longer" if YIELDING.applies(scene) else "",
 )

@@ -6,13 +6,6 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion
-from softcat_sym.scene.scene import Scene
-
-
-def _eases(scene: Scene) -> str:
-    del scene
-    return "the scene states it, and it damps ringing"
-
 
 SOLID_DAMPING = Effect(
     name="solid-damping",
@@ -26,6 +19,6 @@ SOLID_DAMPING = Effect(
     example="agar-bar",
     derivation="11_rheologies",
     needs=("inertia",),
-    eases=_eases,
+    eases=lambda _scene: "the scene states it, and it damps ringing",
     in_paper=False,
 )

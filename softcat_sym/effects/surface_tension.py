@@ -43,7 +43,18 @@ def unstable_faults(scene: Scene) -> list[Fault]:
 
 
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
-    return [*filter(None, (neglected_surface(scene, motion.capillary), rounded_corners(scene)))]
+    """Surface tension that is left out although it matters, or that would round a rectangle."""
+    filament, pull, share, found = scene.filament, pull_of_surface(scene), motion.capillary, list[str]()
+    if not pull and share > scene.run.accuracy:
+        key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
+        found.append(f"surface tension is left out by {key}, but would take about {share:.0%} of the sag")
+    uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
+    if uneven and pull > (yield_stress_of(scene) or instant_modulus(scene) or 0.0):
+        found.append(
+            f"surface tension ({pull:.3g} Pa) would round the rectangle, whose sides are assumed to shrink alike; use "
+            "section = 'circle' if it does"
+        )
+    return found
 
 
 SURFACE_TENSION = Effect(
@@ -64,23 +75,3 @@ SURFACE_TENSION = Effect(
     indispensable=lambda scene: "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else "",
     faults=unstable_faults,
 )
-
-
-def neglected_surface(scene: Scene, share: float) -> str:
-    """Warning that a scene leaves out surface tension although it matters; empty otherwise."""
-    if pull_of_surface(scene) or share <= scene.run.accuracy:
-        return ""
-    key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
-    return f"surface tension is left out by {key}, but would take about {share:.0%} of the sag"
-
-
-def rounded_corners(scene: Scene) -> str:
-    """Warning that surface tension would round a rectangle; empty if it would not."""
-    filament, limit = scene.filament, yield_stress_of(scene) or instant_modulus(scene) or 0.0
-    uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
-    if not uneven or pull_of_surface(scene) <= limit:
-        return ""
-    return (
-        f"surface tension ({pull_of_surface(scene):.3g} Pa) would round the rectangle, whose sides are assumed to "
-        "shrink alike; use section = 'circle' if it does"
-    )

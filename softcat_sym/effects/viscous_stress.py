@@ -7,12 +7,6 @@ from functools import partial
 
 from softcat_sym.effects.effect import Effect, OfMotion
 from softcat_sym.effects.law import law_in
-from softcat_sym.scene.scene import Scene
-
-
-def _indispensable(scene: Scene) -> str:
-    return "" if scene.material.spec.is_elastic else f"the law {scene.material.law!r} has no other stress"
-
 
 VISCOUS_STRESS = Effect(
     name="viscous-stress",
@@ -26,5 +20,7 @@ VISCOUS_STRESS = Effect(
     example="cooked-spaghetti",
     derivation="11_rheologies",
     causes=("flow",),
-    indispensable=_indispensable,
+    indispensable=lambda scene: (
+        "" if scene.material.spec.is_elastic else f"the law {scene.material.law!r} has no other stress"
+    ),
 )
