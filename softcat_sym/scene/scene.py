@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from html import escape
 from typing import Any
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
@@ -453,8 +454,6 @@ class Scene(Tables):
         return Scene.model_validate(table)
 
     def _repr_html_(self) -> str:
-        from html import escape  # notebooks only
-
         return f"<pre>{escape(self.to_toml())}</pre>"
 
     def to_toml(self) -> str:
