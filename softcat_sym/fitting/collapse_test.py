@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -21,42 +22,34 @@ from numpy.typing import NDArray
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.free_parameters import candidates
-from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
-from softcat_sym.fitting.result import Fit
-from softcat_sym.fitting.trackers import camera_in, comments_in
-from softcat_sym.scene.csv_reader import (
-    Wanted,
-    columns_in,
-    counted,
-    header_pattern,
-    is_pixels,
-    missing_rows,
-    number_in,
-    numbers_in,
-    refusal,
-    table_in,
-    text_of,
-    unit_of,
+from softcat_sym.fitting.measurements import (
+    FEWEST,
+    Measurements,
+    Series,
+    Shapes,
+    camera_in,
+    implausible,
+    overrides_in,
 )
+from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import NotAQuantity, shown, to_si
+from softcat_sym.scene.table_reader import (
+    Column,
+    counted,
+    is_pixels,
+    quantity_of,
+    read_cells,
+    refusal,
+    settings_in,
+    without,
+)
+from softcat_sym.scene.units import NotAQuantity, shown
 
 Floats = NDArray[np.float64]
 
 _KIND = "contour"
-_NAME = header_pattern(("x", "y"))
-_AXES = {
-    one: Wanted(
-        one,
-        "length",
-        "m",
-        f"{one}_mm",
-        f"{one}_mm, {one}_m, {one}_um, or {one}_px with a line # camera.pixel = 0.05 mm",
-    )
-    for one in "xy"
-}
 _FORMS = {
     "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
     "height": "pillars.height = 6 mm",
@@ -184,82 +177,56 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     filament.thickness = 0.41 mm`` and other values of the scene may stand there too.
     """
     file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
-    text = text_of(file, _KIND, accepted)
-    overrides, faults = overrides_in(text)
-    (camera, wrong), cells = camera_in(text), table_in(text)
-    faults += wrong
-    if cells is None:
-        raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", accepted)])
-
-    def unit_in(name: str, unit: str) -> float:
-        if camera.pixel is not None and (is_pixels(unit) or not unit):
-            return camera.pixel
-        return unit_of(unit, _AXES[name].dimension, _AXES[name].si)
-
-    columns, wrong = columns_in(cells, _NAME, _AXES, unit_in)
-    if faults or wrong:
-        raise refusal(_KIND, file, faults + wrong)
-    pillars, wrong = _pillars(text, columns["x"].unit)
-    table, more = numbers_in(cells, columns, lambda _, value: what_is_wrong(value))
-    if wrong or more:
-        raise refusal(_KIND, file, wrong + more)
-    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
-    if fault:
-        raise refusal(_KIND, file, [fault])
-    x, y = table["x"][~missing], table["y"][~missing]
-    if camera.pixel is not None and columns["y"].unit == camera.pixel:
-        y = -y
+    text, cells = read_cells(file, _KIND, accepted, lambda name: quantity_of(name, ("x", "y")))
+    (overrides, faults), (camera, wrong) = overrides_in(text), camera_in(text)
+    columns, more = cells.chosen(cells.columns(("x", "y"), camera.scale), ("x", "y"))
+    if faults or wrong or more:
+        raise refusal(_KIND, file, faults + wrong + more)
+    pillars, faults = _pillars(text, columns["x"])
+    table, wrong = cells.numbers([*columns.values()], implausible)
+    table, said, more = without(table, table.isna().any(axis=1), "number")
+    x, y = table["x"].to_numpy(), table["y"].to_numpy()
     gaps = tuple(sorted(pillars["gap"]))
-    faults = [
-        Fault("pillars.gap", f"{left:g} m to {right:g} m has {counted(inside, 'point')}", f"at least {FEWEST} between")
-        for left, right in gaps
-        if (inside := int(np.sum((x > left) & (x < right)))) < FEWEST
-    ]
-    faults += [
-        Fault("pillars.gap", f"gaps overlap at {one[1]:g} m", "edges from left to right, a line for each gap")
-        for one, other in pairwise(gaps)
-        if other[0] < one[1]
-    ]
-    if faults:
-        raise refusal(_KIND, file, faults)
-    single = {key: pillars[key][0] if pillars[key] else None for key in ("height", "time")}
-    notes = (said,) if said else ()
-    return Contour(x, y, gaps, single["height"], single["time"], tuple(overrides.items()), file, notes)
+    for left, right in gaps if not (faults or wrong or more) else ():
+        if (inside := int(np.sum((x > left) & (x < right)))) < FEWEST:
+            found = f"{left:g} m to {right:g} m has {counted(inside, 'point')}"
+            faults.append(Fault("pillars.gap", found, f"at least {FEWEST} between"))
+    for one, other in pairwise(gaps):
+        if other[0] < one[1]:
+            accepted = "edges from left to right, a line for each gap"
+            faults.append(Fault("pillars.gap", f"gaps overlap at {one[1]:g} m", accepted))
+    if faults or wrong or more:
+        raise refusal(_KIND, file, faults + wrong + more)
+    height, time = (pillars[key][0][0] if pillars[key] else None for key in ("height", "time"))
+    return Contour(x, y, gaps, height, time, tuple(overrides.items()), file, cells.also(said).notes)
 
 
-def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]:
+def _pillars(text: str, x: Column) -> tuple[dict[str, list[Any]], list[Fault]]:
     """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
     found: dict[str, list[Any]] = {key: [] for key in _FORMS}
     faults = list[Fault]()
-    for where, key, value in comments_in(text, "pillars"):
-        if key not in _FORMS:
-            faults.append(Fault(where, "unknown key", "; ".join(_FORMS.values())))
+    for one in settings_in(text):
+        if one.table != "pillars" or one.value is None:
             continue
+        if one.key not in _FORMS:
+            faults.append(Fault(one.where, "unknown key", "; ".join(_FORMS.values())))
+            continue
+        is_gap = one.key == "gap"
         try:
-            if key == "gap":
-                edges = [_edge(part, unit) for part in value.replace(";", ",").split(",")]
-                valid = len(edges) == 2 and all(map(math.isfinite, edges)) and edges[0] < edges[1]
-                read: Any = tuple(edges)
-            else:
-                read = to_si(value, *(("length", "m") if key == "height" else ("time", "s")))
-                valid = 0 < read < math.inf and not found[key]
+            if is_gap and any(is_pixels(word) for word in re.findall("[a-z]+", one.value)):
+                raise NotAQuantity(f"{shown(one.value)} in pixels, which are plain numbers beside a column x_px")
+            quantity = "time" if one.key == "time" else "length"
+            values = one.numbers(2 if is_gap else 1, quantity, x.to_si if is_gap else None)
+            if not (values[0] < values[1] if is_gap else values[0] > 0):
+                raise NotAQuantity(shown(one.value))
+            if found[one.key] and not is_gap:
+                raise NotAQuantity("set again")
+            found[one.key].append(tuple(values))
         except NotAQuantity as error:
-            faults.append(Fault(where, str(error), _FORMS[key]))
-            continue
-        if valid:
-            found[key].append(read)
-        else:
-            faults.append(Fault(where, shown(value) if not found[key] or key == "gap" else "set again", _FORMS[key]))
+            faults.append(Fault(one.where, str(error), _FORMS[one.key]))
     if not found["gap"] and not faults:
         faults.append(Fault("pillars.gap", "no gap is named", f"# {_FORMS['gap']}; a line for each gap"))
     return found, faults
-
-
-def _edge(text: str, unit: float) -> float:
-    value = number_in(text.strip())
-    if value is None and is_pixels(text.strip().lstrip("+-.0123456789eE ")):
-        raise NotAQuantity(f"{shown(text.strip())} in pixels, which are plain numbers beside a column x_px")
-    return to_si(text.strip(), "length", "m") if value is None else value * unit
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
