@@ -175,7 +175,7 @@ WRONG = {
         "x_mm,y_mm\n" + "".join(f"{k / 10},0\n" for k in range(40)),
         ("pillars.gap = 0, 2", "pillars.gap = 1, 3"),
     ),
-    "'2, 1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
+    "0.002 m to 0.001 m has 0 points": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
     "'1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 1",)),
     "pillars.heigth: unknown key": ("x_mm,y_mm\n0,0\n", ("pillars.heigth = 3 mm", "pillars.gap = 0, 1")),
     "'s' is a time, not a length": ("x_mm,y_mm\n0,0\n", ("pillars.height = 3 s", "pillars.gap = 0, 1")),

@@ -26,7 +26,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError, SoftcatWarning
 from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import number_in, read_cells, refusal
+from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
 from softcat_sym.simulate import identity_of
@@ -427,7 +427,7 @@ def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
         faults += [Fault(f"line {number}, {fault.path}", fault.found, fault.accepted) for fault in wrong]
     if faults:
         raise refusal(_KIND, path, faults)
-    for note in cells.notes:
+    for note in sentence(*cells.said):
         warnings.warn(f"{path}: {note}", SoftcatWarning, stacklevel=3)
     return tuple(SweepAxis(key, tuple(row[k] for row in rows)) for k, (key, _) in enumerate(header))
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -25,36 +24,29 @@ from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import (
     FEWEST,
     Measurements,
+    Plain,
     Series,
     Shapes,
-    camera_in,
+    camera_of,
+    comments_in,
     implausible,
-    overrides_in,
 )
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import (
-    Column,
     counted,
-    is_pixels,
-    quantity_of,
+    known,
     read_cells,
     refusal,
-    settings_in,
+    sentence,
     without,
 )
-from softcat_sym.scene.units import NotAQuantity, shown
 
 Floats = NDArray[np.float64]
 
 _KIND = "contour"
-_FORMS = {
-    "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
-    "height": "pillars.height = 6 mm",
-    "time": "pillars.time = 30 s, from when the strand was laid to the photograph",
-}
 _SIGNIFICANT, _LEAST_DROP = 3.0, 0.01
 """Standard errors, and share of the span, from which on a difference of the supports' heights is a drop."""
 _WINDOW = 8
@@ -177,56 +169,33 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     filament.thickness = 0.41 mm`` and other values of the scene may stand there too.
     """
     file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
-    text, cells = read_cells(file, _KIND, accepted, lambda name: quantity_of(name, ("x", "y")))
-    (overrides, faults), (camera, wrong) = overrides_in(text), camera_in(text)
-    columns, more = cells.chosen(cells.columns(("x", "y"), camera.scale), ("x", "y"))
-    if faults or wrong or more:
-        raise refusal(_KIND, file, faults + wrong + more)
-    pillars, faults = _pillars(text, columns["x"])
-    table, wrong = cells.numbers([*columns.values()], implausible)
+    text, cells = read_cells(file, _KIND, accepted, ("x", "y"))
+    overrides, values, faults = comments_in(text)
+    columns, wrong = cells.chosen(cells.columns(("x", "y"), camera_of(values).scale), ("x", "y"))
+    if faults or wrong:
+        raise refusal(_KIND, file, faults + wrong)
+    table, faults = cells.numbers([*columns.values()], implausible)
     table, said, more = without(table, table.isna().any(axis=1), "number")
     x, y = table["x"].to_numpy(), table["y"].to_numpy()
-    gaps = tuple(sorted(pillars["gap"]))
-    for left, right in gaps if not (faults or wrong or more) else ():
-        if (inside := int(np.sum((x > left) & (x < right)))) < FEWEST:
+    gaps = [
+        tuple(columns["x"].to_si(edge) if isinstance(edge, Plain) else edge for edge in pair)
+        for pair in values.get("pillars.gap", [])
+    ]
+    gaps.sort()
+    form = f"# {known('comments')['pillars.gap'][-1]}; a line for each gap, from left to right"
+    wrong = [] if gaps else [Fault("pillars.gap", "no gap is named", form)]
+    for left, right in gaps:
+        inside = int(np.sum((x > left) & (x < right)))
+        if inside < FEWEST:
             found = f"{left:g} m to {right:g} m has {counted(inside, 'point')}"
-            faults.append(Fault("pillars.gap", found, f"at least {FEWEST} between"))
-    for one, other in pairwise(gaps):
-        if other[0] < one[1]:
-            accepted = "edges from left to right, a line for each gap"
-            faults.append(Fault("pillars.gap", f"gaps overlap at {one[1]:g} m", accepted))
-    if faults or wrong or more:
-        raise refusal(_KIND, file, faults + wrong + more)
-    height, time = (pillars[key][0][0] if pillars[key] else None for key in ("height", "time"))
-    return Contour(x, y, gaps, height, time, tuple(overrides.items()), file, cells.also(said).notes)
-
-
-def _pillars(text: str, x: Column) -> tuple[dict[str, list[Any]], list[Fault]]:
-    """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
-    found: dict[str, list[Any]] = {key: [] for key in _FORMS}
-    faults = list[Fault]()
-    for one in settings_in(text):
-        if one.table != "pillars" or one.value is None:
-            continue
-        if one.key not in _FORMS:
-            faults.append(Fault(one.where, "unknown key", "; ".join(_FORMS.values())))
-            continue
-        is_gap = one.key == "gap"
-        try:
-            if is_gap and any(is_pixels(word) for word in re.findall("[a-z]+", one.value)):
-                raise NotAQuantity(f"{shown(one.value)} in pixels, which are plain numbers beside a column x_px")
-            quantity = "time" if one.key == "time" else "length"
-            values = one.numbers(2 if is_gap else 1, quantity, x.to_si if is_gap else None)
-            if not (values[0] < values[1] if is_gap else values[0] > 0):
-                raise NotAQuantity(shown(one.value))
-            if found[one.key] and not is_gap:
-                raise NotAQuantity("set again")
-            found[one.key].append(tuple(values))
-        except NotAQuantity as error:
-            faults.append(Fault(one.where, str(error), _FORMS[one.key]))
-    if not found["gap"] and not faults:
-        faults.append(Fault("pillars.gap", "no gap is named", f"# {_FORMS['gap']}; a line for each gap"))
-    return found, faults
+            wrong.append(Fault("pillars.gap", found, f"at least {FEWEST} between; {form}"))
+    overlaps = [one[1] for one, other in pairwise(gaps) if other[0] < one[1]]
+    wrong += [Fault("pillars.gap", f"gaps overlap at {place:g} m", form) for place in overlaps]
+    faults += more or ([] if faults else wrong)
+    if faults:
+        raise refusal(_KIND, file, faults)
+    height, time = (values.get(f"pillars.{key}", [(None,)])[0][0] for key in ("height", "time"))
+    return Contour(x, y, tuple(gaps), height, time, tuple(overrides.items()), file, sentence(*cells.said, said))
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:

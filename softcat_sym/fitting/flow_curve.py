@@ -23,7 +23,7 @@ from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
 from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import Cells, counted, quantity_of, read_cells, refusal, without
+from softcat_sym.scene.table_reader import Cells, counted, read_cells, refusal, sentence, without
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import did_you_mean
 
@@ -102,7 +102,7 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names several.
     """
     file, accepted = Path(path), f"a CSV file with the columns {RATE} and {STRESS}"
-    _, cells = read_cells(file, _KIND, accepted, lambda name: quantity_of(name, _QUANTITIES))
+    _, cells = read_cells(file, _KIND, accepted, _QUANTITIES)
     columns = cells.columns(_QUANTITIES)
     read = {one.quantity for one in columns if one.fault is None}
     by_viscosity = "viscosity" in read and "shear_stress" not in read
@@ -117,10 +117,10 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
         raise refusal(_KIND, file, faults + too_many)
     if by_viscosity:
         table["shear_stress"] = table["shear_rate"] * table["viscosity"]
-        cells = cells.also("computed stresses, rate times viscosity")
+        cells.said.append("computed stresses, rate times viscosity")
     std = table["shear_stress_std"].to_numpy() if "shear_stress_std" in table else None
     rate, stress = (table[name].to_numpy() for name in ("shear_rate", "shear_stress"))
-    return FlowCurve(rate, stress, file, cells.also(said).notes, std)
+    return FlowCurve(rate, stress, file, sentence(*cells.said, said), std)
 
 
 def _of_sample(cells: Cells, sample: str | None, file: Path) -> Cells:

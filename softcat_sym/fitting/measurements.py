@@ -18,20 +18,20 @@ from numpy.typing import ArrayLike, NDArray
 from softcat_sym.errors import Fault, SoftcatError
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.scene.table_reader import (
+    NOTHING,
     Cells,
-    Column,
     counted,
     is_pixels,
+    known,
     listed,
-    quantity_of,
+    number_in,
     read_cells,
     refusal,
     scale_of,
     sentence,
-    settings_in,
     without,
 )
-from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
+from softcat_sym.scene.units import NotAQuantity, shown, to_si, unknown_key
 
 Floats = NDArray[np.float64]
 VERTICAL, HORIZONTAL = "vertical_force", "horizontal_force"
@@ -323,16 +323,6 @@ def _averaged(table: pd.DataFrame, name: str) -> tuple[pd.DataFrame, str, list[F
     return pd.DataFrame({one: np.asarray(found[one]) for one in table}), said, []
 
 
-_CAMERA = {
-    "fps": "camera.fps = 240",
-    "pixel": "camera.pixel = 0.05 mm",
-    "origin": "camera.origin = 640 212",
-    "release": "camera.release = 12",
-    "unit": "camera.unit = 1 mm",
-    "time": "camera.time = 1 ms",
-}
-
-
 @dataclass(frozen=True)
 class Camera:
     """Conversion of frames into seconds and of pixels into metres."""
@@ -349,8 +339,8 @@ class Camera:
         if quantity == "force":
             raise NotAQuantity("a force without its direction")
         if quantity in ("frame", "slice"):
-            if self.fps is None:
-                raise NotAQuantity("frames without a frame rate: write # camera.fps = 240 in the file")
+            if self.fps is None or self.fps <= 0:
+                raise NotAQuantity("frames without a frame rate")
             # ImageJ counts the slices of a stack from one.
             return 1 / self.fps, float(quantity == "slice") if self.release is None else self.release
         own = {"time": self.time, "x": self.unit, "y": self.unit}.get(quantity)
@@ -363,54 +353,82 @@ class Camera:
         return -self.pixel if quantity == "y" else self.pixel, zero
 
 
-def camera_in(text: str) -> tuple[Camera, list[Fault]]:
-    """Read the comments about the camera; comments of other programs are ignored."""
-    found, faults = dict[str, Any](), list[Fault]()
-    for one in settings_in(text):
-        if one.table != "camera" or one.key not in _CAMERA or one.value is None:
-            continue
-        quantity = {"fps": "frequency", "time": "time"}.get(one.key, "length")
-        try:
-            plain = float if one.key in ("fps", "origin", "release") else None
-            values = one.numbers(2 if one.key == "origin" else 1, quantity, plain)
-            if one.key not in ("origin", "release") and values[0] <= 0:
-                raise NotAQuantity(shown(one.value))
-            found[one.key] = tuple(values) if one.key == "origin" else values[0]
-        except NotAQuantity as error:
-            faults.append(Fault(one.where, str(error), _CAMERA[one.key]))
-    return Camera(**found), faults
+_COMMENT = re.compile(r"#\s*(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b\s*(?P<rest>.*)")
 
 
-def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
-    """Read a film's own values of its scene among the comments of a file."""
+class Plain(float):
+    """A number without a unit."""
+
+
+Values = dict[str, list[tuple[float, ...]]]
+"""Of the comments about the camera and pillars by their keys, one for each line."""
+
+
+def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
+    """Read the comments ``# table.key = value``: values of the scene for this film only, and those of `Values`.
+
+    Comments of other programs are ignored.
+    """
     tables = {name: keys for name, keys in known_keys().items() if name}
-    overrides, faults = dict[str, str](), list[Fault]()
-    for one in settings_in(text):
-        path = f"{one.table}.{one.key}"
-        if one.table not in tables:
-            near = get_close_matches(one.table, tables, n=1, cutoff=0.75)
-            # A setting of another program (camera.fps = 60) is a comment; a misspelt table of a scene is a fault.
-            if one.value is not None and near:
-                found = f"unknown table in {shown(path)} (did you mean '{near[0]}'?)"
-                faults.append(Fault(one.line, found, ", ".join(tables)))
-        elif one.key not in tables[one.table]:
+    overrides, values, faults = dict[str, str](), Values(), list[Fault]()
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = _COMMENT.match(line.strip())
+        if match is None:
+            continue
+        table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
+        # A spreadsheet ends a short line with the separators of its empty cells.
+        value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
+        where, near = f"line {number}, {path}", get_close_matches(table, tables, n=1, cutoff=0.75)
+        if path in known("comments"):
+            faults += _read_comment(values, path, value or "", where)
+        elif table in tables and key in tables[table]:
+            accepted = "each key once" if value else "key = value, such as # filament.span = 5 mm"
+            faults += [Fault(where, "set again" if value else "sets nothing", accepted)] * (
+                path in overrides or not value
+            )
+            overrides[path] = value or ""
+        elif table in tables and value is not None:
             unknown = unknown_key(path, tables)
-            faults += [] if one.value is None else [Fault(one.where, unknown.found, unknown.accepted)]
-        elif not one.value:
-            faults.append(Fault(one.line, f"{path} sets nothing", "key = value, such as # filament.span = 5 mm"))
-        elif path in overrides:
-            faults.append(Fault(one.line, f"{path} set again", "each key once"))
-        else:
-            overrides[path] = one.value
-    return overrides, faults
+            faults.append(Fault(where, unknown.found, unknown.accepted))
+        elif near and value is not None:
+            faults.append(Fault(where, f"unknown table (did you mean '{near[0]}'?)", ", ".join(tables)))
+        elif table == "pillars":
+            faults.append(Fault(where, "unknown key", ", ".join(known("comments"))))
+    return overrides, values, faults
+
+
+def _read_comment(values: Values, path: str, text: str, where: str) -> list[Fault]:
+    quantity, count, is_plain, form = known("comments")[path]
+    parts = [part.strip() for part in (re.split(r"[,;]|(?<=\d)\s+(?=[-\d])", text) if count > 1 else [text])]
+    try:
+        if path in values and path != "pillars.gap":
+            raise NotAQuantity("set again")
+        if any(is_pixels(part.lstrip("+-.0123456789eE ")) for part in parts):
+            raise NotAQuantity(f"{shown(text)} in pixels, which are plain numbers beside a column x_px")
+        numbers = [number_in(part) if is_plain else None for part in parts]
+        pairs = zip(parts, numbers, strict=True)
+        found = tuple(to_si(part, quantity) if number is None else Plain(number) for part, number in pairs)
+        if len(found) != count or not np.all(np.isfinite(found)) or (not is_plain and found[0] <= 0):
+            raise NotAQuantity(shown(text))
+    except NotAQuantity as error:
+        return [Fault(where, str(error), form)]
+    values.setdefault(path, []).append(found)
+    return []
+
+
+def camera_of(values: Values) -> Camera:
+    """The camera of a file's comments."""
+    found = {path.partition(".")[2]: lines[0] for path, lines in values.items() if path.startswith("camera.")}
+    across, down = found.pop("origin", (0.0, 0.0))
+    return Camera(origin=(across, down), **{name: numbers[0] for name, numbers in found.items()})
 
 
 _KIND = "measurements"
 _ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
 _CLOCKS = ("time", "frame", "slice")
 _FORMS = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
-_STDS = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std")
-_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_STDS, "likelihood")
+_EXTRA = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std", "likelihood")
+_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_EXTRA)
 
 
 def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
@@ -456,53 +474,77 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
 
 
 def _series(file: Path) -> Series:
-    text, cells = read_cells(file, _KIND, _ACCEPTED, lambda name: quantity_of(name, _QUANTITIES))
-    (overrides, faults), (camera, wrong) = overrides_in(text), camera_in(text)
+    text, cells = read_cells(file, _KIND, _ACCEPTED, _QUANTITIES)
+    overrides, values, faults = comments_in(text)
+    camera = camera_of(values)
     # The first line of an export of Tracker is the name of its track; times are in s, and lengths in m by default.
     above = text.splitlines()[cells.line - 2] if cells.line > 1 else ""
     if camera == Camera() and re.fullmatch(r"\w+", above.strip()) and {"t", "x", "y"} <= {*cells.header}:
-        camera, cells = Camera(unit=1.0, time=1.0), cells.also("took Tracker's t in s, x and y in m")
-    parts, cells, more = _parts(cells, camera)
-    faults += wrong + more
+        camera = Camera(unit=1.0, time=1.0)
+        cells.said.append("took Tracker's t in s, x and y in m")
+    parts, more = _parts(_one_point_a_row(cells, camera), camera)
+    faults += more
     arrays = dict[str, dict[str, Floats]]()
     for form, part in parts.items() if not faults else ():
-        table, said, wrong = repaired(part)
-        cells = cells.also(*said)
-        faults += wrong
+        table, said, more = repaired(part)
+        cells.said += said
+        faults += more
         arrays[form] = {name: table[name].to_numpy() for name in table}
     if faults:
         raise refusal(_KIND, file, faults)
-    return Series(
-        **arrays.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)}),
-        shapes=Shapes(**arrays["y"]) if "y" in arrays else None,
-        overrides=overrides,
-        path=file,
-        notes=cells.notes,
-        forces=tuple(Forces(**arrays[way], way=way) for way in WAYS if way in arrays),
-    )
+    midpoint = arrays.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)})
+    shapes = Shapes(**arrays["y"]) if "y" in arrays else None
+    forces = tuple(Forces(**arrays[way], way=way) for way in WAYS if way in arrays)
+    return Series(**midpoint, shapes=shapes, forces=forces, overrides=overrides, path=file, notes=sentence(*cells.said))
 
 
-def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], Cells, list[Fault]]:
+def _one_point_a_row(cells: Cells, camera: Camera) -> Cells:
+    """Split rows that hold the points of a picture side by side; pictures are counted where no column has them."""
+    columns = cells.columns(_QUANTITIES, camera.scale)
+    x, y, likelihoods = ([one for one in columns if one.quantity == name] for name in ("x", "y", "likelihood"))
+    sets = list(zip(x, y, *([likelihoods] if likelihoods else []), strict=False))
+    # Two units of one quantity are two columns for it, and refused.
+    if len(x) != len(y) or len(x) < 2 or len({(one.unit_name, other.unit_name) for one, other, *_ in sets}) > 1:
+        return cells
+    clock = next((one for one in columns if one.quantity in _CLOCKS), None)
+    rows = list[tuple[int, list[str]]]()
+    for number, (line, row) in enumerate(cells.rows):
+        row = row + [""] * (len(cells.header) - len(row))
+        when = str(number) if clock is None else row[clock.place]
+        points = [[row[one.place] for one in point] for point in sets]
+        # A point that the tracker did not find gives no row.
+        rows += [(line, [when, *point]) for point in points if not any(text.lower() in NOTHING for text in point)]
+    cells.said.append(f"read {len(sets)} points side by side")
+    header = ["frame" if clock is None else clock.name]
+    header += [f"{one.quantity}_{one.unit_name}".rstrip("_") for one in sets[0]]
+    units = tuple(cells.units[one.place] if one else "" for one in (clock, *sets[0])) if cells.units else ()
+    return replace(cells, header=header, rows=rows, units=units)
+
+
+def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], list[Fault]]:
     """Split a table into midpoints, points of shapes ("y") and forces, in SI."""
     columns = cells.columns(_QUANTITIES, camera.scale)
     named, read = {one.quantity for one in columns}, {one.quantity for one in columns if one.fault is None}
-    x, y = ([one for one in columns if one.quantity == axis and not one.fault] for axis in "xy")
-    pairs = list(zip(x, y, strict=False))
-    if len(x) == len(y) > 1 and len({(one.unit, other.unit) for one, other in pairs}) == 1:
-        return _side_by_side(cells, camera, columns, pairs)
-    clock = next((one for known in (read, named) for one in _CLOCKS if one in known), "time")
+    clock = next((one for there in (read, named) for one in _CLOCKS if one in there), "time")
     whole = [form for form in _FORMS if {*form} <= read]
     needed = whole or [max(_FORMS, key=lambda form: len(named & {*form}))]
     quantities = (clock, *(one for form in needed for one in form))
-    used = [one for one in columns if one.quantity in (*quantities, *_STDS)]
-    chosen, faults = cells.chosen(used, quantities)
+    chosen, faults = cells.chosen([one for one in columns if one.quantity in (*quantities, *_EXTRA)], quantities)
     if ("x", "y") in whole and len(whole) > 1:
         found = f"points of whole shapes beside {', '.join(name for form in whole if len(form) == 1 for name in form)}"
         faults.append(Fault(f"line {cells.line}", found, "two files for both"))
     if faults:
-        return {}, cells, faults
+        return {}, faults
     table, faults = cells.numbers([*chosen.values()], implausible)
     table = table.rename(columns={clock: "time"})
+    doubtful = table.pop("likelihood") < _LIKELY if "likelihood" in table else None
+    if doubtful is not None and doubtful.any():
+        cells.said.append(f"left out {counted(int(doubtful.sum()), 'point')} with a likelihood below {_LIKELY}")
+        table = table[~doubtful]
+    turned = [one.name for one in chosen.values() if one.sign < 0]
+    cells.said += [f"turned the sign of {name}, which counts downwards by its name" for name in turned]
+    if "x" in chosen and chosen["x"].unit == camera.pixel:
+        cells.said.append(f"counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards")
     parts = dict[str, pd.DataFrame]()
     for form in whole:
         name = form[-1]
@@ -510,41 +552,4 @@ def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], Cells
         part = table[[one for one in ("time", *form, std) if one in table]]
         part = part.rename(columns={std: "std"} | ({name: "force"} if name in WAYS else {}))
         parts[name] = part[table[name].notna()] if len(whole) > 1 else part
-    turned = [one.name for one in chosen.values() if one.heading.sign < 0]
-    said = f"turned the sign of {turned[0]}, which counts downwards by its name" if turned else ""
-    return parts, _placed(cells.also(said), camera, chosen.get("x")), faults
-
-
-def _placed(cells: Cells, camera: Camera, x: Column | None) -> Cells:
-    if camera.pixel is None or x is None or x.unit != camera.pixel:
-        return cells
-    return cells.also(f"counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards")
-
-
-def _side_by_side(
-    cells: Cells, camera: Camera, columns: Sequence[Column], pairs: Sequence[tuple[Column, Column]]
-) -> tuple[dict[str, pd.DataFrame], Cells, list[Fault]]:
-    """Points of one picture in one row; pictures are counted where no column has them."""
-    clock = next((one for one in columns if one.quantity in _CLOCKS), None)
-    if clock is None:
-        rows = [(line, [str(k), *row]) for k, (line, row) in enumerate(cells.rows)]
-        return _parts(replace(cells, header=["frame", *cells.header], rows=rows), camera)
-    if clock.fault:
-        return {}, cells, [clock.fault]
-    likelihoods: list[Column | None] = [one for one in columns if one.quantity == "likelihood"]
-    tables, faults = list[pd.DataFrame](), list[Fault]()
-    for k, (x, y) in enumerate(pairs):
-        likelihood = likelihoods[k] if len(likelihoods) == len(pairs) else None
-        table, wrong = cells.numbers([clock, x, y, *([likelihood] if likelihood else [])], implausible)
-        tables.append(table)
-        faults += wrong
-    # A point that the tracker did not find gives no row.
-    points = pd.concat(tables).rename(columns={clock.quantity: "time"}).dropna()
-    said = [f"read {len(pairs)} points side by side"]
-    if "likelihood" in points:
-        doubtful = points.pop("likelihood") < _LIKELY
-        points = points[~doubtful]
-        if doubtful.any():
-            said.append(f"left out {counted(int(doubtful.sum()), 'point')} with a likelihood below {_LIKELY}")
-    points = points.sort_values("time", kind="stable")
-    return {"y": points}, _placed(cells.also(*said), camera, pairs[0][0]), list(dict.fromkeys(faults))
+    return parts, faults

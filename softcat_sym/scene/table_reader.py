@@ -7,13 +7,13 @@ import math
 import re
 import tomllib
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cache, lru_cache
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 from unicodedata import category
 
 from softcat_sym.errors import Fault, SoftcatError, SoftcatWarning
@@ -26,12 +26,13 @@ if TYPE_CHECKING:
 MISSING = 1 / 3
 """Share of the rows from which on too many cannot be used."""
 
+NOTHING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "-", "---"})
+"""How trackers, rheometers and spreadsheets write that there is nothing."""
+
 _LONGEST = 1 << 24
 _FAULTS_SHOWN, _NAMES_SHOWN, _ROWS_SHOWN = 8, 8, 5
 _SEPARATORS = ("\t", ";", ",", " ")
 _MOST_UNIT_ROWS = 3  # TrackMate writes three lines below the names
-# How trackers, rheometers and spreadsheets write that there is nothing.
-_NOTHING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "-", "---"})
 _DECIMAL_COMMA = re.compile(r"([+-]?\d*),(\d*(?:[eE][+-]?\d+)?)")
 # Logger Pro writes the name of a data set before that of a column.
 _HEADING = (
@@ -112,7 +113,7 @@ def not_finite(value: float) -> tuple[str, str] | None:
 
 
 class ColumnKind(NamedTuple):
-    """A quantity of ``columns.toml``."""
+    """A quantity of ``tables.toml``."""
 
     dimension: str
     unit: str
@@ -121,45 +122,70 @@ class ColumnKind(NamedTuple):
 
 
 @cache
-def column_kinds() -> dict[str, ColumnKind]:
-    """What columns may hold, and how people and makers call it."""
-    text = (files("softcat_sym.scene") / "columns.toml").read_text(encoding="utf-8")
-    return {quantity: ColumnKind(*entry) for quantity, entry in tomllib.loads(text).items()}
+def known(what: str) -> dict[str, Any]:
+    """What columns or comments may hold, and how people and makers call it."""
+    text = (files("softcat_sym.scene") / "tables.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)[what]
 
 
-class Heading(NamedTuple):
-    """The name of a column, understood."""
+def column_kind(quantity: str) -> ColumnKind:
+    """Return what is known of a column."""
+    return ColumnKind(*known("columns")[quantity])
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column of a known quantity."""
 
     quantity: str
-    unit: str  # As written, or empty
-    is_surely: bool = False  # Whether that stands in brackets, and cannot be a part of another name
-    sign: int = 1  # Negative if the name says that it counts downwards
+    name: str  # As the header writes it
+    unit_name: str = ""  # As written, or empty
+    in_brackets: bool = False  # Whether that cannot be a part of another name
+    sign: int = 1  # Negative if its name says that it counts downwards
+    place: int = 0  # Counted from 0
+    unit: float = math.nan  # SI value of its unit, with the sign
+    zero: float = 0.0  # Number at which the quantity is zero
+    fault: Fault | None = None  # Why it cannot be read
+
+    def to_si(self, number: float) -> float:
+        """The SI value of a number; in decimal, so that 6 mm is the same float as 0.006 m."""
+        if not math.isfinite(number):
+            return number
+        return float((Decimal(repr(number)) - Decimal(repr(self.zero))) * Decimal(repr(self.unit))) + 0.0
 
 
 @lru_cache(maxsize=4096)
-def heading_of(text: str, quantities: tuple[str, ...]) -> Heading | None:
+def column_of(name: str, quantities: tuple[str, ...]) -> Column | None:
     """Understand ``time_s``, ``Time (s)``, ``time / s`` or ``Latest: Time [s]``; the longest name counts."""
-    found = []
+    longest, found = 0, None
     for quantity in quantities:
-        for name in column_kinds()[quantity].names:
-            pattern = _HEADING.format(name.removeprefix("-").replace(" ", "[ _]"))
-            if match := re.fullmatch(pattern, text.strip(), re.IGNORECASE):
-                in_brackets = match["square"] or match["round"] or match["slash"] or match["word"] or ""
-                unit = (in_brackets or match["suffix"] or "").strip()
-                sign = -1 if name[0] == "-" else 1
-                found.append((len(match["name"]), Heading(quantity, unit, bool(in_brackets), sign)))
-    return max(found)[1] if found else None
-
-
-def quantity_of(text: str, quantities: tuple[str, ...]) -> str | None:
-    """The quantity that a heading names, if it is one of these."""
-    heading = heading_of(text, quantities)
-    return heading.quantity if heading else None
+        for known in column_kind(quantity).names:
+            pattern = _HEADING.format(known.removeprefix("-").replace(" ", "[ _]"))
+            match = re.fullmatch(pattern, name.strip(), re.IGNORECASE)
+            if match and len(match["name"]) > longest:
+                longest = len(match["name"])
+                bracketed = match["square"] or match["round"] or match["slash"] or match["word"]
+                unit, sign = (bracketed or match["suffix"] or "").strip(), -1 if known[0] == "-" else 1
+                found = Column(quantity, name, unit, bracketed is not None, sign)
+    return found
 
 
 def is_pixels(unit: str) -> bool:
     """Tell whether a unit is that of a picture."""
     return unit.lower() in ("px", "pix", "pixel", "pixels")
+
+
+def scale_of(quantity: str, unit: str) -> tuple[float, float]:
+    """SI value of the unit of a column, and the number at which its quantity is zero."""
+    kind = column_kind(quantity)
+    if not unit and kind.unit:
+        raise NotAQuantity("no unit in its name")
+    # Pint knows a px of 1/96 inch, which is no camera's, and takes turns for a shear rate.
+    if is_pixels(unit):
+        raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
+    if unit.lower() in ("rpm", "rps"):
+        raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
+    return to_si(f"1 {_spelt(unit)}", kind.dimension, kind.unit) if kind.unit else 1.0, 0.0
 
 
 def _spelt(unit: str) -> str:
@@ -169,45 +195,7 @@ def _spelt(unit: str) -> str:
     return plain
 
 
-def scale_of(quantity: str, unit: str) -> tuple[float, float]:
-    """SI value of the unit of a column, and the number at which its quantity is zero."""
-    kind = column_kinds()[quantity]
-    if not kind.unit:
-        return 1.0, 0.0
-    if not unit:
-        raise NotAQuantity("no unit in its name")
-    # Pint knows a px of 1/96 inch, which is no camera's, and takes turns for a shear rate.
-    if is_pixels(unit):
-        raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
-    if unit.lower() in ("rpm", "rps"):
-        raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
-    return to_si(f"1 {_spelt(unit)}", kind.dimension, kind.unit), 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Column:
-    """A column of a known quantity."""
-
-    heading: Heading
-    name: str  # As the header writes it
-    place: int  # Counted from 0
-    unit: float = math.nan  # SI value of its unit, negative if it counts downwards
-    zero: float = 0.0  # Number at which the quantity is zero
-    fault: Fault | None = None  # Why it cannot be read
-
-    @property
-    def quantity(self) -> str:
-        """What it holds."""
-        return self.heading.quantity
-
-    def to_si(self, number: float) -> float:
-        """The SI value of a number; in decimal, so that 6 mm is the same float as 0.006 m."""
-        if not math.isfinite(number):
-            return number
-        return float((Decimal(repr(number)) - Decimal(repr(self.zero))) * Decimal(repr(self.unit))) + 0.0
-
-
-@dataclass(frozen=True)
+@dataclass
 class Cells:
     """A table as text."""
 
@@ -215,36 +203,26 @@ class Cells:
     header: list[str]
     rows: list[tuple[int, list[str]]]  # Line and cells
     separator: str
+    said: list[str]  # What was skipped or changed
     units: tuple[str, ...] = ()  # Of a row of their own
-    said: tuple[str, ...] = ()  # What was skipped or changed
-
-    def also(self, *said: str) -> Cells:
-        """The same, with more that was changed."""
-        return replace(self, said=(*self.said, *filter(None, said)))
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was skipped or changed, as one sentence, or none."""
-        return sentence(*self.said)
 
     def columns(
-        self, quantities: Iterable[str], scale: Callable[[str, str], tuple[float, float]] = scale_of
+        self, quantities: tuple[str, ...], scale: Callable[[str, str], tuple[float, float]] = scale_of
     ) -> list[Column]:
         """Columns of some quantities; `scale` has the unit and the zero of one, or raises :class:`NotAQuantity`."""
         found = []
         for place, name in enumerate(self.header):
-            heading = heading_of(name, tuple(quantities))
-            if heading is None:
+            one = column_of(name, quantities)
+            if one is None:
                 continue
-            if not heading.unit and place < len(self.units):
-                heading = heading._replace(unit=self.units[place])
+            unit_name = one.unit_name or (self.units[place] if place < len(self.units) else "")
             try:
-                unit, zero = scale(heading.quantity, heading.unit)
-                found.append(Column(heading, name, place, heading.sign * unit, zero))
+                unit, zero = scale(one.quantity, unit_name)
+                found.append(replace(one, place=place, unit=one.sign * unit, zero=zero))
             except NotAQuantity as error:
-                accepted = column_kinds()[heading.quantity].accepted
+                accepted = column_kind(one.quantity).accepted
                 fault = Fault(f"line {self.line}", f"column {shown(name)}: {error}", accepted)
-                found.append(Column(heading, name, place, fault=fault))
+                found.append(replace(one, place=place, fault=fault))
         return found
 
     def chosen(self, columns: Sequence[Column], needed: Iterable[str]) -> tuple[dict[str, Column], list[Fault]]:
@@ -252,22 +230,21 @@ class Cells:
 
         Faults are two of them for one, unknown units in brackets, and what is needed and not there.
         """
-        read = dict[str, Column]()
+        read, faults = dict[str, Column](), list[Fault | None]()
         for one in columns:
-            read |= {} if one.fault or one.quantity in read else {one.quantity: one}
-        surely = [one for one in columns if one.heading.is_surely and not is_pixels(one.heading.unit)]
-        faults = [one.fault for one in surely if one.fault]
+            if one.fault is None:
+                read.setdefault(one.quantity, one)
+            elif one.in_brackets and not is_pixels(one.unit_name):
+                faults.append(one.fault)
         for quantity in read:
             names = [one.name for one in columns if one.quantity == quantity and one.fault is None]
             if len(names) > 1:
                 what = f"{len(names)} columns for one quantity: {', '.join(names)}"
                 faults.append(Fault(f"line {self.line}", what, "one of them"))
         for quantity in needed:
-            if quantity not in read:
-                faults += [one.fault for one in columns if one.quantity == quantity and one.fault] or [
-                    self.absent(quantity)
-                ]
-        return read, list(dict.fromkeys(faults)) or self.no_rows()
+            wrong = [one.fault for one in columns if one.quantity == quantity]
+            faults += [] if quantity in read else wrong or [self.absent(quantity)]
+        return read, [fault for fault in dict.fromkeys(faults) if fault] or self.no_rows()
 
     def no_rows(self) -> list[Fault]:
         """The fault of a table that has none."""
@@ -275,8 +252,8 @@ class Cells:
 
     def absent(self, quantity: str) -> Fault:
         """The fault of a column that is not there, with the nearest name that is."""
-        accepted, header = column_kinds()[quantity].accepted, self.header
-        others = [name for name in header if heading_of(name, tuple(column_kinds())) is None]
+        accepted, header = column_kind(quantity).accepted, self.header
+        others = [name for name in header if column_of(name, tuple(known("columns"))) is None]
         near = did_you_mean(accepted.split(",")[0], others).replace("did you mean", "is it what is called")
         found = ", ".join(map(shown, header[:_NAMES_SHOWN])) + (", ..." if len(header) > _NAMES_SHOWN else "")
         hint = "; cells separated by commas, semicolons, tabs or blanks" if len(header) == 1 else ""
@@ -299,7 +276,7 @@ class Cells:
             row = []
             for one in columns:
                 text = cells[one.place] if one.place < len(cells) else ""
-                number = math.nan if text.lower() in _NOTHING else number_in(text)
+                number = math.nan if text.lower() in NOTHING else number_in(text)
                 if number is None:
                     fault = f"{shown(text)} is not a number", "a number such as 0.5, or nothing"
                 else:
@@ -321,13 +298,25 @@ def cells_of(line: str, separator: str) -> list[str]:
     return [cell.strip() for cell in found] or line.split()
 
 
-def read_cells(file: Path, kind: str, accepted: str, named: Callable[[str], object]) -> tuple[str, Cells]:
-    """Read a file, and find the table in it of headings for which `named` has a name.
+Lines = list[tuple[int, str]]
+
+
+def read_cells(
+    file: Path, kind: str, accepted: str, understood: tuple[str, ...] | Callable[[str], str | None]
+) -> tuple[str, Cells]:
+    """Read a file, and find the table in it that has columns of some quantities, or whose headings are understood.
 
     Its header is the line in which most names are understood, perhaps a comment, as NumPy writes it. Rows go on below
     every header that is the same; what stands between an empty line and the next header is another table's.
     """
     text = read_text(file, kind, accepted)
+
+    def named(heading: str) -> str | None:
+        if callable(understood):
+            return understood(heading)
+        column = column_of(heading, understood)
+        return column.quantity if column else None
+
     lines = list(enumerate(text.splitlines(), start=1))
     data = [(k, line) for k, line in lines if line.strip() and not line.lstrip().startswith("#")]
     # By its first line Excel tells itself how cells are separated.
@@ -335,38 +324,40 @@ def read_cells(file: Path, kind: str, accepted: str, named: Callable[[str], obje
     if not data:
         raise refusal(kind, file, [Fault("", "the file holds no data", accepted)])
     number, first, separator = _header(lines, data, named)
-    header = cells_of(first, separator)
-    places = [k for k, name in enumerate(header) if named(name) is not None]
-    rows, again, left = list[tuple[int, list[str]]](), list[int](), list[int]()
-    is_read, after_blank = True, {k + 1 for k, line in lines if not line.strip()}
-    for k, line in data:
-        cells = cells_of(line, separator)
-        if k <= number:
-            continue
-        if cells == header:
+    places = [k for k, name in enumerate(cells_of(first, separator)) if named(name) is not None]
+    after_blank = {k + 1 for k, line in lines if not line.strip()}
+    above = sum(k < number for k, _ in data)
+    cells = Cells(number, cells_of(first, separator), [], separator, [])
+    if above:
+        cells.said.append(f"skipped {counted(above, 'line')} above the header in line {number}")
+    _fill(cells, [(k, line) for k, line in data if k > number], places, after_blank)
+    return text, _with_units(cells, places)
+
+
+def _fill(cells: Cells, lines: Lines, places: Sequence[int], after_blank: Container[int]) -> None:
+    """Take the rows from the lines below the header."""
+    again, left, is_read = list[int](), list[int](), True
+    for k, line in lines:
+        row = cells_of(line, cells.separator)
+        if row == cells.header:
             is_read = True
             again.append(k)
             continue
-        if rows and k in after_blank and any(cells) and not _has_number(cells, places):
+        if cells.rows and k in after_blank and any(row) and not _has_number(row, places):
             is_read = False
         if is_read:
-            rows.append((k, cells))
+            cells.rows.append((k, row))
         else:
             left.append(k)
-    above = sum(k < number for k, _ in data)
-    joined = f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})"
-    said = (
-        f"skipped {counted(above, 'line')} above the header in line {number}" if above else "",
-        joined if again else "",
-        f"left out {counted(len(left), 'line')} that are no rows of it (line {listed(left)})" if left else "",
-        "read decimal commas" if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in rows for cell in row) else "",
-    )
-    return text, _with_units(Cells(number, header, rows, separator).also(*said), places)
+    if again:
+        cells.said.append(f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})")
+    if left:
+        cells.said.append(f"left out {counted(len(left), 'line')} that are no rows of it (line {listed(left)})")
+    if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in cells.rows for cell in row):
+        cells.said.append("read decimal commas")
 
 
-def _header(
-    lines: Sequence[tuple[int, str]], data: Sequence[tuple[int, str]], named: Callable[[str], object]
-) -> tuple[int, str, str]:
+def _header(lines: Lines, data: Lines, named: Callable[[str], str | None]) -> tuple[int, str, str]:
     """Number and text of the header, and what separates cells."""
     comments = [(k, line.lstrip().lstrip("#")) for k, line in lines if line.lstrip().startswith("#")]
     for candidates, fewest in ((data, 1), (comments, 2)):
@@ -397,7 +388,7 @@ def _with_units(cells: Cells, places: Sequence[int]) -> Cells:
         return cells
     below = [row for _, row in cells.rows[:count]]
     rows, units = [(k, row) for k, row in cells.rows if row not in below], tuple(cell.strip("[]()") for cell in last)
-    return replace(cells, rows=rows, units=units).also(f"took units from line {line}")
+    return replace(cells, rows=rows, units=units, said=[*cells.said, f"took units from line {line}"])
 
 
 def _is_unit(text: str) -> bool:
@@ -419,52 +410,10 @@ def without(table: pd.DataFrame, bad: pd.Series, what: str) -> tuple[pd.DataFram
     return table[~bad], f"left out {found}", []
 
 
-SETTING = re.compile(r"#\s*(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b(?P<rest>.*)")
-
-
-class Setting(NamedTuple):
-    """A comment ``# table.key = value``."""
-
-    line: str  # Such as "line 3"
-    table: str
-    key: str
-    value: str | None  # None without an equals sign
-
-    @property
-    def where(self) -> str:
-        """Where it stands, for a fault."""
-        return f"{self.line}, {self.table}.{self.key}"
-
-    def numbers(self, count: int, quantity: str, plain: Callable[[float], float] | None) -> list[float]:
-        """So many quantities in SI; `plain` has the value of a number without a unit, if that is accepted."""
-        text = self.value or ""
-        parts = re.split(r"[,;]" if re.search("[,;]", text) else r"\s+", text) if count > 1 else [text]
-        if len(parts) != count:
-            raise NotAQuantity(shown(text))
-        numbers = [number_in(part.strip()) if plain else None for part in parts]
-        found = [
-            to_si(part.strip(), quantity) if number is None or plain is None else plain(number)
-            for part, number in zip(parts, numbers, strict=True)
-        ]
-        if not all(map(math.isfinite, found)):
-            raise NotAQuantity(shown(text))
-        return found
-
-
-def settings_in(text: str) -> Iterator[Setting]:
-    """Read the comments ``# table.key = value``."""
-    for number, line in enumerate(text.splitlines(), start=1):
-        if match := SETTING.match(line.strip()):
-            rest = match["rest"].strip()
-            # A spreadsheet ends a short line with the separators of its empty cells.
-            value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
-            yield Setting(f"line {number}", match["table"], match["key"], value)
-
-
 def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
     """Rows of a path: x, y and z, in any unit of length."""
     kind, axes = "polyline", ("x", "y", "z")
-    _, cells = read_cells(file, kind, f"a CSV file with {accepted}", lambda name: quantity_of(name, axes))
+    _, cells = read_cells(file, kind, f"a CSV file with {accepted}", axes)
     columns, faults = cells.chosen(cells.columns(axes), axes)
     if not faults:
         table, faults = cells.numbers([columns[axis] for axis in axes], lambda _, value: not_finite(value))
@@ -472,6 +421,6 @@ def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
         faults = faults or [Fault(line, "not a number", "a finite number in every cell") for line in missing]
     if faults:
         raise refusal(kind, file, faults)
-    for note in cells.notes:
+    for note in sentence(*cells.said):
         warnings.warn(f"{file}: {note}", SoftcatWarning, stacklevel=2)
     return tuple(map(tuple, table.to_numpy().tolist()))
