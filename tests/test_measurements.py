@@ -156,7 +156,7 @@ REFUSED = [
     (HEADER + rows_of(TIME - 0.5, FALL), "9 rows before time 0 .*the filament moves already"),
     (HEADER + rows_of(TIME - 9, FALL), "all times are before 0"),
     ("# filament.spam = 3\n" + HEADER + ROWS, "line 1, filament.spam: unknown key .did you mean 'span'"),
-    ("# filamnet.span = 3 m\n" + HEADER + ROWS, "filamnet.span: unknown table .did you mean 'filament'"),
+    ("# filamnet.span = 3 m\n" + HEADER + ROWS, "filamnet.span: unknown key .did you mean table 'filament'"),
     ("# filament.span 3 m\n" + HEADER + ROWS, "line 1, filament.span: sets nothing; accepted: key = value"),
     ("# load.ramp =\n" + HEADER + ROWS, "sets nothing"),
     ("# load.ramp = 1 s\n" * 2 + HEADER + ROWS, "line 2, load.ramp: set again"),

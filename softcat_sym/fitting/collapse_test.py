@@ -177,12 +177,12 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     table, faults = cells.numbers([*columns.values()], implausible)
     table, said, more = without(table, table.isna().any(axis=1), "number")
     x, y = table["x"].to_numpy(), table["y"].to_numpy()
-    gaps = [
-        tuple(columns["x"].to_si(edge) if isinstance(edge, Plain) else edge for edge in pair)
-        for pair in values.get("pillars.gap", [])
-    ]
+    gaps = list[tuple[float, float]]()
+    for pair in values.get("pillars.gap", []):
+        left, right = (columns["x"].to_si(edge) if isinstance(edge, Plain) else edge for edge in pair)
+        gaps.append((left, right))
     gaps.sort()
-    form = f"# {known('comments')['pillars.gap'][-1]}; a line for each gap, from left to right"
+    form = f"# {known('comments')['pillars.gap']['form']}; a line for each gap, from left to right"
     wrong = [] if gaps else [Fault("pillars.gap", "no gap is named", form)]
     for left, right in gaps:
         inside = int(np.sum((x > left) & (x < right)))

@@ -317,10 +317,10 @@ def _averaged(table: pd.DataFrame, name: str) -> tuple[pd.DataFrame, str, list[F
     weighted = table.assign(weight=(std.max() / std) ** 2)
     weighted[name] *= weighted["weight"]
     sums = weighted.groupby("time")[[name, "weight"]].sum()
-    found = {"time": sums.index, name: sums[name] / sums["weight"], "std": std.max() / np.sqrt(sums["weight"])}
+    averaged = {"time": sums.index, name: sums[name] / sums["weight"], "std": std.max() / np.sqrt(sums["weight"])}
     where = listed(table.index[table["time"].isin(repeated.index[repeated])])
     said = f"averaged the {name}s at {counted(int(repeated.sum()), 'time')} that occurred more than once ({where})"
-    return pd.DataFrame({one: np.asarray(found[one]) for one in table}), said, []
+    return pd.DataFrame({one: np.asarray(averaged[one]) for one in table}), said, []
 
 
 @dataclass(frozen=True)
@@ -378,40 +378,39 @@ def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
         table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
         # A spreadsheet ends a short line with the separators of its empty cells.
         value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
-        where, near = f"line {number}, {path}", get_close_matches(table, tables, n=1, cutoff=0.75)
-        if path in known("comments"):
-            faults += _read_comment(values, path, value or "", where)
-        elif table in tables and key in tables[table]:
+        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ())
+        if value is None and not is_of_scene:
+            continue
+        if is_of_scene and value and path not in overrides:
+            overrides[path] = value
+        elif is_of_scene:
             accepted = "each key once" if value else "key = value, such as # filament.span = 5 mm"
-            faults += [Fault(where, "set again" if value else "sets nothing", accepted)] * (
-                path in overrides or not value
-            )
-            overrides[path] = value or ""
-        elif table in tables and value is not None:
+            faults.append(Fault(where, "set again" if value else "sets nothing", accepted))
+        elif path in known("comments"):
+            faults += _read_comment(values, path, value or "", where)
+        elif table in tables:
             unknown = unknown_key(path, tables)
             faults.append(Fault(where, unknown.found, unknown.accepted))
-        elif near and value is not None:
-            faults.append(Fault(where, f"unknown table (did you mean '{near[0]}'?)", ", ".join(tables)))
-        elif table == "pillars":
-            faults.append(Fault(where, "unknown key", ", ".join(known("comments"))))
+        elif near := get_close_matches(table, (*tables, "pillars"), n=1, cutoff=0.75):
+            faults.append(Fault(where, f"unknown key (did you mean table '{near[0]}'?)", ", ".join(known("comments"))))
     return overrides, values, faults
 
 
 def _read_comment(values: Values, path: str, text: str, where: str) -> list[Fault]:
-    quantity, count, is_plain, form = known("comments")[path]
-    parts = [part.strip() for part in (re.split(r"[,;]|(?<=\d)\s+(?=[-\d])", text) if count > 1 else [text])]
+    kind = known("comments")[path]
+    parts = [part.strip() for part in (re.split(r"[,;]|(?<=\d)\s+(?=[-\d])", text) if kind["count"] > 1 else [text])]
     try:
         if path in values and path != "pillars.gap":
             raise NotAQuantity("set again")
         if any(is_pixels(part.lstrip("+-.0123456789eE ")) for part in parts):
             raise NotAQuantity(f"{shown(text)} in pixels, which are plain numbers beside a column x_px")
-        numbers = [number_in(part) if is_plain else None for part in parts]
+        numbers = [number_in(part) if kind["plain"] else None for part in parts]
         pairs = zip(parts, numbers, strict=True)
-        found = tuple(to_si(part, quantity) if number is None else Plain(number) for part, number in pairs)
-        if len(found) != count or not np.all(np.isfinite(found)) or (not is_plain and found[0] <= 0):
+        found = tuple(to_si(part, kind["dimension"]) if number is None else Plain(number) for part, number in pairs)
+        if len(found) != kind["count"] or not np.all(np.isfinite(found)) or (not kind["plain"] and found[0] <= 0):
             raise NotAQuantity(shown(text))
     except NotAQuantity as error:
-        return [Fault(where, str(error), form)]
+        return [Fault(where, str(error), kind["form"])]
     values.setdefault(path, []).append(found)
     return []
 
@@ -426,7 +425,7 @@ def camera_of(values: Values) -> Camera:
 _KIND = "measurements"
 _ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
 _CLOCKS = ("time", "frame", "slice")
-_FORMS = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
+_FORMS: tuple[tuple[str, ...], ...] = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
 _EXTRA = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std", "likelihood")
 _QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_EXTRA)
 
@@ -484,7 +483,7 @@ def _series(file: Path) -> Series:
         cells.said.append("took Tracker's t in s, x and y in m")
     parts, more = _parts(_one_point_a_row(cells, camera), camera)
     faults += more
-    arrays = dict[str, dict[str, Floats]]()
+    arrays = dict[str, dict[str, Any]]()
     for form, part in parts.items() if not faults else ():
         table, said, more = repaired(part)
         cells.said += said
@@ -504,11 +503,14 @@ def _one_point_a_row(cells: Cells, camera: Camera) -> Cells:
     x, y, likelihoods = ([one for one in columns if one.quantity == name] for name in ("x", "y", "likelihood"))
     sets = list(zip(x, y, *([likelihoods] if likelihoods else []), strict=False))
     # Two units of one quantity are two columns for it, and refused.
-    if len(x) != len(y) or len(x) < 2 or len({(one.unit_name, other.unit_name) for one, other, *_ in sets}) > 1:
+    if len(x) != len(y) or len(x) < 2 or len({(one.unit, other.unit) for one, other, *_ in sets}) > 1:
         return cells
     clock = next((one for one in columns if one.quantity in _CLOCKS), None)
     rows = list[tuple[int, list[str]]]()
     for number, (line, row) in enumerate(cells.rows):
+        if any(row[len(cells.header) :]):  # which is refused
+            rows.append((line, row))
+            continue
         row = row + [""] * (len(cells.header) - len(row))
         when = str(number) if clock is None else row[clock.place]
         points = [[row[one.place] for one in point] for point in sets]

@@ -10,10 +10,10 @@ import warnings
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 from unicodedata import category
 
 from softcat_sym.errors import Fault, SoftcatError, SoftcatWarning
@@ -107,30 +107,13 @@ def number_in(text: str) -> float | None:
         return None
 
 
-def not_finite(value: float) -> tuple[str, str] | None:
-    """What is wrong with a number that is not finite, and what would be accepted; None of others."""
-    return None if math.isfinite(value) else (f"{value} is not finite", "a finite number")
-
-
-class ColumnKind(NamedTuple):
-    """A quantity of ``tables.toml``."""
-
-    dimension: str
-    unit: str
-    names: list[str]
-    accepted: str
-
-
 @cache
-def known(what: str) -> dict[str, Any]:
+def known(what: str) -> Any:
     """What columns or comments may hold, and how people and makers call it."""
-    text = (files("softcat_sym.scene") / "tables.toml").read_text(encoding="utf-8")
-    return tomllib.loads(text)[what]
-
-
-def column_kind(quantity: str) -> ColumnKind:
-    """Return what is known of a column."""
-    return ColumnKind(*known("columns")[quantity])
+    table: dict[str, Any] = tomllib.loads(
+        (files("softcat_sym.scene") / "table_reader.toml").read_text(encoding="utf-8")
+    )
+    return table[what]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,15 +142,21 @@ def column_of(name: str, quantities: tuple[str, ...]) -> Column | None:
     """Understand ``time_s``, ``Time (s)``, ``time / s`` or ``Latest: Time [s]``; the longest name counts."""
     longest, found = 0, None
     for quantity in quantities:
-        for known in column_kind(quantity).names:
-            pattern = _HEADING.format(known.removeprefix("-").replace(" ", "[ _]"))
+        for alias in known("columns")[quantity]["names"]:
+            pattern = _HEADING.format(alias.removeprefix("-").replace(" ", "[ _]"))
             match = re.fullmatch(pattern, name.strip(), re.IGNORECASE)
             if match and len(match["name"]) > longest:
                 longest = len(match["name"])
                 bracketed = match["square"] or match["round"] or match["slash"] or match["word"]
-                unit, sign = (bracketed or match["suffix"] or "").strip(), -1 if known[0] == "-" else 1
+                unit, sign = (bracketed or match["suffix"] or "").strip(), -1 if alias[0] == "-" else 1
                 found = Column(quantity, name, unit, bracketed is not None, sign)
     return found
+
+
+def quantity_of(name: str, quantities: tuple[str, ...]) -> str | None:
+    """The quantity that a heading names, if it is one of these."""
+    column = column_of(name, quantities)
+    return column.quantity if column else None
 
 
 def is_pixels(unit: str) -> bool:
@@ -177,15 +166,15 @@ def is_pixels(unit: str) -> bool:
 
 def scale_of(quantity: str, unit: str) -> tuple[float, float]:
     """SI value of the unit of a column, and the number at which its quantity is zero."""
-    kind = column_kind(quantity)
-    if not unit and kind.unit:
+    kind = known("columns")[quantity]
+    if not unit and kind["unit"]:
         raise NotAQuantity("no unit in its name")
     # Pint knows a px of 1/96 inch, which is no camera's, and takes turns for a shear rate.
     if is_pixels(unit):
         raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
     if unit.lower() in ("rpm", "rps"):
         raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
-    return to_si(f"1 {_spelt(unit)}", kind.dimension, kind.unit) if kind.unit else 1.0, 0.0
+    return to_si(f"1 {_spelt(unit)}", kind["dimension"], kind["unit"]) if kind["unit"] else 1.0, 0.0
 
 
 def _spelt(unit: str) -> str:
@@ -220,7 +209,7 @@ class Cells:
                 unit, zero = scale(one.quantity, unit_name)
                 found.append(replace(one, place=place, unit=one.sign * unit, zero=zero))
             except NotAQuantity as error:
-                accepted = column_kind(one.quantity).accepted
+                accepted = known("columns")[one.quantity]["accepted"]
                 fault = Fault(f"line {self.line}", f"column {shown(name)}: {error}", accepted)
                 found.append(replace(one, place=place, fault=fault))
         return found
@@ -252,7 +241,7 @@ class Cells:
 
     def absent(self, quantity: str) -> Fault:
         """The fault of a column that is not there, with the nearest name that is."""
-        accepted, header = column_kind(quantity).accepted, self.header
+        accepted, header = known("columns")[quantity]["accepted"], self.header
         others = [name for name in header if column_of(name, tuple(known("columns"))) is None]
         near = did_you_mean(accepted.split(",")[0], others).replace("did you mean", "is it what is called")
         found = ", ".join(map(shown, header[:_NAMES_SHOWN])) + (", ..." if len(header) > _NAMES_SHOWN else "")
@@ -277,12 +266,11 @@ class Cells:
             for one in columns:
                 text = cells[one.place] if one.place < len(cells) else ""
                 number = math.nan if text.lower() in NOTHING else number_in(text)
+                row.append(math.nan if number is None else one.to_si(number))
+                fault = None if math.isnan(row[-1]) else wrong(one.quantity, row[-1])
                 if number is None:
                     fault = f"{shown(text)} is not a number", "a number such as 0.5, or nothing"
-                else:
-                    fault = None if math.isnan(number) else wrong(one.quantity, one.to_si(number))
                 faults += [Fault(f"line {line}, {one.name}", *fault)] if fault else []
-                row.append(math.nan if number is None else one.to_si(number))
             lines.append(f"line {line}")
             values.append(row)
         return pd.DataFrame(values, lines, [one.quantity for one in columns], dtype=float), faults
@@ -310,13 +298,7 @@ def read_cells(
     every header that is the same; what stands between an empty line and the next header is another table's.
     """
     text = read_text(file, kind, accepted)
-
-    def named(heading: str) -> str | None:
-        if callable(understood):
-            return understood(heading)
-        column = column_of(heading, understood)
-        return column.quantity if column else None
-
+    named = understood if callable(understood) else partial(quantity_of, quantities=understood)
     lines = list(enumerate(text.splitlines(), start=1))
     data = [(k, line) for k, line in lines if line.strip() and not line.lstrip().startswith("#")]
     # By its first line Excel tells itself how cells are separated.
@@ -384,7 +366,9 @@ def _with_units(cells: Cells, places: Sequence[int]) -> Cells:
     if not 0 < count <= _MOST_UNIT_ROWS:
         return cells
     line, last = cells.rows[count - 1]
-    if not any(last[k][0] in "[(" or _is_unit(last[k]) for k in places if k < len(last) and last[k]):
+    if not any(
+        last[k][0] in "[(" or _is_unit(last[k]) for k in places if last[k : k + 1] and last[k].lower() not in NOTHING
+    ):
         return cells
     below = [row for _, row in cells.rows[:count]]
     rows, units = [(k, row) for k, row in cells.rows if row not in below], tuple(cell.strip("[]()") for cell in last)
@@ -416,7 +400,10 @@ def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
     _, cells = read_cells(file, kind, f"a CSV file with {accepted}", axes)
     columns, faults = cells.chosen(cells.columns(axes), axes)
     if not faults:
-        table, faults = cells.numbers([columns[axis] for axis in axes], lambda _, value: not_finite(value))
+        table, faults = cells.numbers(
+            [columns[axis] for axis in axes],
+            lambda _, value: None if math.isfinite(value) else (f"{value} is not finite", "a finite number"),
+        )
         missing = table.index[table.isna().any(axis=1)]
         faults = faults or [Fault(line, "not a number", "a finite number in every cell") for line in missing]
     if faults:
