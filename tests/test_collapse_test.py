@@ -175,11 +175,11 @@ WRONG = {
         "x_mm,y_mm\n" + "".join(f"{k / 10},0\n" for k in range(40)),
         ("pillars.gap = 0, 2", "pillars.gap = 1, 3"),
     ),
-    "'2, 1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
+    "0.002 m to 0.001 m has 0 points": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
     "'1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 1",)),
     "pillars.heigth: unknown key": ("x_mm,y_mm\n0,0\n", ("pillars.heigth = 3 mm", "pillars.gap = 0, 1")),
     "'s' is a time, not a length": ("x_mm,y_mm\n0,0\n", ("pillars.height = 3 s", "pillars.gap = 0, 1")),
-    "'5 px' in pixels": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 5 px, 2 mm",)),
+    "'5 px, 2 mm' in pixels": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 5 px, 2 mm",)),
     "set again": ("x_mm,y_mm\n0,0\n", ("pillars.time = 3 s", "pillars.time = 4 s", "pillars.gap = 0, 1")),
     "holds no data": ("", ("pillars.gap = 0, 1",)),
 }

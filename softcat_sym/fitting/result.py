@@ -25,8 +25,8 @@ from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem, Filmed
 from softcat_sym.fitting.resolution import Moved
-from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.table_reader import counted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
