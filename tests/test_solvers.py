@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import dataclasses
 import os
 import signal
 import threading
@@ -165,7 +164,7 @@ def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks(
 def with_ode(graph: Graph, ode: ca.SX) -> Graph:
     other, symbolic = copy.copy(graph), copy.copy(graph.symbolic)
     symbolic.__dict__.pop("rates", None)
-    symbolic.__dict__["raw"] = dataclasses.replace(graph.symbolic.raw, rates=(ode, graph.alg))
+    symbolic.__dict__["balances"] = (ode, graph.alg)
     other.__dict__["symbolic"] = symbolic
     return other
 

@@ -95,7 +95,7 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
         for layout in (graph.moving, graph.still)
     )
     out = ca.Function(
-        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.raw.rates, *graph.symbolic.raw.powers]
+        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.balances, *graph.symbolic.raw.powers]
     )
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
     found = graph.moving.split(ode) | graph.still.split(alg)

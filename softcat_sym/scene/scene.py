@@ -310,6 +310,12 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
         yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
+def why_interpreted(scene: Scene) -> str | None:
+    """Why a model has no C; None where it has."""
+    one_tension = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+    return one_tension if scene.model == "small-deflection" else None
+
+
 LATE = "late overrides"
 
 
