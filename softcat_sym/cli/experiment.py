@@ -53,24 +53,15 @@ def experiment(
     # A text that is no pair is passed on, as one value or for the design to refuse.
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
     from softcat_sym.design.critical_span import critical_span
-    from softcat_sym.design.experiment import design_experiment
+    from softcat_sym.design.experiment import best_experiment, judge_of
     from softcat_sym.progress import StudyDisplay
 
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
+        judge = judge_of(asked, free, noise, within, nuisance or [], max_frames, rough, max_sag)
         # The faster of the two comes first.
         critical = None if sag is None else critical_span(asked, sag, progress=progress)
-        design = design_experiment(
-            asked,
-            free,
-            noise,
-            within,
-            nuisance=nuisance or [],
-            max_frames=max_frames,
-            rough=rough,
-            max_sag=max_sag,
-            progress=progress,
-        )
+        design = best_experiment(judge, progress)
         progress.stage("drawing")
         report = drawing.report(design, critical=critical)
         written = report.write(output)
