@@ -16,9 +16,9 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.flow_curve import REPLACED
+from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
-from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.priors import read_priors
