@@ -100,7 +100,8 @@ def test_points_of_the_same_x_are_no_strand_or_one_point_of_it(tmp_path: Path) -
     x, y, gaps = photograph(LINES, SPANS, noise=0)
     apart = [-20e-6, 0.0, 20e-6]
     many = read_contour(write(tmp_path / "many.csv", np.repeat(x, 3), np.add.outer(y, apart).ravel(), gaps))
-    for one, other in zip(*(level(each)[0] for each in (read_contour(write(tmp_path / "c.csv", x, y, gaps)), many))):
+    once = read_contour(write(tmp_path / "once.csv", x, y, gaps))
+    for one, other in zip(level(once)[0], level(many)[0], strict=True):
         assert (other.x.size, other.sag) == (one.x.size, pytest.approx(one.sag, rel=1e-6))
 
 

@@ -165,7 +165,8 @@ def posterior_of(
     """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
     `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them, by default
-    those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum, or with a robust loss, is refused.
+    those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum, or with a
+    robust loss, is refused.
     """
     if fit.loss.kind != "linear":
         raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
