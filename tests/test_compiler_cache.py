@@ -218,7 +218,8 @@ def test_a_disk_that_fills(limit: int, native: Path) -> None:
         "import resource\nfrom softcat_sym.codegen.library import compile_library\n"
         "from softcat_sym.errors import SoftcatError\n"
         f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
-        f"try:\n    compile_library({source!r})\nexcept SoftcatError as error:\n    print(error)"
+        f"try:\n    compile_library({source!r})\nexcept (SoftcatError, OSError) as error:\n"
+        "    print(error, *getattr(error, '__notes__', []))"
     )
     # Zig's linker aborts where it cannot write, without a word.
     said = ("free some space, or set SOFTCAT_CACHE to a folder elsewhere", "or the disk is full, free some")

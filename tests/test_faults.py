@@ -237,6 +237,28 @@ def test_netcdf_on_a_full_disk_is_an_error_and_neither_a_crash_nor_half_a_file(k
             assert np.array_equal(found["values"], blocks) and set(found["text"].values) == {100 * "x"}
 
 
+@pytest.mark.parametrize(
+    "words", [("run",), ("sweep", "--vary", "filament.span=4:5 mm:3"), ("card",)], ids=lambda w: w[0]
+)
+def test_a_full_cache_ends_every_command_with_its_reason(
+    softcat: Softcat, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, words: tuple[str, ...]
+) -> None:
+    """It is no failure of a member: the first that finds no room ends all."""
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "library.so")
+
+    monkeypatch.setattr("softcat_sym.codegen.library._build", full)
+    place = tmp_path / "cache" / "native"
+    done = softcat(words[0], "ink-bridge", *words[1:], *QUICK[:2], "-q", "-o", str(tmp_path / "out"))
+    assert (done.status, done.out, (tmp_path / "out").exists()) == (2, "", False)
+    assert done.err == (
+        f"softcat: cannot write the cache of compiled libraries in {place}: No space left on device; "
+        "free some space, or set SOFTCAT_CACHE to a folder elsewhere\n"
+    )
+
+
 def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tmp_path: Path) -> None:
     """Root may write wherever it likes, except where nobody may."""
     with tiny_disk(tmp_path / "disk", 100) as disk:

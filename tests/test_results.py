@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import shutil
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -24,6 +25,7 @@ from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import identity_of, recalled
 from softcat_sym.solvers import settings
 from softcat_sym.solvers.outcome import Outcome
+from tests.common.in_process import Softcat
 from tests.common.runs import run, scene_of
 
 CONTRACT = {
@@ -90,6 +92,27 @@ def test_values_attributes_and_scene_survive_to_the_last_bit(saved: Path, tmp_pa
     again = open_run(saved)
     assert (again.summary, again.scene, again.outcome) == (run().summary, run().scene, run().outcome)
     xr.testing.assert_identical(again.data, run().data)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("summary.json", '{"outcome": "solved", "midp', "summary.json: it is damaged (Invalid JSON: EOF"),
+        ("summary.json", "[1]", "summary.json: it is damaged (Input should be an object"),
+        ("summary.json", '{"outcome": "solved"}', "midpoint_final_m: Field required"),
+        ("summary.json", '{"outcome": "solved", "midpoint_final_m": -1, "effects": 3}', "effects: Input should be"),
+        ("scene.toml", "[filament]\nspan = 3\n", "scene.toml: 5 faults"),
+        ("scene.toml", "[filament", "not TOML"),
+        ("trajectory.nc", "CDF", "trajectory.nc: cannot be read as netCDF4"),
+    ],
+)
+def test_a_folder_of_which_a_file_is_damaged_is_not_drawn(
+    softcat: Softcat, saved: Path, tmp_path: Path, name: str, content: str, says: str
+) -> None:
+    shutil.copytree(saved, tmp_path / "run")
+    (tmp_path / "run" / name).write_text(content)
+    done = softcat("draw", str(tmp_path / "run"), "-o", "out")
+    assert (done.status, done.out, Path("out").exists(), says in done.err) == (2, "", False, True), done.err
 
 
 def test_the_summary(saved: Path) -> None:

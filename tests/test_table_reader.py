@@ -181,7 +181,9 @@ def test_two_columns_of_one_quantity_are_refused_by_name(kind: str, tmp_path: Pa
     read, header, row, twice = KINDS[kind]
     path = tmp_path / "table.csv"
     path.write_text(f"# pillars.gap = 0, 1\n{header},{twice}\n" + f"{row},7\n" * 6)
-    words = "filament.span stands there twice" if "sweep" in kind else f"2 columns for one quantity: .*, {re.escape(twice)}"
+    words = (
+        "filament.span stands there twice" if "sweep" in kind else f"2 columns for one quantity: .*, {re.escape(twice)}"
+    )
     with pytest.raises(SoftcatError, match=f"line 2: {words}; accepted: "):
         read(path)
 

@@ -143,9 +143,10 @@ def fit(
             "discrepancy": not no_discrepancy,
             "time_limit": time_limit,
             "flow_curve": flow_curve,
+            "priors": before,
         }
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
-        drawn = bayes.posterior_of(found, before, seed=seed, progress=progress) if posterior else None
+        drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)

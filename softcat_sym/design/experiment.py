@@ -304,8 +304,13 @@ def design_experiment(
     `nuisance` is unknown too and does not count; `max_sag` is a length with its unit, or a fraction of the span.
     SoftcatError names the combination that is determined where no experiment determines the parameters.
     """
-    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, max_frames, rough, max_sag)
-    return _chosen(scene, judge, _searched(judge, progress or Silence()), max_frames)
+    judge = judge_of(scene, free, noise, within, nuisance, max_frames, rough, max_sag)
+    return best_experiment(judge, progress or Silence())
+
+
+def best_experiment(judge: Judge, progress: Progress) -> Experiment:
+    """Search the best film, and judge the scene's own beside it; the rest of :func:`design_experiment`."""
+    return _chosen(judge, _searched(judge, progress))
 
 
 def _searched(judge: Judge, progress: Progress) -> list[Trial]:
@@ -328,7 +333,7 @@ def _searched(judge: Judge, progress: Progress) -> list[Trial]:
     return tried
 
 
-def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | None) -> Experiment:
+def _chosen(judge: Judge, tried: list[Trial]) -> Experiment:
     """The best film, with what limits it; refuses where none is worth anything."""
     best = min(tried, key=lambda one: one.worst)
     if not best.worst < MAX_ERROR:
@@ -338,7 +343,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | No
     fastest = judge.ranges[FRAME_RATE].high
     values = best.values | ({FRAME_RATE: fastest} if best.frames > fastest * best.duration * (1 - 1e-9) else {})
     at_bounds = {path: bound for path, one in judge.ranges.items() if (bound := one.bound_at(values[path]))}
-    if max_frames is not None and best.frames == max_frames:
+    if best.frames == judge.max_frames:
         at_bounds["max_frames"] = "upper"
     return Experiment(
         best=best,
@@ -348,7 +353,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | No
         counted=counted,
         rough=judge.rough,
         tried=tuple(tried),
-        scene=scene.replace(best.changes),
+        scene=judge.scene.replace(best.changes),
         max_sag=judge.max_sag,
     )
 
@@ -363,16 +368,17 @@ def _filament(judge: Judge, point: tuple[float, ...]) -> tuple[float, float]:
     return span, thickness
 
 
-def _judge(
+def judge_of(
     scene: Scene,
-    free: tuple[str, ...],
-    nuisance: tuple[str, ...],
+    free: Sequence[str],
     noise: object,
     within: Within,
+    nuisance: Sequence[str],
     max_frames: int | None,
     rough: float,
     max_sag: object,
 ) -> Judge:
+    """Read what :func:`design_experiment` is given; every fault is refused before anything runs."""
     ranges, faults, reading, allowed = read_ranges(scene, within), [], ReadingNoise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
     counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))

@@ -114,6 +114,8 @@ def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progres
     if end is None or break_frame(scene, run.fields) == 0:
         refuse_broken(scene)
     for _ in range(MAX_BREAK_SEARCH):
+        if end.time_s <= 0:
+            refuse_broken(scene)
         clock.set_aside()
         progress.stage("again, up to its break")
         brief = unbreakable(scene).replace({"run.duration": f"{end.time_s!r} s"})

@@ -205,6 +205,14 @@ def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
     edges are then off by, only what is significant is a drop of a support.
     """
     lines = [_centre_line(contour, *edges) for edges in contour.gaps]
+    accepted = f"a strand from edge to edge, of points at {FEWEST} distinct x at least"
+    faults = [
+        Fault(f"gap {number}", f"its points lie at {x.size} distinct x", accepted)
+        for number, (x, _) in enumerate(lines, start=1)
+        if x.size < FEWEST
+    ]
+    if faults:
+        raise refusal(_KIND, contour.path, faults)
     noise = float(np.median([_noise(*line) for line in lines]))
     edges = np.array(contour.gaps)
     ends = np.array([_edge_heights(contour, line, pair, noise) for line, pair in zip(lines, edges, strict=True)])
@@ -231,14 +239,17 @@ def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
 
 
 def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, Floats]:
-    """Points over one gap, x increasing; of an outline the middle between its edges."""
-    x, y = contour.x, contour.y
-    inside = (x > left) & (x < right)
+    """Points over one gap, x increasing, those of one x as their mean; of an outline the middle between its edges."""
+    inside = (contour.x > left) & (contour.x < right)
+
+    def line(one: NDArray[np.bool_]) -> tuple[Floats, Floats]:
+        x, place, count = np.unique(contour.x[one], return_inverse=True, return_counts=True)
+        return x, np.bincount(place, contour.y[one]) / count
+
     edges = [inside & contour.forth, inside & ~contour.forth]
     if not contour.is_outline or min(int(one.sum()) for one in edges) < FEWEST:
-        order = np.argsort(x[inside], kind="stable")
-        return x[inside][order], y[inside][order]
-    sorted_edges = [(x[one][order], y[one][order]) for one in edges for order in (np.argsort(x[one], kind="stable"),)]
+        return line(inside)
+    sorted_edges = [line(one) for one in edges]
     places = sorted_edges[0][0]
     both = (places >= sorted_edges[1][0][0]) & (places <= sorted_edges[1][0][-1])
     places = places[both]
@@ -247,7 +258,7 @@ def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, F
 
 def _noise(x: Floats, y: Floats) -> float:
     """Standard deviation of a height, by second differences of a centre line."""
-    ahead = (x[1:-1] - x[:-2]) / np.where(x[2:] > x[:-2], x[2:] - x[:-2], 1.0)
+    ahead = (x[1:-1] - x[:-2]) / (x[2:] - x[:-2])
     off = y[1:-1] - (1 - ahead) * y[:-2] - ahead * y[2:]
     return float(np.sqrt(np.mean(off**2 / (1 + ahead**2 + (1 - ahead) ** 2))))
 
@@ -284,7 +295,8 @@ def _edge_heights(
 
 def _intercept(x: Floats, y: Floats, degree: int) -> tuple[float, float]:
     """Value at 0 of the polynomial through some points, and its standard error for points of standard error one."""
-    row = np.linalg.pinv(np.vander(x / np.abs(x).max(), degree + 1, increasing=True))[0]
+    # All points may be at 0.
+    row = np.linalg.pinv(np.vander(x / (np.abs(x).max() or 1.0), degree + 1, increasing=True))[0]
     return float(row @ y), float(np.linalg.norm(row))
 
 

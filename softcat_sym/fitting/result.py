@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -198,6 +199,8 @@ class Fit(drawing.Drawable):
         Final cells, fibres and tolerance, and by how much they move the constants.
     late : bool
         Whether the time limit passed before all steps of the fit.
+    priors : mapping of str to str
+        Priors that a posterior of this fit has; the fit is without them.
     message : str
         Why a run of the fitted filament fails; empty if it does not.
     """
@@ -226,6 +229,7 @@ class Fit(drawing.Drawable):
     theory: float
     resolution: Moved | None
     late: bool
+    priors: Mapping[str, str]
     message: str = ""
 
     def plot(self, what: str = "curves") -> Figure:
