@@ -87,7 +87,7 @@ class Slider:
 
 @dataclass(frozen=True)
 class Sliders:
-    """All sliders of a page, and how numbers follow them: as products of powers, and of an interpolation where there is one."""
+    """All sliders of a page, and how numbers follow them: by powers, and by an interpolation where there is one."""
 
     each: tuple[Slider, ...] = ()
     interpolations: Mapping[str, Interpolation] = field(default_factory=dict)
