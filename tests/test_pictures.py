@@ -30,7 +30,6 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,
     LINES,
-    MAX_FRAMES,
     ROWS,
     energy_figure,
     maps_of,
@@ -61,6 +60,7 @@ from softcat_sym.plotting.style import (
     refused,
     shown_part,
 )
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import (
     energy_unit,
     length_unit,
@@ -69,7 +69,7 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
-from softcat_sym.results.fields import energy_imbalance
+from softcat_sym.results.fields import audit_of, energy_imbalance
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -266,9 +266,10 @@ def test_the_midpoint_ends_with_the_run_and_has_the_papers_dimensionless_axes(de
     axes = midpoint_figure(early, summary, scene).axes[0]
     assert axes.get_xlabel() == "time [ms]"
     assert axes.get_xlim() == pytest.approx((0.0, 370.0))
-    np.testing.assert_allclose(axes.lines[1].get_ydata(), 1e3 * early["midpoint"])
-    axes = midpoint_figure(descent, summary, scene).axes[0]
-    right, top = axes.child_axes
+    time, height = axes.lines[1].get_data()
+    np.testing.assert_allclose(np.interp(1e3 * early["time"], time, height), 1e3 * early["midpoint"], atol=1e-9)
+    axes, top = midpoint_figure(descent, summary, scene).axes
+    (right,) = axes.child_axes
     right.figure.canvas.draw()
     assert (axes.get_ylabel(), right.get_ylabel()) == ("midpoint height [mm]", "midpoint height [% of L]")
     np.testing.assert_allclose(np.array(right.get_ylim()) * 2.0, axes.get_ylim())
@@ -276,11 +277,53 @@ def test_the_midpoint_ends_with_the_run_and_has_the_papers_dimensionless_axes(de
     assert top.get_xlim()[1] == pytest.approx(2.0 * np.sqrt(4e6 / 1900) / 0.2)
 
 
+def test_an_axis_shows_the_part_in_which_something_happens():
+    """A quarter of 1 - exp(-t) is done after ln 4/3 = 0.29, half after ln 2; of log(1 + 100 t) after 0.08."""
+    even = np.linspace(0, 60, 20001)
+    arrested = TimeAxis.of(even, 1 - np.exp(-even))
+    assert (arrested.even, arrested.unit.symbol, arrested.is_even) == (0.2, "s", False)
+    assert arrested.label == "time [s], logarithmic after 0.2 s"
+    # By three time constants it has moved by 95 %.
+    assert 0.4 < arrested.place(3.0) < 0.6
+    assert TimeAxis.of(even, np.log1p(even / 1e-2)).even == pytest.approx(0.05)
+    for steady in (even, np.sqrt(even), np.cos(20 * even), np.zeros(20001), (even / 60) ** (1 / 3)):
+        assert TimeAxis.of(even, steady).is_even
+    np.testing.assert_allclose(arrested.place(arrested.times(np.linspace(0, 1, 99))), np.linspace(0, 1, 99), atol=1e-12)
+    for axis in (arrested, TimeAxis.of(np.linspace(0, 7200, 201), -(np.linspace(0, 7200, 201) > 0).astype(float))):
+        ticks = np.array(axis.ticks(8, axis.unit.size))
+        assert 4 < len(ticks) < 14 and ticks[0] == 0 and ticks[-1] <= axis.end / axis.unit.size
+        assert np.diff(axis.place(ticks * axis.unit.size)).min() > 0.08
+    one = TimeAxis.of(np.array([3.0]), np.array([1.0]))
+    assert one.is_even and one.columns(np.array([3.0]), np.ones((1, 5))).shape == (1, 5)
+
+
+def test_ringing_is_drawn_from_all_that_is_known_of_it(descent, summary, scene):
+    """Five frames for each period of a cosine, and its turning points."""
+    frames = np.linspace(0, 4, 101)
+    turns = np.stack([np.arange(1, 40) / 10, 1e-3 * np.cos(np.pi * np.arange(1, 40))], axis=1)
+    time, height = TimeAxis.of(frames).between(frames, 1e-3 * np.cos(10 * np.pi * frames)[:, None], turns)
+    missed = np.abs(height[:, 0] - 1e-3 * np.cos(10 * np.pi * time))[(time > 0.1) & (time < 3.9)]
+    assert missed.max() < 0.06e-3 and np.ptp(height) == pytest.approx(2e-3)
+    # What only rises does so between frames too, and no corner of a fall that ends at once is passed.
+    time, height = TimeAxis.of(frames).between(frames, np.minimum(frames, 1.0)[:, None])
+    assert np.diff(height[:, 0]).min() >= -1e-15 and height.max() <= 1.0
+    # A run's midpoint and energies at more times than the frames are drawn at these.
+    dense = np.linspace(0, 2, 1001)
+    more = {"dense_time": dense, "dense_midpoint": -1e-3 * np.sin(99 * dense), "dense_energy_elastic": np.sin(dense)}
+    held = {f"dense_{name}": np.interp(dense, TIMES, descent[name]) for name in audit_of(descent)}
+    lines = midpoint_figure({**descent, **held, **more}, summary, scene).axes[0].lines
+    np.testing.assert_allclose(np.interp(dense, *lines[1].get_data()), 1e3 * more["dense_midpoint"], atol=1e-6)
+    drawn = {
+        line.get_label(): line.get_data() for line in energy_figure(descent | held | more, summary, scene).axes[0].lines
+    }
+    np.testing.assert_allclose(np.interp(dense, *drawn["elastic"]), 1e6 * np.sin(dense), rtol=1e-6)
+
+
 def test_energies_have_one_unit_and_the_imbalance_is_what_is_missing(descent, summary, scene):
     upper, lower = energy_figure(descent, summary, scene).axes
     assert (upper.get_ylabel(), lower.get_ylabel()) == ("energy [µJ]", "imbalance [ppm]")
-    drawn = {line.get_label(): line.get_ydata() for line in upper.lines}
-    np.testing.assert_allclose(drawn["potential"], 1e6 * descent["energy_potential"])
+    drawn = {line.get_label(): np.interp(TIMES, *line.get_data()) for line in upper.lines}
+    np.testing.assert_allclose(drawn["potential"], 1e6 * descent["energy_potential"], rtol=1e-9)
     assert {"kinetic", "elastic", "dissipated", "external work"} < set(drawn)
     imbalance, largest = energy_imbalance(descent)
     np.testing.assert_allclose(lower.lines[0].get_ydata(), 1e6 * imbalance / largest)
@@ -290,7 +333,8 @@ def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene)
     """Those of effects too, whatever their names; what is nothing at all times is left out."""
     held = {**descent, "energy_elastic_foundation": 0.1 * descent["energy_elastic"]}
     lines = {str(line.get_label()): line for line in energy_figure(held, summary, scene, "column").axes[0].lines}
-    np.testing.assert_allclose(lines["elastic foundation"].get_ydata(), 1e6 * held["energy_elastic_foundation"])
+    shown = np.interp(TIMES, *lines["elastic foundation"].get_data())
+    np.testing.assert_allclose(shown, 1e6 * held["energy_elastic_foundation"], rtol=1e-9)
     assert "gradient" not in lines
 
 
@@ -313,16 +357,14 @@ def maps_in(figure: Figure) -> list[PcolorImage]:
 
 def test_maps_hold_stretch_and_yielded_share_or_stress(descent, summary, scene, make_scene, make_run):
     stretch, share = maps_in(space_time_figure(descent, summary, scene))
-    per_cent = 100 * (descent["stretch"] - 1)
-    # 240 rows over 160 equal cells: two rows whole, every third half in one cell and half in the next.
-    drawn = stretch.get_array().T.reshape(201, 80, 3)
-    np.testing.assert_allclose(drawn[:, :, ::2].reshape(201, 160), per_cent, rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(drawn[:, :, 1], per_cent.reshape(201, 80, 2).mean(axis=2), rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(share.get_array().T.mean(axis=1), descent["yielded_fraction"].mean(axis=1))
-    long = make_run(scene, 0.05 * np.linspace(0, 1, 6001), np.linspace(0, 2, 6001), cells=40)
-    assert maps_in(space_time_figure(long, summary, scene))[0].get_array().shape[1] <= MAX_FRAMES
+    per_cent, columns = 100 * (descent["stretch"] - 1), stretch.get_array().shape[1]
+    # 240 rows over 160 equal cells: every third row lies half in one cell and half in the next.
+    at, rows = (np.arange(columns) + 0.5) * 2 / columns, per_cent.reshape(201, 80, 2).mean(axis=2)
+    expected = np.array([np.interp(at, TIMES, row) for row in rows.T])
+    np.testing.assert_allclose(stretch.get_array()[1::3], expected, rtol=1e-9, atol=1e-9)
+    assert abs(share.get_array().mean() - descent["yielded_fraction"].mean()) < 3e-3
     np.testing.assert_allclose(stretch._Ay, np.linspace(-0.5, 0.5, ROWS + 1))
-    np.testing.assert_allclose(stretch._Ax[[0, 2, -1]], [0, 0.015, 2])
+    np.testing.assert_allclose(stretch._Ax[[0, -1]], [0, 2])
     assert (share.norm.vmin, share.norm.vmax) == (0, 1)
     _, second = maps_of(descent, make_scene(law="maxwell", limit=None))
     np.testing.assert_allclose(second.values[:, 0], descent["stress_mean"][:, 0] / 1e3)

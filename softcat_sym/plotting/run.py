@@ -39,6 +39,7 @@ from softcat_sym.plotting.section import (
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import (
     Summary,
     Unit,
@@ -98,14 +99,17 @@ class Sheet:
     scene: Scene
     style: str  # ``screen``, ``column`` or ``page``
     time: Floats  # Of the frames [s]
-    clock: Unit  # Its unit
+    clock: Unit  # In which moments are told
+    axis: TimeAxis
 
     @classmethod
     def of(cls, data: Fields, summary: Summary, scene: Scene, name: str) -> Sheet:
         """The sheet of a run, as far as it is drawn."""
         data, summary = style.shown_part(data, summary)
         times = array(data, "time")
-        return cls(data, summary, scene, name, times, time_unit(float(np.abs(times).max())))
+        clock, dense = time_unit(float(np.abs(times).max())), "dense_time" in data
+        moving = [array(data, f"dense_{one}" if dense else one) for one in ("time", "midpoint")]
+        return cls(data, summary, scene, name, times, clock, TimeAxis.of(*moving))
 
     @property
     def on_screen(self) -> bool:
@@ -140,12 +144,18 @@ class Sheet:
         return figure, body, list(panels.flat)
 
     def time_axis(self, axes: Axes) -> None:
-        """Limits that are never empty, few round numbers, and the label."""
-        start, end = float(self.clock.of(self.time[0])), float(self.clock.of(self.time[-1]))
-        axes.set_xlim(start, end if end > start else start + max(1.0, abs(start)))
-        axes.set_xlabel(f"time [{self.clock.symbol}]")
-        axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 5, steps=_STEPS))
+        """Let time run along the horizontal axis."""
+        self.axis.dress(axes, 8 if self.on_screen else 5)
         axes.grid(self.on_screen)
+
+    def curves(self, *names: str) -> tuple[Floats, Floats]:
+        """Times in the unit of the axis, and fields of the whole filament over them, shape (times, names)."""
+        of = "dense_" if "dense_time" in self.data else ""
+        time = array(self.data, f"{of}time")
+        values = np.stack([array(self.data, f"{of}{name}") for name in names], axis=-1)
+        turns = self.summary.get("extremes") if names == ("midpoint",) else None
+        at, between = self.axis.between(time, values, np.reshape(turns or [], (-1, 2)))
+        return self.axis.unit.of(at), between
 
 
 def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
@@ -154,7 +164,9 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
     height = array(sheet.data, "midpoint")
     largest = float(np.abs(height).max())
     ruler = length_unit(largest, scene.filament.span)
-    time, shown = sheet.clock.of(sheet.time), ruler.of(height)
+    frames = telling_frames(sheet.data, _SHAPES[name])
+    time, shown = sheet.curves("midpoint")
+    shown = ruler.of(shown[:, 0])
     with styled_for(name):
         tall, above = (3.0, 0.75) if sheet.on_screen else (1.6, 0.25)
         figure, body, (axes,) = sheet.figure(
@@ -162,12 +174,14 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
         )
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         axes.plot(time, shown, color=style.BLUE, label="midpoint")
-        frames = telling_frames(sheet.data, _SHAPES[name])
         ring: dict[str, Any] = {"markerfacecolor": "white", "clip_on": False, "zorder": 3}
         size = 5.5 if sheet.on_screen else 3.0
-        axes.plot(time[frames], shown[frames], "o", color=style.VERMILLION, label="shapes drawn", ms=size, **ring)
+        places = sheet.axis.unit.of(sheet.time[frames]), ruler.of(height[frames])
+        axes.plot(*places, "o", color=style.VERMILLION, label="shapes drawn", ms=size, **ring)
         sheet.time_axis(axes)
-        low, high = min(float(shown.min()), 0.0), max(float(shown.max()), 0.0)
+        low, high = float(shown.min()), float(shown.max())
+        if min(abs(low), abs(high)) < high - low:
+            low, high = min(low, 0.0), max(high, 0.0)
         room = 0.1 * (high - low) or 1.0
         axes.set_ylim(low - room, high + room)
         axes.yaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
@@ -197,9 +211,9 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
         return
     power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
-    top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
+    top = axes.twiny()
+    sheet.axis.dress(top, 8, unit * 10**power, f"time in {f'10{thousands} ' if power else ''}{label}")
     top.spines["top"].set_visible(True)
-    top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -383,25 +397,28 @@ _LOOKS = (
 def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
     sheet = Sheet.of(data, summary, scene, name)
-    time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)
-    unit, marker = energy_unit(largest), "o" if time.size == 1 else None
+    unit, marker = energy_unit(largest), "o" if sheet.time.size == 1 else None
     looks, across = (_LOOKS, 6) if sheet.on_screen else (LINES, 3)
     columns = [(term, look) for term, look in zip(audit_of(sheet.data), cycle(looks)) if np.any(sheet.data[term])]
     with styled_for(name):
-        heights, above = ([2.4, 0.8], 0.15 * (1 + -(-len(columns) // across))) if sheet.on_screen else ([1.6], 0.55)
+        rows = -(-len(columns) // across)
+        heights, above = ([2.4, 0.8], 0.15 * (1 + rows)) if sheet.on_screen else ([1.6], 0.55)
         figure, body, panels = sheet.figure(
             "energy budget of the whole filament", heights, above=above, between=(0.15, 0.3), right=0.2
         )
-        for term, (colour, line) in columns:
-            energy, label = unit.of(sheet.data[term]), energy_label(term)
+        time, energies = sheet.curves(*(term for term, _ in columns)) if columns else (sheet.time, np.empty((0, 0)))
+        for (term, (colour, line)), energy in zip(columns, unit.of(energies).T, strict=True):
+            label = energy_label(term)
             panels[0].plot(time, energy, color=colour, linestyle=line, label=label, marker=marker)
         panels[0].set_ylabel(f"energy [{unit.symbol}]")
         if sheet.on_screen:
             residual = imbalance / largest if largest > 0 else imbalance
             worst = float(np.abs(residual).max())
             share = share_unit(worst)
-            panels[1].plot(time, share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker)
+            panels[1].plot(
+                sheet.axis.unit.of(sheet.time), share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker
+            )
             room = float(share.of(1.3 * worst)) or 1.0
             panels[1].set_ylim(-room, room)
             panels[1].set_ylabel(f"imbalance [{share.symbol}]")
@@ -415,12 +432,15 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
         panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
         if columns:
-            body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
+            body.legend(
+                loc="upper center",
+                borderaxespad=0.0,
+                ncols=-(-len(columns) // rows),
+                handlelength=2.0,
+                columnspacing=1.1,
+            )
     return figure
 
-
-MAX_FRAMES = 1200
-"""Columns of a map; more would be finer than its pixels."""
 
 ROWS = 240
 """Of a map, all equally tall: cells at a clamp may be narrower than a pixel, which would show one end only."""
@@ -430,7 +450,7 @@ ROWS = 240
 class Map:
     """One quantity over the filament and the run."""
 
-    values: Floats  # Shape (time, row): means over :data:`ROWS` equal parts of the filament
+    values: Floats  # Shape (time, row): over :data:`ROWS` equal parts of the filament
     label: str  # With its unit
     norm: Normalize  # From values to colours
     colours: Colormap | str
@@ -439,10 +459,7 @@ class Map:
 
 def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
     """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress."""
-    nodes = array(data, "X_node")
-    edges = np.linspace(nodes[0], nodes[-1], ROWS + 1)
-    inside = np.minimum(edges[1:], nodes[1:, None]) - np.maximum(edges[:-1], nodes[:-1, None])
-    rows = np.maximum(inside, 0.0) / np.diff(edges)  # Means over equal parts of what is constant in each cell
+    rows = _rows(array(data, "X_node"), array(data, "X_cell"))
     stretch = array(data, "stretch") @ rows
     low, high = float(stretch.min()), float(stretch.max())
     # Colours end at a quantile, where a few hinges would leave the rest of the filament in one of them.
@@ -468,6 +485,17 @@ def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
     return first, Map(scaled, f"mean stress [{unit.symbol}]", norm, "cividis")
 
 
+def _rows(nodes: Floats, cells: Floats) -> Floats:
+    """Weights of the cells in :data:`ROWS` equal parts of a filament, linear between the middles of cells."""
+    points = np.linspace(nodes[0], nodes[-1], 8 * ROWS + 1)[1::2]
+    at = np.interp(points, cells, np.arange(cells.size))
+    below, number = at.astype(int), np.arange(points.size)
+    weights = np.zeros((cells.size, points.size))
+    weights[below, number] = 1 - (at - below)
+    weights[np.minimum(below + 1, cells.size - 1), number] += at - below
+    return np.asarray(weights.reshape(cells.size, ROWS, -1).mean(axis=2))
+
+
 def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
     sheet = Sheet.of(data, summary, scene, name)
@@ -487,7 +515,6 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
         for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
             _draw_map(axes, sheet, shown, reached)
             axes.set_title(text, loc="left", y=1.0, fontsize=7.5, pad=3)
-            axes.xaxis.set_major_locator(MaxNLocator(8 if sheet.on_screen else 5, steps=_STEPS))
         if columns == 1:
             panels[0].tick_params(labelbottom=False)
             panels[0].set_xlabel("")
@@ -496,30 +523,30 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
 
 def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> None:
     """Draw one map, the midpoint's line, the mark of a time, and the colours with plain numbers beside it."""
-    clock, every = sheet.clock, max(1, -(-sheet.time.size // MAX_FRAMES))
-    times, nodes = clock.of(sheet.time), array(sheet.data, "X_node")
-    places, frames = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0]), times[::every]
-    # Edges halfway between frames; of a single frame, half a unit to either side.
-    edges = np.concatenate([frames[:1], 0.5 * (frames[1:] + frames[:-1]), times[-1:]])
-    edges = edges if frames.size > 1 else frames[0] + np.array([-0.5, 0.5])
+    axis, nodes = sheet.axis, array(sheet.data, "X_node")
+    places = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0])
+    values = axis.columns(sheet.time, shown.values)
+    sheet.time_axis(axes)
+    axes.grid(False)
     # As an image, for which a colour is looked up once a pixel; a mesh of as many quads takes several times as long.
-    image = PcolorImage(axes, edges, places, shown.values[::every].T, norm=shown.norm, cmap=shown.colours)
-    axes.add_image(image)
+    # Its columns are as wide as each other whatever the scale.
+    edges = np.linspace(*axes.get_xlim(), len(values) + 1)
+    axes.add_image(PcolorImage(axes, edges, places, values.T, norm=shown.norm, cmap=shown.colours))
     axes.spines[:].set_visible(True)
-    axes.set_xlim(float(times[0]), float(times[-1]) if times[-1] > times[0] else None)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100
     axes.set_ylim(places[0] - margin, places[-1] + margin)
     axes.axhline(0.5 * (places[0] + places[-1]), color=style.GREY, linewidth=0.6, linestyle=(0, (2, 3)))
     if reached is not None:
         # Seen on light and on dark.
-        axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
-        axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
+        axes.axvline(float(axis.unit.of(reached)), color="white", linewidth=1.6)
+        axes.axvline(float(axis.unit.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
-    axes.set_xlabel(f"time [{clock.symbol}]")
     axes.set_yticks((-0.5, 0.0, 0.5))
     beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))
-    bar = axes.figure.colorbar(image, cax=beside, label=shown.label, extend="max" if shown.beyond else "neither")
+    bar = axes.figure.colorbar(
+        axes.images[0], cax=beside, label=shown.label, extend="max" if shown.beyond else "neither"
+    )
     if isinstance(shown.norm, LogNorm):
         # Powers of ten would be set by a parser and in fonts that not every machine has.
         bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)

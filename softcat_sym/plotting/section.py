@@ -158,12 +158,13 @@ def yielding_of(data: Fields, scene: Scene) -> Yielding:
 
 
 def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
-    """Quadrilaterals below and above the elastic core, cell by cell; empty ones are left out."""
-    left, right, ones = slice(None, -1), slice(1, None), np.ones_like(lower)
-    quads = []
-    for low, high in ((-ones, lower), (upper, ones)):
-        corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
-        quads.append(np.stack(corners, axis=1)[high > low])
+    """Quadrilaterals below and above the elastic core of cells, linear between nodes; empty ones are left out."""
+    left, right, quads = slice(None, -1), slice(1, None), []
+    for core, face in ((lower, -1.0), (upper, 1.0)):
+        limit = np.concatenate([core[:1], (core[1:] + core[:-1]) / 2, core[-1:]])
+        below, above = (section.at(each(limit, face)) for each in (np.minimum, np.maximum))
+        corners = [below[left], below[right], above[right], above[left]]
+        quads.append(np.stack(corners, axis=1)[(limit[left] != face) | (limit[right] != face)])
     return np.concatenate(quads)
 
 
