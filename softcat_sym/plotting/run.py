@@ -27,14 +27,15 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
     Floats,
+    Magnification,
     Section,
     array,
+    largest_sag,
     outline,
     quads_outside,
     section_at,
     slowest_flow,
     telling_frames,
-    vertical_stretch,
     yielding_of,
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
@@ -249,17 +250,15 @@ def shapes_of(data: Fields, scene: Scene, frames: list[int]) -> list[Shape]:
 def yielded_label(data: Fields, scene: Scene) -> str:
     """What a colour or hatching for what yields means, with the rate below which nothing is shown."""
     limit, slowest = scene.material.yield_stress or 0.0, slowest_flow(data, scene)
-    faster = f", flows faster than {significant(slowest)}/s" if slowest > 0 else ""
+    faster = f", flows faster than {significant(slowest)} s⁻¹" if slowest > 0 else ""
     return f"yielded: stress > {stress_unit(limit).text(limit)}{faster}"
-
-
-def largest_sag(y: Floats) -> float:
-    """Largest departure of centrelines (shape, node) from the straight lines between their ends [m]."""
-    return float(np.abs(y - np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)).max())
 
 
 _TALLEST = 7.0
 """Of all shapes together [inch]; taller ones stand side by side."""
+
+_DEEPEST = 6.0
+"""Of shapes side by side [inch]."""
 
 _LOW = 0.3
 """Below this height [inch] the axis of a shape has room for one number."""
@@ -270,39 +269,35 @@ def shapes_figure(
 ) -> Figure:
     """Draw the filament at a few telling times, one below the other, or side by side if that would be too tall.
 
-    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
-    stretched, thickness and all, by a factor that the axis label states. So is a `radius` by which the thickness is
-    drawn swollen, for the beads of a thin thread to be seen.
+    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: it is then magnified, by a factor
+    that the axis label states. So is a `radius` by which the thickness is drawn swollen, for the beads of a thin thread
+    to be seen.
     """
-    thickness = radius * scene.filament.thickness
     names = (*data, *getattr(data, "coords", ()))  # Of a Dataset the former are without its coordinates
+    sheet = Sheet.of({str(one): data[one] for one in names}, summary, scene, name)
     if "quaternion" in names:
         with styled_for(name):
-            whole = {str(one): data[one] for one in names}
-            return _spatial_shapes(Sheet.of(whole, summary, scene, name), style.drawn_radius(radius))
-    data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
-    sheet = Sheet.of(data, summary, scene, name)
-    shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
-    stretch = vertical_stretch(
-        largest_sag(np.array([shape.section.y for shape in shapes])), thickness, scene.filament.span
-    )
+            return _spatial_shapes(sheet, style.drawn_radius(radius))
+    frames, thickness = telling_frames(sheet.data, _SHAPES[name]), style.drawn_radius(radius) * scene.filament.thickness
+    larger = Magnification.of(largest_sag(array(sheet.data, "y")[frames]), thickness, scene.filament.span)
+    shapes = shapes_of(larger.drawn(sheet.data, radius), scene, frames)
     corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
     low, high = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
-    margin = 0.25 * thickness
+    margin = 0.25 * thickness * larger.thickness / larger.sag
     x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or thickness)
     y = corners[:, :, 1] + margin * np.array([-1, 1])
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
-    inch = (WIDTHS[name] - (1.0 if sheet.on_screen else 0.65)) / float(np.ptp(x))
-    stacked = stretch * inch * float(np.ptp(y, axis=1).sum()) < _TALLEST or not sheet.on_screen
+    # As large as they can be: below each other, or side by side.
+    wide, across = WIDTHS[name] - (1.0 if sheet.on_screen else 0.65), WIDTHS[name] - 1.0 - 0.15 * (len(shapes) - 1)
+    inch = min(wide / np.ptp(x), _TALLEST / (larger.sag * float(np.ptp(y, axis=1).sum())))
+    tall = high[1] - low[1] + 2 * margin
+    beside = min(across / len(shapes) / np.ptp(x), _DEEPEST / (larger.sag * tall))
+    stacked = inch >= beside or not sheet.on_screen
     if stacked:
-        # A run away beside what is at rest would leave that no height at all.
-        inch = min(inch, _TALLEST / (stretch * float(np.ptp(y, axis=1).sum())))
-        heights, columns = np.maximum(stretch * inch * np.ptp(y, axis=1), _LOW), 1
+        heights, columns = np.maximum(larger.sag * inch * np.ptp(y, axis=1), _LOW), 1
     else:
-        y[:] = low[1] - margin, high[1] + margin
-        columns = len(shapes)
-        inch = min((WIDTHS[name] - 1.0 - 0.15 * (columns - 1)) / columns / float(np.ptp(x)), 6.0 / float(np.ptp(y[0])))
-        heights = inch * np.ptp(y[:1], axis=1)
+        y[:], columns = (low[1] - margin, high[1] + margin), len(shapes)
+        heights = np.array([larger.sag * beside * tall])
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
         up = int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
@@ -314,13 +309,13 @@ def shapes_figure(
         for axes, shape, bounds in zip(panels, shapes, y, strict=True):
             # What runs away to a thousand spans would be a line without width.
             if np.ptp(bounds) < 1e3 * np.ptp(x):
-                axes.set_aspect(stretch, anchor="S")
+                axes.set_aspect(larger.sag, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
             _draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
             axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else up, steps=_STEPS))
-            if stacked and np.ptp(bounds) * stretch * inch < _LOW:
+            if stacked and np.ptp(bounds) * larger.sag * inch < _LOW:
                 axes.set_yticks((0.0,))
             words = ", ".join(shape.label.split("\n")) if stacked else shape.label
             axes.set_title(words, loc="left", y=1.0, pad=2, fontsize=size, linespacing=1.3)
@@ -329,7 +324,7 @@ def shapes_figure(
                 axes.spines["bottom"].set_visible(False)
             if not stacked and axes is not panels[0]:
                 axes.tick_params(labelleft=False)
-        scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+        scaled = f" ({larger})" if str(larger) else ""
         scaled += "" if radius == 1 or sheet.on_screen else f" ({drawn})"
         body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.01, va="bottom")
         body.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.01, ha="left")
@@ -504,7 +499,7 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
     final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
         "" if reached is None else f"dashed: 90 % of the {final}sag at {sheet.clock.text(reached)}",
-        f"where it flows {faster} {significant(slowest)}/s" if slowest > 0 else "",
+        f"where it flows {faster} {significant(slowest)} s⁻¹" if slowest > 0 else "",
     )
     with styled_for(name):
         heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
