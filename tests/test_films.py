@@ -133,7 +133,7 @@ def test_the_curve_has_every_frame_of_the_run_and_a_film_that_cannot_show_the_ri
         assert text in animation.note and bool(text) == bool(animation.note)
         assert not text or animation.note in [shown.get_text() for shown in animation.figure.texts]
     flat = Animation(make_run(scene, 1e-4 * times[::200], times[::200]), summary, scene, 3)
-    assert "vertical scale × " in flat.axes.get_xlabel()
+    assert "sag and thickness × " in flat.axes.get_xlabel()
     assert "scale" not in Animation(descent, summary, scene, 3).axes.get_xlabel()
     runaway = make_run(scene, 0.01 + 4.905 * np.maximum(times - 0.5, 0.0) ** 2, times, cells=40)
     short = Animation(runaway, summary | {"outcome": "localised"}, scene, 5, width=640)
