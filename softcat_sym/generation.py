@@ -30,12 +30,12 @@ from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.reading import as_scene, load_scene
-from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.scene.scene import Scene, refuse_settled, rest_length, why_interpreted
 from softcat_sym.simulate import recalled
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
-from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings
+from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, compiled_settings
 from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
@@ -141,8 +141,8 @@ def _compilable(scene: Scene) -> Effects:
     """Effects of a scene; one without compiled form is refused."""
     effects = choose_effects(scene)
     refuse_settled(scene, "a generated program runs to the end of its duration")
-    if scene.model == "small-deflection":
-        raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
+    if (obstacle := why_interpreted(scene)) is not None:
+        raise SceneError([Fault("model", f"{scene.model!r}, but {obstacle}", "filament")])
     if not effects.terms().integrates:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     return effects

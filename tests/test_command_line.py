@@ -317,7 +317,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
     run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    run.written(folder).joined_by(folder, drawing.report(run).files)
+    run.written(folder, {**run.files(), **drawing.report(run).files})
     return folder
 
 
@@ -572,13 +572,20 @@ def test_scenes_keys_and_paths_are_offered(tmp_path: Path) -> None:
     assert tuple(complete_scene("")) == sc.bundled_names()
 
 
-def test_completion_loads_nothing_heavy() -> None:
-    code = (
-        "import sys\nfrom softcat_sym.cli.completing import complete_change, complete_scene\n"
-        "assert complete_scene('ink') and complete_change('material.')\n"
-        "heavy = {'sympy', 'casadi', 'matplotlib', 'xarray', 'numpy'} & set(sys.modules)\nassert not heavy, heavy"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+@pytest.mark.parametrize(
+    "code",
+    [
+        "from softcat_sym.cli.completing import complete_change, complete_scene\n"
+        "assert complete_scene('ink') and complete_change('material.')",
+        "from typer.main import get_command\nfrom softcat_sym.cli.application import app\n"
+        "group = get_command(app)\n"
+        "for name in group.commands:\n    assert group([name, '--help'], standalone_mode=False) == 0",
+    ],
+)
+def test_completion_and_help_load_nothing_heavy(code: str) -> None:
+    code += "\nimport sys\nheavy = {'sympy', 'casadi', 'matplotlib', 'xarray', 'numpy'} & set(sys.modules)\n"
+    command = [sys.executable, "-c", f"{code}assert not heavy, heavy"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
 

@@ -26,8 +26,8 @@ from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
+from softcat_sym.results.out_of_plane_stability import PlanarCells, banded, is_positive, out_of_plane_instability
 from softcat_sym.results.run import run_form
-from softcat_sym.results.sideways import _Cells, _Matrix, sideways
 from softcat_sym.scene.ends import CLAMPED, SUPPORTS
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
@@ -95,7 +95,7 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
         for layout in (graph.moving, graph.still)
     )
     out = ca.Function(
-        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.raw.rates, *graph.symbolic.raw.powers]
+        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.balances, *graph.symbolic.raw.powers]
     )
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
     found = graph.moving.split(ode) | graph.still.split(alg)
@@ -265,7 +265,7 @@ def test_the_tangent_sideways_is_the_second_derivative_of_the_energy_of_a_cell()
         ahead = xa + stretch * length * np.cos(along), ya + stretch * length * np.sin(along)
         exact = np.asarray(hessian([xa, ya, pa, *ahead, pa + turn, length, *forces, *stiffness]))
         strains = (stretch * np.cos(off), stretch * np.sin(off), turn)
-        cells = _Cells(
+        cells = PlanarCells(
             np.array([length]),
             *(np.array([[one]]) for one in (*strains, *forces)),
             tuple(np.array([[one]]) for one in stiffness),
@@ -288,11 +288,11 @@ def test_what_surely_stays_in_its_plane_has_no_way_out_of_it() -> None:
             turn = 0.1 * rng.normal() * M / max(1.0, np.abs(M).max()) / cells
             row = (np.ones(cells), 0 * at, turn, size * rng.uniform(-0.5, 2) * np.ones(cells), np.gradient(M, at), M)
             stiff = 1e6 * np.ones((1, cells)), rng.uniform(0.5, 2) * np.ones((1, cells)), np.ones((1, cells))
-            found = _Cells(length, *(one[None] for one in row), stiff)
+            found = PlanarCells(length, *(one[None] for one in row), stiff)
             held = np.zeros(3 * (cells + 1), dtype=bool)
             for end, first in zip(ends, (0, 3 * cells), strict=True):
                 held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[end]] = True
-            stable = bool(_Matrix.of(found.tangent(1.0, 1.0), held).are_positive()[0])
+            stable = is_positive(banded(found.tangent(1.0, 1.0), held)[0])
             unstable += not stable
             if found.stay(1.0, [SUPPORTS[end] for end in ends]):
                 sure += 1
@@ -359,7 +359,7 @@ def test_a_strand_that_is_pressed_buckles_sideways_as_fast_as_its_law_lets_it() 
                 **dict.fromkeys(("shear_force", "curvature"), 0 * cells),
                 "stretch": cells,
             }
-            found, rates = sideways(scene, fields), [0.0]
+            found, rates = out_of_plane_instability(scene, fields), [0.0]
             for k in np.arange(1, 9) * np.pi / length:
                 given = k, modulus, force
                 if excess(1.0, *given) < 0:

@@ -198,6 +198,7 @@ class Counts:
 
     outcomes: Counter[str] = field(default_factory=Counter)
     regimes: Counter[str] = field(default_factory=Counter)
+    refusal: str = ""  # Why the first member without an answer has none
 
 
 def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: ReferenceMember) -> Counts:
@@ -217,6 +218,7 @@ def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: Reference
                 append(file, parts.variables(start, table), start, plan.members)
                 counts.outcomes.update(table["outcome"].tolist())
                 counts.regimes.update(filter(None, table["regime"].tolist()))
+                counts.refusal = counts.refusal or next(filter(None, table["message"].tolist()), "")
                 check()
 
     def fill_table(passing: Path) -> None:

@@ -9,18 +9,33 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SceneError, SoftcatError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
-    from softcat_sym.studies.card import Card
+
+with lazy_imports():
+    from rich import console, text
+
+    from softcat_sym.effects import choosing, expected_regime, forecast
+    from softcat_sym.plotting import card as drawn
+    from softcat_sym.plotting import terminal, units
+    from softcat_sym.solvers import run_cost
+    from softcat_sym.studies import card as study
+    from softcat_sym.studies import card_rules
+    from softcat_sym.web import module, page
 
 
 def _value(help_text: str) -> Any:
     return cli.option("VALUE", help_text)
 
 
-@cli.commands.command()
 def card(
     context: typer.Context,
     scene: cli.OptionalScene = None,
@@ -80,43 +95,104 @@ def card(
         given = ", ".join(f"--{name}" for name in flags)
         text = f"a scene and {given}: change the scene with --set, or leave it out"
         raise typer.BadParameter(text, param_hint="SCENE")
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.card import card as make_card
-    from softcat_sym.studies.card import scene_from_flags
 
     notes: tuple[str, ...] = ()
     if scene is not None:
         asked, output = cli.scene_and_directory(scene, changes, output, "card")
     else:
-        asked, notes = scene_from_flags(flags, changes or [])
+        asked, notes = study.scene_from_flags(flags, changes or [])
         output = cli.output_directory(output, "card", asked=asked)
     words = ["softcat", "card", *([scene] if scene else [])]
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
-    with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-        found = make_card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
-        live, why = _live_page(found, progress)
+    command, lines = shlex.join([*words, "-o", "DIR"]), _Lines(quiet=quiet)
+    study.check_limit(study.LIMIT if sag is None else sag)
+    lines.foresee(asked)
+    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        try:
+            found = study.card(
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=lines.hear
+            )
+        except KeyboardInterrupt:
+            if lines.card is None:
+                raise
+            drawing.report(lines.card, command=command).write(output)
+            left = f"what was computed is in {output}, marked as incomplete; the same command goes on from there"
+            raise cli.interrupted(left) from None
         progress.stage("drawing")
-        report = drawing.report(found, command=shlex.join([*words, "-o", "DIR"]), live=live)
+        report = drawing.report(found, command=command)
         written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
-    if why and not quiet:
-        typer.echo(f"no live page: {why}")
+        live, why = _live_page(found, progress)
+        if live:
+            figure = report.files["card.png"]
+            written = drawing.report(found, command=command, live=live, figure=figure).write(output)
+    if not quiet:
+        cli.print_written(written, output)
+        typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 
-def _live_page(found: Card, progress: Progress) -> tuple[str, str]:
-    """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
-    from softcat_sym.web.module import find_wasm_compiler
+class _Lines:
+    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
 
-    if not found.run.outcome.is_success or find_wasm_compiler() is None:
+    def __init__(self, *, quiet: bool) -> None:
+        self.card: study.Card | None = None  # As far as it is
+        self._quiet, self._printed = quiet, set[str]()
+
+    def foresee(self, scene: Scene) -> None:
+        """Print the scene's title, and what can be said before anything is integrated."""
+        if self._quiet:
+            return
+        self._print(text.Text(scene.title or "Filament", style="bold"))
+        for label, words in _foreseen(scene):
+            self._print(drawn.row_of(label, words))
+
+    def hear(self, card: study.Card) -> None:
+        """Take note of what is known by now."""
+        self.card = card
+        if self._quiet:
+            return
+        for words, line in drawn.lines(card).items():
+            if words not in self._printed:
+                self._printed.add(words)
+                self._print(line)
+
+    def _print(self, line: RenderableType) -> None:
+        screen = console.Console()
+        with screen.capture() as shown:
+            screen.print(line, markup=False, highlight=False)
+        # By way of sys.stdout, which bars on the same terminal replace.
+        typer.echo(shown.get(), nl=False)
+
+
+def _foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Regime, sag, where it stops, and closed forms of the elastic sag."""
+    effects, span = choosing.choose_effects(scene), scene.filament.span
+    regime, sag = expected_regime.expected_regime(scene, effects.names), forecast.expected_sag(scene)
+
+    def length(value: float) -> str:
+        return units.length_unit(value, span).text(value)
+
+    yield "expected", ", ".join(filter(None, [units.regime_words(regime.name), regime.near]))
+    yield "because", regime.reason
+    yield "expected sag", f"about {units.significant(100 * sag)} % of the span, {length(sag * span)}"
+    if regime.stopping_depth_exact is not None:
+        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
+    if sags := card_rules.elastic_sags(scene):
+        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
+    if cost := run_cost.run_cost(scene, effects).text:
+        yield "cost of a run", cost
+
+
+def _live_page(found: study.Card, progress: Progress) -> tuple[str, str]:
+    """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
+    if not found.run.outcome.is_success or module.find_wasm_compiler() is None:
         return "", ""
-    from softcat_sym.web.page import page_text
 
     progress.stage("making a live page")
     try:
-        return page_text(found.scene, name="live"), ""
+        return page.page_text(found.scene, name="live"), ""
     except SceneError as error:
         return "", "; ".join(map(str, error.faults))
     except SoftcatError as error:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from importlib.resources import files
+from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from softcat_sym.cli import application as cli
+from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SceneError, SoftcatError
+
+with lazy_imports():
+    from softcat_sym import files
+    from softcat_sym.scene import keys as scene_keys
 
 
 def _value(help_text: str, *names: str) -> Any:
@@ -21,7 +26,6 @@ def _value(help_text: str, *names: str) -> Any:
 ForceOption = Annotated[bool, cli.switch("Replace an existing file.", "--force")]
 
 
-@cli.commands.command()
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="File to write: my-ink.toml.")],
     span: Annotated[cli.Text, _value("Distance of the supports: '5 mm'.")] = None,
@@ -67,10 +71,9 @@ def new(
     given = {path: text for path, text in flags.items() if text is not None}
     if not given and sys.stdin.isatty() and sys.stdout.isatty():
         given = _asked()
-    from softcat_sym.scene.keys import scene_template
 
     try:
-        text, scene = scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
+        text, scene = scene_keys.scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
     except SceneError as error:
         raise SceneError(error.faults, str(file)) from None
     _write_new(file.parent, {file.name: text.encode()}, force=force)
@@ -82,14 +85,12 @@ def new(
 
 def _asked() -> dict[str, str]:
     """Ask for one value after the other, each until it is valid."""
-    from softcat_sym.scene.keys import example_values, scene_keys, scene_template
-
-    meaning = {key.path: key.meaning for key in scene_keys()}
+    meaning = {key.path: key.meaning for key in scene_keys.scene_keys()}
     answers: dict[str, str] = {}
 
     def accepted(text: str) -> str:
         try:
-            scene_template("", {**answers, path: text})
+            scene_keys.scene_template("", {**answers, path: text})
         except SceneError as error:
             # Faults of values that are asked for later do not count yet.
             here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == path]
@@ -97,14 +98,13 @@ def _asked() -> dict[str, str]:
                 raise typer.BadParameter("; ".join(here)) from None
         return text
 
-    while waiting := [path for path in example_values(answers) if path not in answers]:
+    while waiting := [path for path in scene_keys.example_values(answers) if path not in answers]:
         path = waiting[0]
         typer.echo(meaning[path])
-        answers[path] = typer.prompt(path, default=example_values(answers)[path], value_proc=accepted)
+        answers[path] = typer.prompt(path, default=scene_keys.example_values(answers)[path], value_proc=accepted)
     return answers
 
 
-@cli.commands.command()
 def samples(
     output: cli.OutputOption = None,
     force: ForceOption = False,
@@ -116,7 +116,7 @@ def samples(
     computed film and curve, with added noise, as their first lines say.
     """
     output = cli.output_directory(output, "samples")
-    folder = files("softcat_sym") / "samples"
+    folder = resources.files("softcat_sym") / "samples"
     contents = {entry.name: entry.read_bytes() for entry in sorted(folder.iterdir(), key=lambda entry: entry.name)}
     _write_new(output, contents, force=force)
     if not quiet:
@@ -125,8 +125,6 @@ def samples(
 
 def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
     """Write all files, or none if some exist already with other content."""
-    from softcat_sym.files import write_results
-
     paths = {folder / name: content for name, content in contents.items()}
     there = [
         str(path)
@@ -135,4 +133,4 @@ def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> N
     ]
     if there and not force:
         raise SoftcatError(f"already exist, and not replaced without --force: {', '.join(there)}")
-    write_results(folder, contents)
+    files.write_results(folder, contents)

@@ -31,8 +31,8 @@ from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
 
 if TYPE_CHECKING:
-    from softcat_sym.discretization.cell import Program
     from softcat_sym.discretization.sampling import Sampling
+    from softcat_sym.discretization.symbolic import Filament
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -240,11 +240,11 @@ class Recorded:
     body: Body
 
     @cached_property
-    def program(self) -> Program:
+    def program(self) -> Filament:
         """What its sites compute."""
         return self.sampled_by(self.theory.rule)
 
-    def sampled_by(self, rule: Sampling | None) -> Program:
+    def sampled_by(self, rule: Sampling | None) -> Filament:
         """What its sites compute with other points of the section, or one that stands for all."""
         # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build

@@ -13,7 +13,7 @@ from typing import Any
 
 import casadi as ca
 
-from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
@@ -23,14 +23,15 @@ from softcat_sym.discretization.stencil import (
     STAGED,
     TIME,
     UNKNOWN,
-    WHOLE,
     Field,
     Leaf,
     Leaves,
     Neighbours,
     Same,
+    Spread,
 )
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body
+from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
@@ -38,6 +39,7 @@ from softcat_sym.discretization.unknowns import (
     NODES,
     PER,
     WARMING,
+    Floats,
     Shown,
     Signature,
     Slot,
@@ -85,11 +87,29 @@ class Program:
         )
         return Signature(self.slots, self.parameters, self.places, tuple(self.powers), shown, self.profiles)
 
-
-def printed(expression: Any, values: Values) -> ca.SX:
-    """A SymPy expression as CasADi's, of what its symbols stand for."""
-    needed = tuple(symbol for symbol in expression.free_symbols)
-    return ca.SX(CellFunction({"value": expression}, needed)({symbol: values[symbol] for symbol in needed})["value"])
+    def evaluate(
+        self, time: ca.SX, unknowns: Mapping[str, ca.SX], named: Mapping[str, ca.SX], places: Mapping[str, Floats]
+    ) -> Evaluated:
+        """Its fields at all sites of a grid."""
+        shared = {Leaf(PARAMETER, name): value for name, value in named.items()} | {Leaf(TIME, "t"): time}
+        columns = {slot.name: (int(slot.held[0]), unknowns[slot.name]) for slot in self.slots}
+        spread = Spread(self.leaves, len(places["X"]), places, columns, shared)
+        for one in self.fields:
+            spread.take(one)
+        return Evaluated(
+            {slot.name: spread.values(rate) for slot, rate in zip(self.slots, self.rates, strict=True)},
+            tuple(
+                ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1)
+                for power in self.powers.values()
+            ),
+            {
+                name: spread.values(item)
+                if isinstance(item, Field)
+                else sum((ca.sum1(spread.values(one)) for one in item), ca.SX(0))
+                for name, item in self.shown.items()
+            },
+            tuple(spread.values(one) for one in self.support),
+        )
 
 
 def derivatives(density: Any, by: Sequence[Any], values: Values) -> list[ca.SX]:
@@ -207,16 +227,6 @@ class Builder:
         """Let other sites read a field of the nodes that carry a moment."""
         return self._kept(self.joint_field(name, value, end))
 
-    def running(self, name: str, value: ca.SX) -> Neighbours:
-        """Let nodes read the sum of a field over the cells before them."""
-        self.fields.append(Field(name, CELLS, value, summed="before"))
-        return Neighbours(self.leaves, STAGED, name)
-
-    def whole(self, name: str, value: ca.SX) -> ca.SX:
-        """The sum over the cells of a field."""
-        self.fields.append(Field(name, CELLS, value, summed="whole"))
-        return self.leaves.symbol(Leaf(WHOLE, name))
-
     def _kept(self, one: Field) -> Neighbours:
         values = one.values
         if all(value.is_constant() and float(value) == float(values[0]) for value in values):
@@ -250,8 +260,6 @@ class Builder:
     def unknown(self, slot: Slot, first: Any = 0, last: Any = 0, name: str = "") -> Neighbours:
         """An unknown, with what its ends hold it at."""
         self.slots[slot.name] = slot
-        if slot.on == "whole":
-            return Same(self.leaves.symbol(Leaf(WHOLE, slot.name)))
         plain = Neighbours(self.leaves, UNKNOWN, slot.name)
         ends = {at: value for at, value, is_held in zip((0, -1), (first, last), slot.held, strict=True) if is_held}
         return self.stage(name or slot.name, slot.where, plain[0], ends) if ends else plain
@@ -316,7 +324,6 @@ class Mechanics:
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
     softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
     ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
-    level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 
 
 def _resists(b: Builder) -> bool:
@@ -429,8 +436,6 @@ def surface_force(b: Builder, stretch: Neighbours) -> tuple[ca.SX, list[Field]]:
     (force,) = derivatives(surface.energy(), (symbols.s,), values)
     pull = force * b.area_cell
     energies = [Field("surface", CELLS, b.length[0] * b.area_cell * printed(surface.energy(), values))]
-    if isinstance(stretch, Same):  # Of small deflections: no slope
-        return pull, energies
     values, density = {**_of_a_joint(b, stretch), h0_slope: ca.SX(0)}, surface.gradient_energy()
     if b.body.profile.nodes is not None:
         h, h_node = b.place("h_cell"), b.place("h_node")[0]

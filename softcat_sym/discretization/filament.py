@@ -18,11 +18,12 @@ from softcat_sym.discretization.cell import (
     program_of,
 )
 from softcat_sym.discretization.heat import Heating, heating
-from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
+from softcat_sym.discretization.kirchhoff import kirchhoff
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.sampling import Sampling
 from softcat_sym.discretization.shearing import shearing
+from softcat_sym.discretization.small_deflection import SmallDeflection
 from softcat_sym.discretization.spatial import spatial_filament
 from softcat_sym.discretization.stencil import UNKNOWN, Field, Neighbours
 from softcat_sym.discretization.supports import POINT_MASS, Body
@@ -38,15 +39,14 @@ def build(
     ends: tuple[Support, Support],
     body: Body,
     rule: Sampling | None,
-) -> Program:
+) -> Program | SmallDeflection:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
+    if model == "small-deflection":
+        return SmallDeflection(equations, ends, body)
     b = Builder(equations, ends, body)
     if rule is not None and rule.is_spatial:
         return spatial_filament(b, rule)
-    if rule is not None and equations.resolved is not None:
-        mechanics = shearing(b, rule)
-    else:
-        mechanics = small_deflection(b) if model == "small-deflection" else kirchhoff(b)
+    mechanics = shearing(b, rule) if rule is not None and equations.resolved is not None else kirchhoff(b)
     return _balanced(b, mechanics)
 
 
@@ -79,7 +79,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     linear = {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
     pulled = tuple(Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", support, strict=True))
     # Where only slopes are in motion nothing balances along x, and one tension may be that of all cells.
-    return program_of(b, rates, powers, shown, of.profiles or linear, () if of.level else pulled)
+    return program_of(b, rates, powers, shown, of.profiles or linear, pulled if b.equations.terms.stretches else ())
 
 
 def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.SX]) -> Field:

@@ -18,15 +18,14 @@ from softcat_sym.physics.terms import Terms
 if TYPE_CHECKING:
     import casadi as ca
 
-    from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.symbolic import Symbolic
+    from softcat_sym.discretization.symbolic import Filament, Symbolic
 
 
 class RecordedProgram(Protocol):
     """What its sites compute, written down when somebody asks for it."""
 
     @property
-    def program(self) -> Program:
+    def program(self) -> Filament:
         """The fields."""
         ...
 
@@ -51,7 +50,7 @@ class Graph:
     still: Layout
 
     @property
-    def program(self) -> Program:
+    def program(self) -> Filament:
         """What its sites compute."""
         return self.recorded.program
 
@@ -61,7 +60,7 @@ class Graph:
         # Imported here: a run whose library is cached does without CasADi.
         from softcat_sym.discretization.symbolic import Symbolic
 
-        return Symbolic(self.program, self.places, self.grid.cells + 1, self.moving, self.still)
+        return Symbolic(self.program, self.places, self.moving, self.still)
 
     @property
     def parameters(self) -> tuple[str, ...]:

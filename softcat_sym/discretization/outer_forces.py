@@ -66,7 +66,7 @@ def outer_forces(b: Builder, of: Mechanics) -> Outer:
     """Forces of all densities; a density of a cell adds its share to the internal forces of the cells."""
     outer = Outer()
     for stated in b.equations.densities:
-        one = stated.level if of.level else stated
+        one = stated if b.equations.terms.stretches else stated.level
         (_of_cells if one.of_a_cell else _of_nodes)(b, of, one, outer)
     if b.body.supports.springs:
         angles = [b.supports.left_angle], [b.supports.right_angle]

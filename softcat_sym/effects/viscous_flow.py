@@ -18,10 +18,6 @@ def _indispensable(scene: Scene) -> str:
     return "the initial state is a plastic strain" if plastic else ""
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.material.spec.flows
-
-
 _RELAXED = OfMotion(
     "relaxed", "share of the stress that relaxes during the run", "1 - exp(-t E/eta), beyond yield", amplified=True
 )
@@ -40,7 +36,7 @@ VISCOUS_FLOW = Effect(
     summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the given rule; chains that relax",
     source="2.7, 2.12",
     contribute=partial(replace, flows=True),
-    applies=_applies,
+    applies=lambda scene: scene.material.spec.flows,
     without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
     estimate=_estimate,
     observable="largest fibre stress over the yield stress; without one, the forecast relaxation",

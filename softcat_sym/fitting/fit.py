@@ -35,6 +35,7 @@ from softcat_sym.fitting.least_squares import (
 )
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
+from softcat_sym.fitting.priors import read_priors
 from softcat_sym.fitting.problem import CAMERA, FilamentProblem
 from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved, tighter
 from softcat_sym.fitting.result import (
@@ -83,6 +84,7 @@ class FitOptions(TypedDict, total=False):
     discrepancy: bool
     time_limit: float | None
     flow_curve: FlowCurve | str | os.PathLike[str] | None
+    priors: Mapping[str, str] | None
     progress: Progress | None
 
 
@@ -154,6 +156,7 @@ def fit(
     discrepancy: bool = True,
     time_limit: float | None = None,
     flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
+    priors: Mapping[str, str] | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Fit parameters of a scene to films of its falling filament, by weighted least squares of the midpoint.
@@ -195,6 +198,9 @@ def fit(
     flow_curve : FlowCurve or path, optional
         Flow curve of the same material from a rheometer. Its readings are further residuals, weighted by their stated
         errors or by their scatter about the best fit of the same law.
+    priors : mapping of str to str, optional
+        For a posterior drawn afterwards (:func:`softcat_sym.fitting.posterior.posterior_of`), which has them from the
+        fit. The fit itself is without priors, but refuses what is no prior before it begins.
 
     Returns
     -------
@@ -223,6 +229,7 @@ def fit(
         "method": method,
         "calibrated": calibrated,
         "discrepancy": discrepancy,
+        "priors": priors or {},
     }
     task = _Task(
         films,
@@ -289,6 +296,8 @@ ROUNDS = 8
 def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     """Fit once, with the effects that the scene's own values call for."""
     problem, options, loss = task.problem(scene), task.options, task.options["loss"]
+    priors = options["priors"] or {}
+    read_priors(priors, problem.free[: problem.asked])
     begin = time.perf_counter()
     first = _initial_guesses(problem, scene, task.features)
     started = time.perf_counter()
@@ -361,6 +370,7 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         camera=_camera_values(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),
         resolution=resolution,
+        priors=priors,
         late=inferred.late or time.monotonic() > task.deadline,
     )
 

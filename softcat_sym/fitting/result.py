@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -25,8 +26,8 @@ from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem, Filmed
 from softcat_sym.fitting.resolution import Moved
-from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.table_reader import counted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -198,6 +199,8 @@ class Fit(drawing.Drawable):
         Final cells, fibres and tolerance, and by how much they move the constants.
     late : bool
         Whether the time limit passed before all steps of the fit.
+    priors : mapping of str to str
+        Priors that a posterior of this fit has; the fit is without them.
     message : str
         Why a run of the fitted filament fails; empty if it does not.
     """
@@ -226,6 +229,7 @@ class Fit(drawing.Drawable):
     theory: float
     resolution: Moved | None
     late: bool
+    priors: Mapping[str, str]
     message: str = ""
 
     def plot(self, what: str = "curves") -> Figure:

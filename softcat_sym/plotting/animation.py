@@ -24,15 +24,16 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
-from softcat_sym.plotting.run import largest_sag, yielded_label
+from softcat_sym.plotting.run import yielded_label
 from softcat_sym.plotting.section import (
     Floats,
+    Magnification,
     Section,
     array,
+    largest_sag,
     outline,
     quads_outside,
     section_at,
-    vertical_stretch,
     yielding_of,
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
@@ -265,6 +266,8 @@ class Animation(Pictures):
     ) -> None:
         data, summary = shown_part(data, summary)
         self._run, self._scene, self.film = data, scene, moments_of(data, scene, moments)
+        larger = Magnification.of(largest_sag(self.film["y"]), scene.filament.thickness, scene.filament.span)
+        self.film = larger.drawn(self.film)
         self.times: Floats = self.film["time"]
         self.note = film_note(self.times, data, summary)
         outlines = np.stack([outline(self._section(k)) for k in range(len(self))])
@@ -274,12 +277,11 @@ class Animation(Pictures):
         self._clock = time_unit(float(np.abs(self.times).max()))
         self._over = scene.material.yield_stress or stress_unit(self._largest).size
         # The largest scale at which every moment fits; what it leaves free is shared by both sides.
-        stretch = vertical_stretch(largest_sag(self.film["y"]), scene.filament.thickness, scene.filament.span)
         across = WIDTH - _LEFT - _RIGHT
-        extent = 1.04 * (high - low) + np.array([0.0, 0.7 * scene.filament.thickness])
-        scale = min(across / extent[0], _TALLEST / (stretch * extent[1]))
-        tall = max(_LOWEST, scale * stretch * extent[1])
-        half = np.array([across / scale, tall / (scale * stretch)]) / 2
+        extent = 1.04 * (high - low) + np.array([0.0, 0.7 * scene.filament.thickness * larger.thickness / larger.sag])
+        scale = min(across / extent[0], _TALLEST / (larger.sag * extent[1]))
+        tall = max(_LOWEST, scale * larger.sag * extent[1])
+        half = np.array([across / scale, tall / (scale * larger.sag)]) / 2
         with style.styled():
             self.figure: Figure = new_figure(WIDTH, _BOTTOM + _TRACE + _BETWEEN + tall + _TOP)
             self.figure.set_dpi(width / WIDTH)
@@ -287,7 +289,7 @@ class Animation(Pictures):
             limits = self._ruler.of(np.array([-half, half]) + (low + high) / 2).T
             self.axes.set(xlim=limits[0], ylim=limits[1])
             _plain(self.axes, 9, max(2, int(tall / 0.45)))
-            scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+            scaled = f" ({larger})" if str(larger) else ""
             self.axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
             self.axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
             self._moving = [*self._filament(), *self._trace(), self._head(summary), *stamp(self.figure, summary)]

@@ -6,6 +6,7 @@ from base64 import b64encode
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+import numpy as np
 from rich.console import RenderableType
 from rich.padding import Padding
 from rich.table import Table
@@ -121,7 +122,7 @@ def fit_page(
     )
 
 
-_SOMETIMES = ("features", "features_*", "profiles", "correlation", "laws", "posterior", "collapse")
+_SOMETIMES = ("features", "features_*", "profiles", "correlation", "starts", "laws", "posterior", "collapse")
 """Pictures that only some fits have."""
 
 
@@ -172,7 +173,11 @@ drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, wha
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     """Draw all figures that the fit has data for, with captions."""
-    shown = {"profiles": bool(fit.profiles), "correlation": fit.problem.asked > 1}
+    shown = {
+        "profiles": bool(fit.profiles),
+        "correlation": bool(np.isfinite(fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]).any()),
+        "starts": len(fit.starts.results) > 1,
+    }
     found = {
         name: (caption, FIGURES[what](fit)) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
     }

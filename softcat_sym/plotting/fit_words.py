@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from softcat_sym.fitting.result import FEATURES, Fit, FittedFilm, FittedParameter
-from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
+from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit, typeset
 
 if TYPE_CHECKING:
     from softcat_sym.fitting.collapse_test import GapResult
@@ -46,7 +46,7 @@ def display_unit(symbol: str, largest: float) -> Unit:
         "s": (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0)),
         "Pa*s": tuple(Unit(f"{unit.symbol}·s", unit.size) for unit in STRESSES),
     }
-    units = families.get(symbol, (Unit(symbol, 1.0),))
+    units = families.get(symbol, (Unit(typeset(symbol), 1.0),))
     reached = [unit for unit in units if abs(largest) >= unit.size * (1 - 1e-9)]
     return reached[-1] if reached else units[0]
 
@@ -151,7 +151,7 @@ def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
     if features is None:
         return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
     clock, ruler = time_unit(float(film.time[-1])), length_unit(float(abs(film.measured).max()))
-    units = (clock, clock, Unit("rad/s", 1.0), Unit("1/s", 1.0), ruler, Unit("", 1.0))
+    units = (clock, clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
     rows = zip(FEATURES.items(), units, strict=True)
     return [(words, reading_text(getattr(features, name), unit)) for (name, (words, _)), unit in rows]
 

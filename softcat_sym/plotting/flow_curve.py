@@ -69,14 +69,14 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
             number_axis(axes, "x", rate.min(), rate.max(), is_log=True, ticks=8)
             axes.grid(True)
         above.tick_params(labelbottom=False)
-        below.set_xlabel("shear rate [1/s]")
+        below.set_xlabel("shear rate [s⁻¹]")
         legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
     return figure
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
     """A row for each candidate, the best first."""
-    header = ("law", "τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
+    header = ("law", "τ_Y [Pa]", "k [Pa·sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa·sⁿ]", "rms [%]", "above best")
     rows = [_row(one, fit) for one in fit.candidates]
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from softcat_sym.plotting.units import typeset
 from softcat_sym.web.page import filled, inlined
 
 if TYPE_CHECKING:
@@ -89,7 +90,7 @@ def _axis(
     key: str, name: str, unit: str, values: xr.DataArray, *, varied: bool, sound: NDArray[np.bool_] | None = None
 ) -> dict[str, Any] | None:
     """One axis; words, such as the name of a law, stand at equal distances. None where there is nothing to show."""
-    axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else unit, "varied": varied}
+    axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else typeset(unit), "varied": varied}
     if values.dtype.kind not in "fiub":
         words = [str(value) for value in values.values]
         known = sorted(set(words))

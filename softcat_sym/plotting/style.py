@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.units import Summary, time_unit
+from softcat_sym.results.fields import DENSE
 from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
@@ -192,9 +193,10 @@ def shown_part(data: Fields, summary: Summary) -> tuple[Fields, Summary]:
 
 
 def first_frames(data: Fields, end: int) -> dict[str, NDArray[Any]]:
-    """The beginning of a run."""
+    """The beginning of a run, at its frames."""
     whole = ("X_node", "X_cell")
-    return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*data, "time", *whole)}
+    names = [name for name in data if not str(name).startswith(DENSE)]
+    return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*names, "time", *whole)}
 
 
 HEADING = 0.62

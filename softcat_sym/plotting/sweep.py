@@ -26,7 +26,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
+from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -84,8 +84,7 @@ def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
     if unit in _UNITS:
         shown = _UNITS[unit](float(np.max(np.abs(known), initial=0.0)) or 1.0)
         values, unit = shown.of(values), shown.symbol
-    unit = unit.replace("^2", "²").replace("^3", "³").replace("*", "·")
-    label = style.printable(name if unit == "1" else f"{name} [{unit}]", 60)
+    label = style.printable(name if unit == "1" else f"{name} [{typeset(unit)}]", 60)
     return DrawnAxis(label, values, (), variable.attrs.get("scale") == "log" and bool(np.all(known > 0)))
 
 

@@ -20,7 +20,8 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
-from softcat_sym.scene.csv_reader import counted
+from softcat_sym.plotting.units import typeset
+from softcat_sym.scene.table_reader import counted
 from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
@@ -44,19 +45,19 @@ def difference_text(row: Row) -> str:
     if row.agrees and row.band is not None and row.band[0] < row.band[1]:
         return "within"
     if row.is_absolute:
-        return f"{row.difference:+.3g} {row.unit}".rstrip()
+        return f"{row.difference:+.3g} {typeset(row.unit)}".rstrip()
     return f"{100 * row.difference:+.2g} %"
 
 
 def _number(value: float, unit: str, digits: int) -> str:
-    return f"{value:.{digits}g} {unit}".rstrip()
+    return f"{value:.{digits}g} {typeset(unit)}".rstrip()
 
 
 def _published(row: Row) -> str:
     if row.band is None:
         return _number(row.published, row.unit, 4)
     low, high = row.band
-    return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {row.unit}".rstrip()
+    return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {typeset(row.unit)}".rstrip()
 
 
 def _texts(row: Row, case: Case) -> tuple[str, str, str]:

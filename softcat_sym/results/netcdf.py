@@ -13,7 +13,7 @@ import numpy as np
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.results.fields import variable_of, variables_of
 
-_SIZES: Final = {"time": "time", "node": "X_node", "cell": "X_cell"}
+_SIZES: Final = {"time": "time", "node": "X_node", "cell": "X_cell", "dense_time": "dense_time"}
 """Each dimension, and the coordinate that is as long."""
 
 _CHUNK: Final = 1 << 20
@@ -36,7 +36,7 @@ def netcdf_bytes(fields: Mapping[str, Floats], attrs: Mapping[str, str]) -> byte
     """
     import h5py
 
-    sizes = {name: len(fields[of]) for name, of in _SIZES.items()}
+    sizes = {name: len(fields[of]) for name, of in _SIZES.items() if of in fields}
     sizes |= {"component": 4} if "quaternion" in fields else {}
     known = variables_of(fields)
     numbers = {name: number for number, name in enumerate(sizes)}

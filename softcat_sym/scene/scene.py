@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from html import escape
 from typing import Any
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
@@ -309,6 +310,12 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
         yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
+def why_interpreted(scene: Scene) -> str | None:
+    """Why a model has no C; None where it has."""
+    one_tension = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+    return one_tension if scene.model == "small-deflection" else None
+
+
 LATE = "late overrides"
 
 
@@ -453,8 +460,6 @@ class Scene(Tables):
         return Scene.model_validate(table)
 
     def _repr_html_(self) -> str:
-        from html import escape  # notebooks only
-
         return f"<pre>{escape(self.to_toml())}</pre>"
 
     def to_toml(self) -> str:

@@ -71,8 +71,9 @@ def live_page(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    if not name or Path(name).name != name:
-        raise SoftcatError(f"name {name!r}: take that of a file, without folders and without .html")
+    if not name or name.startswith((".", "-")) or Path(name).name != name:
+        accepted = "take that of a file, without folders and without .html, that begins with neither a dot nor a dash"
+        raise SoftcatError(f"name {name!r}: {accepted}")
     text = page_text(scene, sliders, name, on_progress)
     on_progress("writing")
     return write_results(directory, {f"{name}.html": text})[0]
