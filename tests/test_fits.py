@@ -381,6 +381,6 @@ def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequ
         asked.append(q)
         return np.full(film.data.size, np.nan) if len(asked) == 1 else heights(film, q)
 
-    monkeypatch.setattr(fit_module, "read_features", lambda *_: ringing)
+    monkeypatch.setattr(fit_module, "features_of", lambda *_: ringing)
     monkeypatch.setattr(Filmed, "heights", once_without_answer)
     assert fitted("youngs_modulus", "yield_stress").outcome.converged and asked

@@ -11,21 +11,31 @@ import numpy as np
 from scipy.optimize import brentq
 
 from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
+from softcat_sym.drawing import Drawable
+from softcat_sym.effects.scaling_estimates import beam_of, section_of
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.features import Features, Floats, Oscillation
+from softcat_sym.fitting.features import FEWEST, Features, Floats, Oscillation, read_features
+from softcat_sym.fitting.measurements import Series
+from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.physics import closed_forms, rheometry
+from softcat_sym.physics.beams import CLAMPED
 from softcat_sym.physics.regimes import E_star
 from softcat_sym.physics.regimes import H as SAG
 from softcat_sym.physics.symbols import L as SPAN
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
+from softcat_sym.solvers.initial_state import is_straight
 
-# Errors of the theory, as logarithms, on films of the full model: of R and d of small oscillations, of B, of t_high.
+# Errors of the theory, as logarithms, on films of the full model (tests/studies/closed_form.py): of R and d of small
+# oscillations, of B, of t_high.
 _OF_R, _OF_D, _OF_B, _OF_ONSET = 0.02, 0.07, 0.025, 0.2
-# An oscillation of amplitude A about a sag H is slower by this share of (A/H)^2, where elasticity gives less than 0.7 of
-# its stiffness, and by this share of (H/L)^2; the error of either, as a share of it; and the error of d over (A/H)^2.
+# An oscillation of amplitude A about a sag H is slower by this share of (A/H)^2 where elasticity gives less than 0.7 of
+# its stiffness, and by this share of (H/L)^2; error of either, as a share of it; error of d over (A/H)^2.
 _SOFTENING, _SOFT_BELOW, _SOFT_WIDTH, _DEEP, _UNSURE, _OF_LARGE_D = 2.0, 0.70, 0.06, 1.5, 0.4, 8.0
-# Standard deviation of the logarithms of both constants before the film is seen, and the largest that is reported.
+# Standard deviation of the logarithm of a constant before the film is seen, and the largest of one that is reported.
 _UNKNOWN, _LARGEST = 7.0, 1.0
-_SETTINGS: dict[str, Any] = {"ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-7, "acceptable_tol": 1e-6}, "print_time": False}
+_QUIET = {"print_time": False, "show_eval_warnings": False}
+_SETTINGS: dict[str, Any] = {"ipopt": {"print_level": 0, "sb": "yes", "tol": 1e-7, "acceptable_tol": 1e-6}, **_QUIET}
 
 
 @dataclass(frozen=True)
@@ -46,18 +56,88 @@ class Determined:
 
 
 @dataclass(frozen=True, eq=False)
-class ClosedForm:
-    """Constants from all features of a film together."""
+class ClosedForm(Drawable):
+    """Constants from all features of a film together.
 
-    youngs_modulus: Determined  # E
-    viscosity: Determined  # The extensional eta
-    covariance: Floats  # shape (2, 2); Of log E and log eta
-    misfit: float  # Sum of squares over errors of reading and theory
-    residuals: dict[str, float]  # (theory - measured)/measured of every feature used, as logarithms
+    Attributes
+    ----------
+    youngs_modulus, viscosity : Determined
+        E [Pa], and the extensional eta [Pa s].
+    covariance : ndarray, shape (2, 2)
+        Of log E and log eta; NaN where one of them is not in the problem.
+    misfit : float
+        Sum of squares over the errors of reading and theory.
+    residuals : dict of str to float
+        log(theory/measured) of every feature used.
+    film : Series
+        The film, and what was read from it.
+    features : Features
+    """
+
+    youngs_modulus: Determined
+    viscosity: Determined
+    covariance: Floats
+    misfit: float
+    residuals: dict[str, float]
+    film: Series
+    features: Features
+
+    def to_dict(self) -> dict[str, Any]:
+        """Content of ``closed_form`` in ``fit.json``: SI."""
+        constants = {"youngs_modulus": self.youngs_modulus, "viscosity": self.viscosity}
+        return {
+            name: {"value": one.value, "log_std": one.log_error, "ci95": one.interval, "reason": one.reason}
+            for name, one in constants.items()
+        } | {"misfit": self.misfit, "residuals": self.residuals}
+
+    def __repr__(self) -> str:
+        lines = ["ClosedForm"]
+        for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
+            one = getattr(self, name)
+            ends = "" if one.interval is None else f" ({one.interval[0]:.3g} to {one.interval[1]:.3g}) {unit}"
+            lines.append(f"{name} = {'not known: ' + one.reason if one.value is None else f'{one.value:.3g}{ends}'}")
+        return "\n  ".join(lines)
+
+
+def closed_form(film: Films, scene: SceneLike) -> ClosedForm:
+    """Modulus and viscosity of a Maxwell filament from its film by formulas, without running the model.
+
+    IPOPT weighs the frequency R, the decay rate d, the sag H, B and t_high by their errors of reading and of theory,
+    under the equations of :mod:`softcat_sym.physics.rheometry`: (2.21), (2.22) for a hanging beam under tension, and
+    the 1/3 law (2.20) with bending.
+
+    Parameters
+    ----------
+    film : Measurements or path
+        One film, as :func:`softcat_sym.fit` takes it.
+    scene : Scene, name, path or dict
+        The filament; its modulus and viscosity are not used.
+
+    Raises
+    ------
+    SoftcatError
+        If the scene is not of a straight Maxwell or Newtonian filament between level clamps, or the film shows neither
+        an oscillation nor the 1/3 law.
+    """
+    given = as_scene(scene)
+    measured = taken(film, given).series
+    if len(measured) > 1:
+        raise SoftcatError(f"closed form: {len(measured)} films; accepted: one")
+    features = features_of(measured[0], own_scene(measured[0], given))
+    if features is None:
+        raise SoftcatError(f"closed form: accepted: a film of {FEWEST} frames or more, in steady gravity")
+    return constants_of(measured[0], features, own_scene(measured[0], given))
+
+
+def features_of(film: Series, scene: Scene) -> Features | None:
+    """Features of a film; None if it is too short, or gravity not steady."""
+    if np.count_nonzero(film.time > 0) < FEWEST or not scene.load.gravity > 0 or scene.load.shake > 0:
+        return None
+    return read_features(film.time, film.midpoint, film.std, scene.load.gravity, rest_length(scene))
 
 
 class _Problem:
-    """Unknown logarithms, equations among them, and what is known of them."""
+    """Logarithms of unknowns, equations among them, and what is known of them."""
 
     def __init__(self) -> None:
         self.unknowns: dict[str, ca.SX] = {}
@@ -65,22 +145,26 @@ class _Problem:
         self.known, self.covariance = dict[str, float](), np.zeros((0, 0))
 
     def add(self, **start: float) -> list[ca.SX]:
-        """Unknowns whose logarithms start at these."""
+        """Unknowns, and the values at which their search starts."""
         new = {name: ca.SX.sym(name) for name in start}
         self.unknowns |= new
-        self.start += start.values()
+        self.start += [math.log(value) for value in start.values()]
         return [ca.exp(symbol) for symbol in new.values()]
 
     def know(self, covariance: Floats, **values: float) -> None:
-        """Measured logarithms and their covariance."""
-        self.known |= values
+        """Measured values, and the covariance of their logarithms."""
         size = len(self.covariance)
-        grown = np.zeros((size + len(values),) * 2)
-        grown[:size, :size], grown[size:, size:] = self.covariance, covariance
-        self.covariance = grown
+        self.known |= {name: math.log(value) for name, value in values.items()}
+        self.covariance = np.pad(self.covariance, (0, len(values)))
+        self.covariance[size:, size:] = covariance
+
+    def at_start(self, expression: ca.SX) -> Floats:
+        """Value of an expression where the search starts."""
+        function = ca.Function("at_start", list(self.unknowns.values()), [expression])
+        return np.asarray(ca.DM(function(*self.start)), dtype=float).ravel()
 
     def solve(self) -> tuple[dict[str, float], Floats, float]:
-        """Minimise the squares under the equations: unknowns, covariance of all of them, and the sum of squares."""
+        """Minimise the squares under the equations: the unknowns, their covariance, and the sum of squares."""
         x, equations = ca.vertcat(*self.unknowns.values()), ca.vertcat(*self.equations)
         root = np.linalg.inv(np.linalg.cholesky(self.covariance))
         misfit = ca.vertcat(*(self.unknowns[name] - value for name, value in self.known.items()))
@@ -88,7 +172,7 @@ class _Problem:
         solver = ca.nlpsol("closed_form", "ipopt", {"x": x, "f": ca.sumsqr(residual) / 2, "g": equations}, _SETTINGS)
         answer = solver(x0=self.start, lbg=0, ubg=0)
         if not solver.stats()["success"]:
-            raise SoftcatError(f"IPOPT finds no constants for all features: {solver.stats()['return_status']}")
+            raise SoftcatError(f"closed form: IPOPT finds no constants: {solver.stats()['return_status']}")
         jacobians = ca.Function("jacobians", [x], [ca.jacobian(residual, x), ca.jacobian(equations, x)])
         of_residual, of_equations = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(answer["x"]))
         # Directions along the equations: the last rows of V in the singular value decomposition of their Jacobian.
@@ -98,146 +182,120 @@ class _Problem:
         return found, spread, 2 * float(answer["f"])
 
 
-def closed_form(features: Features, density: float, gyration: float) -> ClosedForm:
-    """Constants of a Maxwell filament that fell from rest between level clamps, straight at first.
-
-    IPOPT weighs R, d, H, B and t_high by their errors of reading and by those of the theory, with the constraints of
-    :mod:`softcat_sym.physics.rheometry`: the frequency of a hanging beam under tension, Maxwell's relaxation of its
-    elastic share, and the 1/3 law with bending.
-
-    Parameters
-    ----------
-    features : Features
-        As read from the film.
-    density, gyration : float
-        Density [kg/m^3], and the section's radius of gyration sqrt(I/A) [m].
-
-    Raises
-    ------
-    SoftcatError
-        If the film shows neither an oscillation nor the 1/3 law.
-    """
-    unit, slimness = math.sqrt(features.span / features.gravity), gyration / features.span
-    pressure = density * features.gravity * features.span
-    problem, ringing = _Problem(), features.ringing
-    late = None if features.late is None else _late_load(features, slimness)
-    if ringing is None and late is None:
-        raise SoftcatError(f"features: {features.frequency.reason}; {features.prefactor.reason}")
-    first = None if ringing is None else _first_modulus(ringing, features, slimness)
-    if late is None:
-        assert first is not None
-        viscous = first / (2 * unit * max(ringing.decay, 0.02 * ringing.frequency))
-    else:
-        viscous = late / (2 * features.prefactor.value)
-    [V] = problem.add(V=math.log(viscous))
-    problem.know(np.array([[_UNKNOWN**2]]), V=math.log(viscous))
-    if late is not None:
-        _add_late_law(problem, V, features, late)
-    if first is not None:
-        _add_ringing(problem, V, first, ringing, features, slimness)
+def constants_of(film: Series, features: Features, scene: Scene) -> ClosedForm:
+    """Constants from features that were read from a film; refused where the theory does not hold."""
+    clamped = is_straight(scene) and is_symmetric(scene) and beam_of(scene) == CLAMPED
+    if not (clamped and scene.material.spec.is_linear_fluid):
+        raise SoftcatError("closed form: accepted: a Maxwell or Newtonian filament, straight between level clamps")
+    ringing, late, load = features.ringing, features.late, features.prefactor
+    if ringing is None and load.value is None:
+        raise SoftcatError(f"closed form: {features.frequency.reason}; {load.reason}")
+    unit = math.sqrt(features.span / features.gravity)
+    slimness = math.sqrt(section_of(scene).gyration) * scene.filament.thickness / features.span
+    problem, modulus, viscous = _Problem(), math.nan, math.nan
+    if ringing is not None:
+        modulus = _first_modulus(ringing, features, slimness)
+        viscous = modulus / (2 * unit * max(ringing.decay, 0.02 * ringing.frequency))
+    shape = 1.0
+    if load.value is not None and late is not None:
+        # In the middle of the frames that show the law.
+        sag = float(late.sag(np.array([0.5 * (late.first + late.last)]))[0]) / features.span
+        known = {rheometry.r_T: _boundary_layer(sag, slimness), SAG: sag, SPAN: 1.0}
+        shape = float(evaluate(rheometry.late_prefactor(), known)[0])
+        viscous = shape / (2 * load.value)
+    [V] = problem.add(V=viscous)
+    problem.know(np.array([[_UNKNOWN**2]]), V=viscous)
+    if load.value is not None:
+        _add_late_law(problem, V, load.value, features, shape)
+    if ringing is not None:
+        _add_ringing(problem, V, modulus, ringing, features, slimness)
     found, spread, misfit = problem.solve()
-    names = list(problem.unknowns)
+    places = [list(found).index(name) if name in found else -1 for name in ("E", "V")]
+    covariance = np.array([[np.nan if -1 in (i, j) else spread[i, j] for j in places] for i in places])
+    pressure = scene.filament.density * features.gravity * features.span
 
-    def determined(name: str, unit: float, reason: str) -> Determined:
-        if name not in names:
-            return Determined(None, None, reason)
-        error = math.sqrt(spread[names.index(name), names.index(name)])
-        if error > _LARGEST:
-            return Determined(None, None, f"known to a factor of {math.exp(min(error, 99)):.2g} only")
-        return Determined(unit * math.exp(found[name]), error)
+    def determined(number: int, size: float, reason: str) -> Determined:
+        variance = covariance[number, number]
+        if not variance < _LARGEST**2:
+            return Determined(None, None, reason or f"known to a factor of {math.exp(math.sqrt(variance)):.2g} only")
+        return Determined(size * math.exp(list(found.values())[places[number]]), math.sqrt(variance))
 
-    places = [names.index(name) if name in names else None for name in ("E", "V")]
-    covariance = np.array([[np.nan if i is None or j is None else spread[i, j] for j in places] for i in places])
     return ClosedForm(
-        determined("E", pressure, features.frequency.reason),
-        determined("V", pressure * unit, features.prefactor.reason),
+        determined(0, pressure, features.frequency.reason),
+        determined(1, pressure * unit, load.reason),
         covariance,
         misfit,
         {name: found[name] - value for name, value in problem.known.items() if name not in ("E", "V")},
+        film,
+        features,
     )
 
 
 def _boundary_layer(sag: float, slimness: float) -> float:
-    """r_T at a sag, both over the span."""
+    """r_T at a sag; lengths over the span."""
 
     def excess(log_r: float) -> float:
         known = {rheometry.r_T: math.exp(log_r), SAG: sag, SPAN: 1.0, rheometry.k_g: slimness}
-        return math.log(float(evaluate(rheometry.LAYER.left, known)[0] / evaluate(rheometry.LAYER.right, known)[0]))
+        return math.log(evaluate(rheometry.LAYER.left, known)[0] / evaluate(rheometry.LAYER.right, known)[0])
 
     return math.exp(brentq(excess, math.log(0.1), math.log(1e6)))
 
 
-def _late_load(features: Features, slimness: float) -> float:
-    """Ratio of B as it is read, from the slope of sag^3, to 1/(2 V)."""
-    law = features.late
-    sag = float(law.sag(np.array([0.5 * (law.first + law.last)]))[0]) / features.span
-    known = {rheometry.r_T: _boundary_layer(sag, slimness), SAG: sag, SPAN: 1.0}
-    return float(evaluate(rheometry.late_prefactor(), known)[0])
-
-
-def _add_late_law(problem: _Problem, V: ca.SX, features: Features, late: float) -> None:
-    seen, onset = features.prefactor, features.t_high
-    [B] = problem.add(B=math.log(seen.value))
-    problem.equations.append(ca.log(2 * V * B / late))
-    problem.know(np.array([[seen.log_variance + _OF_B**2]]), B=math.log(seen.value))
+def _add_late_law(problem: _Problem, V: ca.SX, load: float, features: Features, shape: float) -> None:
+    [B], onset = problem.add(B=load), features.t_high
+    problem.equations.append(ca.log(2 * V * B / shape))
+    problem.know(np.array([[features.prefactor.log_variance + _OF_B**2]]), B=load)
     if onset.value is not None:
-        clock = math.log(onset.value / math.sqrt(features.span / features.gravity))
+        clock = onset.value / math.sqrt(features.span / features.gravity)
         [t_high] = problem.add(t_high=clock)
         values = {rheometry.B: 1 / (2 * V), rheometry.alpha: float(closed_forms.TOLERANCE)}
-        theory = CellFunction({"": closed_forms.T_HIGH}, tuple(values))(values)[""]
-        problem.equations.append(ca.log(theory / t_high))
+        problem.equations.append(ca.log(CellFunction({"": closed_forms.T_HIGH}, tuple(values))(values)[""] / t_high))
         problem.know(np.array([[onset.log_variance + _OF_ONSET**2]]), t_high=clock)
 
 
-_VIBRATION = (E_star, rheometry.Omega, rheometry.r_T, SAG, SPAN, rheometry.k_g)
+_OF_VIBRATION = (E_star, rheometry.Omega, rheometry.r_T, SAG, SPAN, rheometry.k_g)
 
 
 def _first_modulus(ringing: Oscillation, features: Features, slimness: float) -> float:
-    """E/(rho g L) of the lowest frequency, on a grid: of all moduli with a mode at that frequency, the largest."""
+    """E/(rho g L) from the frequency alone, on a grid: the largest with a mode there, which is the lowest mode's."""
     sag, unit = ringing.sag / features.span, math.sqrt(features.span / features.gravity)
     layer = _boundary_layer(sag, slimness)
     at_rest = float(evaluate(rheometry.SAG_SHARE, {rheometry.r_T: layer})[0]) / (sag * (layer * slimness) ** 2)
     grid = np.geomspace(at_rest, 1e6 * at_rest, 1200)
-    values = (grid, math.hypot(ringing.frequency, ringing.decay) * unit, layer, sag, 1.0, slimness)
-    rows = {symbol: np.broadcast_to(value, grid.shape) for symbol, value in zip(_VIBRATION, values, strict=True)}
+    values = (math.hypot(ringing.frequency, ringing.decay) * unit, layer, sag, 1.0, slimness)
+    rows = dict(zip(_OF_VIBRATION, (grid, *(np.full_like(grid, value) for value in values)), strict=True))
     sign = np.sign(evaluate(rheometry.vibration(), rows))
     crossings = np.flatnonzero(sign[1:] != sign[:-1])
-    return float(grid[crossings[-1]] if len(crossings) else grid[0])
+    return float(grid[crossings[-1]] if crossings.size else grid[0])
 
 
 def _add_ringing(
-    problem: _Problem, V: ca.SX, first: float, ringing: Oscillation, features: Features, slimness: float
+    problem: _Problem, V: ca.SX, modulus: float, ringing: Oscillation, features: Features, slimness: float
 ) -> None:
     unit = math.sqrt(features.span / features.gravity)
-    sag, share = ringing.sag / features.span, ringing.amplitude(ringing.middle) / ringing.sag
-    layer, frequency = _boundary_layer(sag, slimness), ringing.frequency * unit
-    decay = max(ringing.decay * unit, 1e-3 * frequency)
-    start = {"E": first, "Omega": math.hypot(frequency, decay), "r": layer, "R": frequency, "d": decay, "H": sag}
-    E, Omega, r, R, d, H = problem.add(**{name: math.log(value) for name, value in start.items()})
-    values = dict(zip(_VIBRATION, (E, Omega, r, H, 1.0, slimness), strict=True))
-    cell = CellFunction(
-        {"vibration": rheometry.vibration(), "left": rheometry.LAYER.left, "right": rheometry.LAYER.right},
-        _VIBRATION,
-    )(values)
-    x = [problem.unknowns[name] for name in start]
-    slope = ca.gradient(cell["vibration"], ca.vertcat(*x))
-    size = float(np.linalg.norm(np.asarray(ca.Function("size", x, [slope])(*(problem.start[-6:])))))
-    # Of the stiffness Omega^2 the share p relaxes: s^2 + (1 - p) Omega^2 + p Omega^2 s/(s + 1/tau) = 0.
-    p = -2 * slope[0] / slope[1]
-    at_start = ca.Function("share", x, [p])(*problem.start[-6:])
-    elastic = float(np.clip(float(at_start), 0.02, 1.0))
-    soft = _SOFTENING * share**2 / (1 + ca.exp((p - _SOFT_BELOW) / _SOFT_WIDTH)) + _DEEP * H**2
-    small, rate = R / (1 - soft), E / V
+    sag, swing = ringing.sag / features.span, ringing.amplitude(ringing.middle) / ringing.sag
+    seen = {"R": ringing.frequency * unit, "d": max(ringing.decay, 1e-3 * ringing.frequency) * unit, "H": sag}
+    E, Omega, r, R, d, H = problem.add(
+        E=modulus, Omega=math.hypot(seen["R"], seen["d"]), r=_boundary_layer(sag, slimness), **seen
+    )
+    values = dict(zip(_OF_VIBRATION, (E, Omega, r, H, 1.0, slimness), strict=True))
+    stated = {"vibration": rheometry.vibration(), "left": rheometry.LAYER.left, "right": rheometry.LAYER.right}
+    theory = CellFunction(stated, _OF_VIBRATION)(values)
+    slopes = [ca.gradient(theory["vibration"], problem.unknowns[name]) for name in ("E", "Omega")]
+    # The elastic share p = d log Omega^2/d log E of the stiffness relaxes: imaginary and real part of
+    # s^2 + (1 - p) Omega^2 + p Omega^2 s/(s + 1/tau) are zero for s = -d + i R.
+    p, rate = -2 * slopes[0] / slopes[1], E / V
+    softer = _SOFTENING * swing**2 / (1 + ca.exp((p - _SOFT_BELOW) / _SOFT_WIDTH)) + _DEEP * H**2
+    small = R / (1 - softer)
     problem.equations += [
-        ca.log(cell["left"] / cell["right"]),
-        cell["vibration"] / size,
+        ca.log(theory["left"] / theory["right"]),
+        theory["vibration"] / np.linalg.norm(problem.at_start(ca.vertcat(*slopes))),
         (small**2 - 3 * d**2 + 2 * d * rate) / Omega**2 - 1,
         (3 * d * small**2 - d**3 + (d**2 - small**2) * rate) / Omega**2 - d + (1 - p) * rate,
     ]
-    softening = float(ca.Function("soft", x, [soft])(*problem.start[-6:]))
-    theory = np.diag([math.hypot(_OF_R, _UNSURE * softening), math.hypot(_OF_D, _OF_LARGE_D * share**2) / elastic**2, 0])
-    names = ["R", "d", "H"] if features.decay.value is not None else ["R", "H"]
-    used = [("R", "d", "H").index(name) for name in names]
-    covariance = (features.ringing_covariance + theory**2)[np.ix_(used, used)]
-    problem.know(covariance, **{name: math.log(start[name]) for name in names})
-    problem.know(np.array([[_UNKNOWN**2]]), E=math.log(first))
+    share, slower = problem.at_start(ca.vertcat(p, softer))
+    of_d = math.hypot(_OF_D, _OF_LARGE_D * swing**2) / float(np.clip(share, 0.02, 1.0)) ** 2
+    covariance = features.ringing_covariance + np.diag([_OF_R**2 + (_UNSURE * slower) ** 2, of_d**2, 0.0])
+    used = [k for k, name in enumerate(seen) if name != "d" or features.decay.value is not None]
+    problem.know(covariance[np.ix_(used, used)], **{name: seen[name] for k, name in enumerate(seen) if k in used})
+    problem.know(np.array([[_UNKNOWN**2]]), E=modulus)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from softcat_sym import drawing
+from softcat_sym.fitting.closed_form import ClosedForm
 from softcat_sym.fitting.features import Features
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.identifiability import (
@@ -121,13 +122,16 @@ class FittedFilm:
     is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
     # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
+    closed: ClosedForm | None  # Constants that they give, if the theory holds for the scene
     name: str  # File or number
 
     @classmethod
-    def of(cls, film: Filmed, model: Floats, unit: float, features: Features | None, name: str) -> FittedFilm:
+    def of(
+        cls, film: Filmed, model: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
+    ) -> FittedFilm:
         """Compare a film with the heights of its model; `unit` is the noise over the film's standard errors."""
         residuals = (model - film.data) / (unit * film.std)
-        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, name)
+        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, closed, name)
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """The film with some of its readings."""
@@ -340,7 +344,14 @@ class Fit(drawing.Drawable):
                 "autocorrelation": checks.autocorrelation,
                 "chi_square": None if checks.size is None else vars(checks.size),
             },
-            "features": [{"film": film.name, **_features_dict(film.features)} for film in self.films],
+            "features": [
+                {
+                    "film": film.name,
+                    **features_dict(film.features),
+                    "closed_form": None if film.closed is None else film.closed.to_dict(),
+                }
+                for film in self.films
+            ],
             "films": [
                 {"name": film.name, "path": None if one.path is None else str(one.path), "readings": film.time.size}
                 for film, one in zip(self.films, series, strict=True)
@@ -414,7 +425,8 @@ _OF_CAMERA = ("value", "std", "known_to")
 _OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
 
 
-def _features_dict(features: Features | None) -> dict[str, Any]:
+def features_dict(features: Features | None) -> dict[str, Any]:
+    """Entries of the features of a film in ``fit.json``."""
     readings = {} if features is None else {name: getattr(features, name) for name in FEATURES}
     return {
         "_".join(filter(None, (name, FEATURES[name][1]))): {"value": one.value, "std": one.error, "reason": one.reason}
