@@ -46,7 +46,10 @@ REFUSED = [
     ("shear_rate_s,shear_stress\n" + ROWS, "2 faults.*'s' is a time, not a shear rate.*no unit in its name"),
     (HEADER + ROWS.replace("20", "twenty"), "line 3, shear_stress_Pa: 'twenty' is not a number"),
     (HEADER + ROWS.replace("20", "").replace("40", "n/a"), r"2 of 4 rows without a positive number \(line 3, line 4\)"),
-    (HEADER + ROWS.replace("20", "-20").replace("40", "0"), r"2 of 4 rows without a positive number \(line 3, line 4\)"),
+    (
+        HEADER + ROWS.replace("20", "-20").replace("40", "0"),
+        r"2 of 4 rows without a positive number \(line 3, line 4\)",
+    ),
     (HEADER + ROWS.replace("20", "2e20"), "outside of the range of a rheometer"),
     (HEADER + ROWS.replace("1000,", "100.00000001,") + "1,15\n10,21\n", "3 distinct shear rates"),
 ]

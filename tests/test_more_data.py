@@ -157,7 +157,10 @@ FILM = "# camera.fps = 240\n# camera.pixel = 0.1 mm\n# camera.origin = 1000 200\
         ),
         ("time_s,vertical_force_N\n" + "".join(f"{k}e-1,0\n" for k in range(9)), "0 N at every time"),
         ("time_s,vertical_force_N\n0.1,0.06\n0.2,0.07\n", "2 distinct times; accepted: at least 5"),
-        ("time_s,x_m,y_m,vertical_force_N\n0.1,0,0,1\n", "points of whole shapes beside vertical_force; accepted: two files"),
+        (
+            "time_s,x_m,y_m,vertical_force_N\n0.1,0,0,1\n",
+            "points of whole shapes beside vertical_force; accepted: two files",
+        ),
     ],
 )
 def test_what_no_film_can_be_is_one_clear_refusal(text: str, words: str, tmp_path: Path) -> None:

@@ -334,7 +334,7 @@ def _fill(cells: Cells, lines: Lines, places: Sequence[int], after_blank: Contai
     if again:
         cells.said.append(f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})")
     if left:
-        cells.said.append(f"left out {counted(len(left), 'line')} that are no rows of it (line {listed(left)})")
+        cells.said.append(f"left out {counted(len(left), 'line')} outside of the table (line {listed(left)})")
     if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in cells.rows for cell in row):
         cells.said.append("read decimal commas")
 
