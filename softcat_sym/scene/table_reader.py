@@ -217,7 +217,7 @@ class Cells:
     def chosen(self, columns: Sequence[Column], needed: Iterable[str]) -> tuple[dict[str, Column], list[Fault]]:
         """One column that can be read for each quantity.
 
-        Faults are two of them for one, unknown units in brackets, and what is needed and not there.
+        Faults are two of them for one, none that can be read, unknown units in brackets, and what is needed and absent.
         """
         read, faults = dict[str, Column](), list[Fault | None]()
         for one in columns:
@@ -230,7 +230,7 @@ class Cells:
             if len(names) > 1:
                 what = f"{len(names)} columns for one quantity: {', '.join(names)}"
                 faults.append(Fault(f"line {self.line}", what, "one of them"))
-        for quantity in needed:
+        for quantity in dict.fromkeys((*needed, *(one.quantity for one in columns))):
             wrong = [one.fault for one in columns if one.quantity == quantity]
             faults += [] if quantity in read else wrong or [self.absent(quantity)]
         return read, [fault for fault in dict.fromkeys(faults) if fault] or self.no_rows()
