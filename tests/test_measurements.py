@@ -138,6 +138,8 @@ REFUSED = [
     ("time_m,midpoint_s\n" + ROWS, "'m' is a length, not a time.*'s' is a time, not a length"),
     ("time_s,midpoint_bananas\n" + ROWS, "unknown unit 'bananas'"),
     ("time_s,midpoint_m,sag [bananas]\n" + ROWS, r"column 'sag \[bananas\]': unknown unit 'bananas'"),
+    ("time_s,midpoint_m,midpoint_std_bananas\n" + ROWS, "unknown unit 'bananas'"),
+    ("time_s,midpoint_m,vertical_force_kg\n" + ROWS, "'kg' is a mass, not a force"),
     ("time_s,time_s,midpoint_m\n", "2 columns for one quantity: time_s, time_s"),
     ("time_s,midpoint_m,sag_mm\n", "2 columns for one quantity: midpoint_m, sag_mm"),
     ("time_s,midpoint_m,x_m,y_m\n", "points of whole shapes beside midpoint; accepted: two files"),

@@ -426,8 +426,8 @@ _KIND = "measurements"
 _ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
 _CLOCKS = ("time", "frame", "slice")
 _FORMS: tuple[tuple[str, ...], ...] = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
-_EXTRA = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std", "likelihood")
-_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_EXTRA)
+_STDS = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std")
+_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_STDS, "likelihood")
 
 
 def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
@@ -531,7 +531,9 @@ def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], list[
     whole = [form for form in _FORMS if {*form} <= read]
     needed = whole or [max(_FORMS, key=lambda form: len(named & {*form}))]
     quantities = (clock, *(one for form in needed for one in form))
-    chosen, faults = cells.chosen([one for one in columns if one.quantity in (*quantities, *_EXTRA)], quantities)
+    # A tracker may write further columns, in pixels.
+    unneeded = {"midpoint", "x", "y", *_CLOCKS} - {*quantities}
+    chosen, faults = cells.chosen([one for one in columns if one.quantity not in unneeded], quantities)
     if ("x", "y") in whole and len(whole) > 1:
         found = f"points of whole shapes beside {', '.join(name for form in whole if len(form) == 1 for name in form)}"
         faults.append(Fault(f"line {cells.line}", found, "two files for both"))

@@ -217,7 +217,7 @@ class Cells:
     def chosen(self, columns: Sequence[Column], needed: Iterable[str]) -> tuple[dict[str, Column], list[Fault]]:
         """One column that can be read for each quantity.
 
-        Faults are two of them for one, unknown units in brackets, and what is needed and not there.
+        Faults are two of them for one, none that can be read, unknown units in brackets, and what is needed and absent.
         """
         read, faults = dict[str, Column](), list[Fault | None]()
         for one in columns:
@@ -230,7 +230,7 @@ class Cells:
             if len(names) > 1:
                 what = f"{len(names)} columns for one quantity: {', '.join(names)}"
                 faults.append(Fault(f"line {self.line}", what, "one of them"))
-        for quantity in needed:
+        for quantity in dict.fromkeys((*needed, *(one.quantity for one in columns))):
             wrong = [one.fault for one in columns if one.quantity == quantity]
             faults += [] if quantity in read else wrong or [self.absent(quantity)]
         return read, [fault for fault in dict.fromkeys(faults) if fault] or self.no_rows()
@@ -334,7 +334,7 @@ def _fill(cells: Cells, lines: Lines, places: Sequence[int], after_blank: Contai
     if again:
         cells.said.append(f"joined {len(again) + 1} tables with the same header (again in line {listed(again)})")
     if left:
-        cells.said.append(f"left out {counted(len(left), 'line')} that are no rows of it (line {listed(left)})")
+        cells.said.append(f"left out {counted(len(left), 'line')} outside of the table (line {listed(left)})")
     if any(_DECIMAL_COMMA.fullmatch(cell) for _, row in cells.rows for cell in row):
         cells.said.append("read decimal commas")
 

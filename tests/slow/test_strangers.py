@@ -37,7 +37,7 @@ from softcat_sym.effects.free_vibration import first_vibration, ringing
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.discrepancy import discrepancy
-from softcat_sym.fitting.measurements import Measurements, read_measurements
+from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
 from softcat_sym.plotting.terminal import answer_rows, print_summary
 from softcat_sym.results.observed import DISPLACEMENT, OWN
@@ -51,7 +51,7 @@ from tests.common.table import rows_of
 from tests.common.tiny_disk import files_in, tiny_disk
 from tests.common.true_error import true_errors
 from tests.test_breaking import cantilever
-from tests.test_table_reader import FILMS, FLOW_CURVES
+from tests.test_table_reader import FILMS, FLOW_CURVES, NOTES, as_written, film_is_read
 
 pytestmark = pytest.mark.slow
 
@@ -154,24 +154,17 @@ MAKERS = ("RheoCompass", "TRIOS", "units in a row", "only a viscosity", "below t
 
 @pytest.mark.parametrize("maker", MAKERS)
 def test_a_rheometers_own_file_is_fitted(says: Says, softcat: Softcat, maker: str, tmp_path: Path) -> None:
-    text, encoding, note = FLOW_CURVES[maker]
-    (tmp_path / "curve.txt").write_bytes(text.encode(encoding))
-    done = softcat("flow-curve", str(tmp_path / "curve.txt"), "-o", str(tmp_path / "out"))
-    told = " ".join(done.out.split())
-    assert done.status == 0 and note in told
+    path = as_written(maker, FLOW_CURVES[maker], tmp_path)
+    done = softcat("flow-curve", str(path), "-o", str(tmp_path / "out"))
+    assert done.status == 0 and NOTES[maker] in " ".join(done.out.split())
     assert json.loads((tmp_path / "out" / "flow_curve.json").read_text())["shear_rate_1_s"] == [1.0, 1000.0]
-    says("A3", f"flow-curve refuses {maker} ({encoding})", note or "read")
+    says("A3", f"flow-curve refuses {maker}", NOTES[maker])
 
 
 def test_films_of_trackers_are_read(says: Says, tmp_path: Path) -> None:
-    off = dict[str, float]()
-    for maker, (text, encoding, expected) in FILMS.items():
-        (tmp_path / "film.csv").write_bytes(text.encode(encoding))
-        shapes = read_measurements(tmp_path / "film.csv").series[0].shapes
-        assert shapes is not None
-        off[maker] = float(np.abs(np.column_stack([shapes.time, shapes.x, shapes.y]) - expected).max())
+    off = {maker: film_is_read(maker, tmp_path) for maker in FILMS}
     assert max(off.values()) < 1e-7
-    says("A3", "films of ImageJ by slices one frame late, others refused", f"to 0.1 um and us: {', '.join(off)}")
+    says("A3", "films of ImageJ by slices one frame late, others refused", f"to 0.1 um: {'; '.join(off)}")
 
 
 # --- B1: the regime does not depend on the frames
