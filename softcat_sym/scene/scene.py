@@ -19,7 +19,7 @@ from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
+from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
 from softcat_sym.scene.toml import Override, apply, toml_of
 from softcat_sym.scene.units import fault_of, in_si, shown
 
@@ -383,7 +383,7 @@ class Scene(Tables):
     @property
     def notes(self) -> tuple[str, ...]:
         """What was converted from other names or data, in all tables."""
-        return tuple(note for part in (self.filament, self.material) for note in part.notes)
+        return (*self.filament.notes, *self.material.notes, *filter(None, [frozen_note(self)]))
 
     def named_constants(self) -> dict[str, Parameter]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
