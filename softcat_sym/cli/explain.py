@@ -40,7 +40,10 @@ def explain(
         asked = cli.scene_of(scene, changes)
     else:
         asked, output = cli.scene_and_directory(scene, changes, output, "explain")
+    from rich.console import Console
+
     from softcat_sym.files import write_results
+    from softcat_sym.plotting.terminal import print_rows
     from softcat_sym.studies.explanation import explain as explained
 
     explanation = explained(asked)
@@ -52,6 +55,8 @@ def explain(
     written = [] if output is None else write_results(output, contents)
     if not quiet:
         print_explanation(explanation, verbose=verbose)
+        assumed = [("assumed", asked.material.assumed)] if asked.material.assumed else []
+        print_rows([*(("converted", note) for note in asked.notes), *assumed], Console())
         if output is not None:
             cli.print_written(written, output)
 

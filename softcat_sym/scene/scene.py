@@ -11,6 +11,7 @@ from typing import Any
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
 
+from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
@@ -453,9 +454,7 @@ class Scene(Tables):
         return Scene.model_validate(table)
 
     def _repr_html_(self) -> str:
-        from html import escape  # notebooks only
-
-        return f"<pre>{escape(self.to_toml())}</pre>"
+        return html(self.to_toml())
 
     def to_toml(self) -> str:
         """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""

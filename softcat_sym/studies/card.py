@@ -35,7 +35,7 @@ from softcat_sym.studies.card_rules import (
 from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 _GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
 _MATERIAL = {
@@ -250,6 +250,7 @@ def card(
     progress: Progress | None = None,
     span: bool = True,
     notes: tuple[str, ...] = (),
+    changes: Changes = (),
 ) -> Card:
     """Make the sag card of a filament.
 
@@ -270,6 +271,8 @@ def card(
         Receiver of progress reports; each run begins a stage.
     span : bool
         Whether to search the longest span, which takes a large part of the time.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Raises
     ------
@@ -280,7 +283,7 @@ def card(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene, progress = as_scene(scene), progress or Silence()
+    scene, progress = as_scene(scene, changes), progress or Silence()
     limit = LIMIT if sag is None else sag
     try:
         read_limit(limit)
@@ -302,7 +305,7 @@ def card(
             variants = Variants(run, progress)
             rules = tuple(blamed(rule, field, variants) for rule, field in zip(rules, RULES, strict=True))
     certificate = None if descent is None else certificate_of(run, descent)
-    texts = (*notes, *scene.notes)
+    texts = (*notes, *scene.notes, *filter(None, [scene.material.assumed]))
     return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, surface, texts)
 
 
