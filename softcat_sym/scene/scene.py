@@ -21,7 +21,7 @@ from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
-from softcat_sym.scene.toml import Override, apply, toml_of
+from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
 
 _ROUNDING = 1e-12
@@ -452,6 +452,19 @@ class Scene(Tables):
         if faults:
             raise SceneError(faults)
         return Scene.model_validate(table)
+
+    def differences(self, other: Scene) -> dict[str, tuple[str, str]]:
+        """Values of this scene and of another one, as in a file, by the paths of those that differ."""
+        found = dict[str, tuple[str, str]]()
+        for table in parts_of_scene():
+            one, two = getattr(self, table), getattr(other, table)
+            kinds, values = one.kinds(), two.physics()
+            for name, value in one.physics().items():
+                if value != values[name] and name in kinds:
+                    pair = (value, values[name])
+                    before, now = ("none" if each is None else toml_value(kinds[name].write(each)) for each in pair)
+                    found[f"{table}.{name}"] = (before, now)
+        return found
 
     def _repr_html_(self) -> str:
         return html(self.to_toml())
