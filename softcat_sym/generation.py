@@ -40,7 +40,7 @@ from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
     from softcat_sym.solvers.solution import Progress
 
 COMMAND = "softcat generate scene.toml -o ."
@@ -52,6 +52,8 @@ def generate(
     rhs: bool = False,
     name: str = "filament",
     progress: Progress | None = None,
+    *,
+    changes: Changes = (),
 ) -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
 
@@ -72,6 +74,8 @@ def generate(
         Name of the C file, and part of every name that it exports: two filaments in one program need two names.
     progress : Progress, optional
         Told of the run, as by :func:`softcat_sym.simulate`.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -87,7 +91,7 @@ def generate(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    contents = contents_of(as_scene(scene), check_name(name), rhs=rhs, progress=progress)
+    contents = contents_of(as_scene(scene, changes), check_name(name), rhs=rhs, progress=progress)
     return write_results(directory, contents)
 
 

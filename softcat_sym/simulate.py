@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from softcat_sym.results.run import Run
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
 
@@ -17,7 +17,7 @@ _SOMETHING = 2
 """Frames from which an interrupted run shows something."""
 
 
-def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
+def simulate(scene: SceneLike, changes: Changes = (), *, progress: Progress | None = None) -> Run:
     """Run a filament.
 
     Where the program chooses the effects, it checks on the finished run whether an effect that was left out mattered;
@@ -29,6 +29,8 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     ----------
     scene : Scene, str, path or dict
         The scene, the name of a bundled one, the path of a TOML file, or nested tables as a file holds them.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
     progress : Progress, optional
         Told which stage begins, and the simulated time while an integration runs.
 
@@ -58,7 +60,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     def warn(text: str) -> None:
         warnings.warn(text, SoftcatWarning, stacklevel=3)
 
-    run = simulated(as_scene(scene), progress, warn)
+    run = simulated(as_scene(scene, changes), progress, warn)
     for text in run.summary["warnings"]:
         warnings.warn(text, SoftcatWarning, stacklevel=2)
     return run

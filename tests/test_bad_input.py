@@ -23,6 +23,7 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),
     ({"filaments": {}}, "filaments", "unknown key (did you mean 'filament'?)"),
     ({"material.density": "1 kg/m^3"}, "material.density", "did you mean 'filament.density'?"),
+    ({"material.temperature": "3 K"}, "material.temperature", "table [temperature]?); accepted: temperature.initial, "),
     ({"filament.zzzz": 1}, "filament.zzzz", "unknown key; accepted: span, "),
     ({"duration": "2 s"}, "duration", "did you mean 'run.duration'?"),
     ({"material.law": "Bingham"}, "material.law", "accepted: elastic, maxwell, newtonian, kelvin-voigt, standard"),

@@ -55,6 +55,9 @@ def explain(
     written = [] if output is None else files.write_results(output, contents)
     if not quiet:
         print_explanation(explanation, verbose=verbose)
+        assumed = [("assumed", asked.material.assumed)] if asked.material.assumed else []
+        rows = [*(("converted", note) for note in asked.notes), *assumed]
+        terminal.print_rows(rows, rich_console.Console())
         if output is not None:
             cli.print_written(written, output)
 

@@ -49,7 +49,7 @@ from softcat_sym.fitting.result import (
     fitted_parameter,
 )
 from softcat_sym.interrupts import TimeLimitError, until
-from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
@@ -159,6 +159,7 @@ def fit(
     flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
     priors: Mapping[str, str] | None = None,
     progress: Progress | None = None,
+    changes: Changes = (),
 ) -> Fit:
     """Fit parameters of a scene to films of its falling filament, by weighted least squares of the midpoint.
 
@@ -202,6 +203,8 @@ def fit(
     priors : mapping of str to str, optional
         For a posterior drawn afterwards (:func:`softcat_sym.fitting.posterior.posterior_of`), which has them from the
         fit. The fit itself is without priors, but refuses what is no prior before it begins.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -217,7 +220,7 @@ def fit(
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
     if time_limit is not None and not time_limit > 0:
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
-    scene = as_scene(scene)
+    scene = as_scene(scene, changes)
     films = taken(measurements, scene)
     options: FitOptions = {
         "bounds": bounds,

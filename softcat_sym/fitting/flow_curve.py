@@ -15,6 +15,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize_scalar
 
+from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
@@ -383,7 +384,7 @@ _POOR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
-class FlowCurveFit:
+class FlowCurveFit(Drawable):
     """Fits of all laws to a flow curve.
 
     Attributes
@@ -396,6 +397,13 @@ class FlowCurveFit:
 
     curve: FlowCurve
     candidates: tuple[Candidate, ...]
+
+    def __repr__(self) -> str:
+        laws = [f"{one.law}, {100 * one.relative_rms:.2g} % rms" for one in self.candidates]
+        points = counted(len(self.curve.shear_rate), "point")
+        return "\n  ".join(
+            [f"FlowCurveFit of {points}, the best law first", *laws, ".candidates, .overrides(), .plot()"]
+        )
 
     def to_dict(self, law: str | None = None) -> dict[str, Any]:
         """Content of ``flow_curve.json``, with the law that is handed on to a scene."""

@@ -318,7 +318,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
-        "assumed": [surface_note(scene)] if effects.terms().surface_tension else [],
+        "assumed": [
+            *filter(None, [scene.material.assumed]),
+            *([surface_note(scene)] if effects.terms().surface_tension else []),
+        ],
         "warnings": warnings,
         "wall_s": wall,
     }

@@ -40,7 +40,7 @@ from softcat_sym.studies.card_rules import (
 from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 _GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
 _MATERIAL = {
@@ -267,6 +267,7 @@ def card(
     span: bool = True,
     notes: tuple[str, ...] = (),
     hear: Callable[[Card], None] = lambda _: None,
+    changes: Changes = (),
 ) -> Card:
     """Make the sag card of a filament.
 
@@ -289,6 +290,8 @@ def card(
         Whether to search the longest span, which takes a large part of the time.
     hear : callable
         Given the card as far as it is, whenever more of it is known: first with the run and all that the rules predict.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Raises
     ------
@@ -299,7 +302,7 @@ def card(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene, progress = as_scene(scene), progress or Silence()
+    scene, progress = as_scene(scene, changes), progress or Silence()
     limit = LIMIT if sag is None else sag
     check_limit(limit)
     progress.stage("the filament itself")
@@ -314,7 +317,8 @@ def card(
     failing = [number for number, rule in enumerate(rules) if rule.fails and run.outcome.is_success]
     parts = {SPAN: span, SURFACE: moves and pull_of_surface(scene) > 0, CAUSES: failing}
     certificate = None if descent is None else certificate_of(run, descent)
-    pending, texts = tuple(part for part, asked in parts.items() if asked), (*notes, *scene.notes)
+    pending = tuple(part for part, asked in parts.items() if asked)
+    texts = (*notes, *scene.notes, *filter(None, [scene.material.assumed]))
     found = Card(name, scene, run, descent, certificate, rules, str(limit), *unsought, None, texts, pending)
     hear(found)
     if span:
