@@ -11,13 +11,11 @@ from softcat_sym.simulate import recalled
 from softcat_sym.web.description import describe_page
 from softcat_sym.web.module import find_wasm_compiler, wasm_module
 from softcat_sym.web.page import page_of
-from tests.common.browser import CHROMIUM
 from tests.common.javascript import solved_in_node
 from tests.common.table import show
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(not CHROMIUM, reason="needs Chromium, such as Debian's package chromium"),
     pytest.mark.skipif(find_wasm_compiler() is None, reason="needs a compiler for WebAssembly: the package ziglang"),
 ]
 
