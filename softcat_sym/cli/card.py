@@ -12,11 +12,6 @@ from softcat_sym.cli import application as cli
 from softcat_sym.errors import SceneError, SoftcatError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from rich.console import RenderableType
-
-    from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
     from softcat_sym.studies.card import Card
 
@@ -85,6 +80,7 @@ def card(
         given = ", ".join(f"--{name}" for name in flags)
         text = f"a scene and {given}: change the scene with --set, or leave it out"
         raise typer.BadParameter(text, param_hint="SCENE")
+    from softcat_sym.plotting.card import CardPrinter
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.card import LIMIT, check_limit, scene_from_flags
     from softcat_sym.studies.card import card as make_card
@@ -99,18 +95,18 @@ def card(
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
-    command, lines = shlex.join([*words, "-o", "DIR"]), _Lines(quiet=quiet)
+    command, printer = shlex.join([*words, "-o", "DIR"]), CardPrinter(quiet=quiet)
     check_limit(LIMIT if sag is None else sag)
-    lines.foresee(asked)
+    printer.foresee(asked)
     with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         try:
             found = make_card(
-                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=lines.hear
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=printer.hear
             )
         except KeyboardInterrupt:
-            if lines.card is None:
+            if printer.card is None:
                 raise
-            drawing.report(lines.card, command=command).write(output)
+            drawing.report(printer.card, command=command).write(output)
             left = f"what was computed is in {output}, marked as incomplete; the same command goes on from there"
             raise cli.interrupted(left) from None
         progress.stage("drawing")
@@ -124,73 +120,6 @@ def card(
         cli.print_written(written, output)
         typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
-
-
-class _Lines:
-    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
-
-    def __init__(self, *, quiet: bool) -> None:
-        self.card: Card | None = None  # As far as it is
-        self._quiet, self._printed = quiet, set[str]()
-
-    def foresee(self, scene: Scene) -> None:
-        """Print the scene's title, and what can be said before anything is integrated."""
-        if self._quiet:
-            return
-        from rich.text import Text
-
-        from softcat_sym.plotting.card import row_of
-
-        self._print(Text(scene.title or "Filament", style="bold"))
-        for label, text in _foreseen(scene):
-            self._print(row_of(label, text))
-
-    def hear(self, card: Card) -> None:
-        """Take note of what is known by now."""
-        self.card = card
-        if self._quiet:
-            return
-        from softcat_sym.plotting.card import lines
-
-        for words, line in lines(card).items():
-            if words not in self._printed:
-                self._printed.add(words)
-                self._print(line)
-
-    def _print(self, line: RenderableType) -> None:
-        from rich.console import Console
-
-        console = Console()
-        with console.capture() as shown:
-            console.print(line, markup=False, highlight=False)
-        # By way of sys.stdout, which bars on the same terminal replace.
-        typer.echo(shown.get(), nl=False)
-
-
-def _foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Regime, sag, where it stops, and closed forms of the elastic sag."""
-    from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.effects.expected_regime import expected_regime
-    from softcat_sym.effects.forecast import expected_sag
-    from softcat_sym.plotting.units import length_unit, regime_words, significant
-    from softcat_sym.solvers.run_cost import run_cost
-    from softcat_sym.studies.card_rules import elastic_sags
-
-    effects, span = choose_effects(scene), scene.filament.span
-    regime, sag = expected_regime(scene, effects.names), expected_sag(scene)
-
-    def length(value: float) -> str:
-        return length_unit(value, span).text(value)
-
-    yield "expected", ", ".join(filter(None, [regime_words(regime.name), regime.near]))
-    yield "because", regime.reason
-    yield "expected sag", f"about {significant(100 * sag)} % of the span, {length(sag * span)}"
-    if regime.stopping_depth_exact is not None:
-        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
-    if sags := elastic_sags(scene):
-        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
-    if cost := run_cost(scene, effects).text:
-        yield "cost of a run", cost
 
 
 def _live_page(found: Card, progress: Progress) -> tuple[str, str]:
