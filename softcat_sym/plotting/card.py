@@ -173,9 +173,7 @@ _LABEL, _RULE, _NUMBER = 18, 24, 9
 
 def row_of(label: str, text: str, style: str = "") -> Table:
     """A row for a terminal."""
-    return text_table(
-        ("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), box=None, padding=(0, 1, 0, 0)
-    )
+    return text_table(("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), **_BARE)
 
 
 def lines(card: Card) -> dict[str, RenderableType]:

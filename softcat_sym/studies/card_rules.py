@@ -441,7 +441,7 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
     First the solver runs without any effect that the rule neglects: there the two must agree. Then each effect is put
     back alone; an effect that makes the two differ explains the error, and the difference is reported.
     """
-    if not rule.fails:
+    if rule.error is None or not rule.fails:
         return replace(rule, text="holds") if rule.holds else rule
 
     def error_without(causes: frozenset[str]) -> float | None:
