@@ -13,22 +13,12 @@ from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SceneError, SoftcatError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from rich.console import RenderableType
-
-    from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
 
 with lazy_imports():
-    from rich import console, text
-
-    from softcat_sym.effects import choosing, expected_regime, forecast
     from softcat_sym.plotting import card as drawn
-    from softcat_sym.plotting import terminal, units
-    from softcat_sym.solvers import run_cost
+    from softcat_sym.plotting import terminal
     from softcat_sym.studies import card as study
-    from softcat_sym.studies import card_rules
     from softcat_sym.web import module, page
 
 
@@ -106,18 +96,18 @@ def card(
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
-    command, lines = shlex.join([*words, "-o", "DIR"]), _Lines(quiet=quiet)
+    command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
     study.check_limit(study.LIMIT if sag is None else sag)
-    lines.foresee(asked)
+    printer.foresee(asked)
     with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         try:
             found = study.card(
-                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=lines.hear
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=printer.hear
             )
         except KeyboardInterrupt:
-            if lines.card is None:
+            if printer.card is None:
                 raise
-            drawing.report(lines.card, command=command).write(output)
+            drawing.report(printer.card, command=command).write(output)
             left = f"what was computed is in {output}, marked as incomplete; the same command goes on from there"
             raise cli.interrupted(left) from None
         progress.stage("drawing")
@@ -131,58 +121,6 @@ def card(
         cli.print_written(written, output)
         typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
-
-
-class _Lines:
-    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
-
-    def __init__(self, *, quiet: bool) -> None:
-        self.card: study.Card | None = None  # As far as it is
-        self._quiet, self._printed = quiet, set[str]()
-
-    def foresee(self, scene: Scene) -> None:
-        """Print the scene's title, and what can be said before anything is integrated."""
-        if self._quiet:
-            return
-        self._print(text.Text(scene.title or "Filament", style="bold"))
-        for label, words in _foreseen(scene):
-            self._print(drawn.row_of(label, words))
-
-    def hear(self, card: study.Card) -> None:
-        """Take note of what is known by now."""
-        self.card = card
-        if self._quiet:
-            return
-        for words, line in drawn.lines(card).items():
-            if words not in self._printed:
-                self._printed.add(words)
-                self._print(line)
-
-    def _print(self, line: RenderableType) -> None:
-        screen = console.Console()
-        with screen.capture() as shown:
-            screen.print(line, markup=False, highlight=False)
-        # By way of sys.stdout, which bars on the same terminal replace.
-        typer.echo(shown.get(), nl=False)
-
-
-def _foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
-    """Regime, sag, where it stops, and closed forms of the elastic sag."""
-    effects, span = choosing.choose_effects(scene), scene.filament.span
-    regime, sag = expected_regime.expected_regime(scene, effects.names), forecast.expected_sag(scene)
-
-    def length(value: float) -> str:
-        return units.length_unit(value, span).text(value)
-
-    yield "expected", ", ".join(filter(None, [units.regime_words(regime.name), regime.near]))
-    yield "because", regime.reason
-    yield "expected sag", f"about {units.significant(100 * sag)} % of the span, {length(sag * span)}"
-    if regime.stopping_depth_exact is not None:
-        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
-    if sags := card_rules.elastic_sags(scene):
-        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
-    if cost := run_cost.run_cost(scene, effects).text:
-        yield "cost of a run", cost
 
 
 def _live_page(found: study.Card, progress: Progress) -> tuple[str, str]:

@@ -422,8 +422,9 @@ def _closed_in(
     def at(x: float) -> Sag:
         return sag_of_run(with_span(scene, math.exp(x)), at_end=at_end)
 
-    count = math.ceil(math.log(bounds[1] / bounds[0]) / math.log(_RATIO)) + 1
-    logs = np.linspace(*np.log(bounds), max(count, _FEWEST)).tolist()
+    low, high = map(math.log, bounds)
+    count = math.ceil((high - low) / math.log(_RATIO)) + 1
+    logs = np.linspace(low, high, max(count, _FEWEST)).tolist()
     spans, scanned = [math.exp(x) for x in logs], list[Sag]()
     for x, span in zip(logs, spans, strict=True):
         progress.doing(f"sag of a span of {span:.3g} m")

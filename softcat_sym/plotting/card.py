@@ -9,17 +9,22 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import cycle
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+from rich.console import Console, RenderableType
+from rich.table import Table
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
@@ -36,14 +41,12 @@ from softcat_sym.plotting.section import (
 )
 from softcat_sym.plotting.style import headed, png, printable
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
+from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run_cost import run_cost
 from softcat_sym.studies.card import CAUSES, SPAN, Card
-from softcat_sym.studies.card_rules import Rule, percent, smay_modulus_needed, unusual
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-    from rich.table import Table
+from softcat_sym.studies.card_rules import Rule, elastic_sags, percent, smay_modulus_needed, unusual
 
 RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)
@@ -181,9 +184,7 @@ _LABEL, _RULE, _NUMBER = 18, 24, 9
 
 def row_of(label: str, text: str, style: str = "") -> Table:
     """A row for a terminal."""
-    return text_table(
-        ("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), box=None, padding=(0, 1, 0, 0)
-    )
+    return text_table(("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), **_BARE)
 
 
 def lines(card: Card) -> dict[str, RenderableType]:
@@ -207,6 +208,54 @@ def lines(card: Card) -> dict[str, RenderableType]:
         listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
         found[why] = Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim")
     return found
+
+
+def foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Regime, sag, where it stops, and closed forms of the elastic sag: all that needs no run."""
+    effects, span = choose_effects(scene), scene.filament.span
+    regime, sag = expected_regime(scene, effects.names), expected_sag(scene)
+
+    def length(value: float) -> str:
+        return length_unit(value, span).text(value)
+
+    yield "expected", ", ".join(filter(None, [regime_words(regime.name), regime.near]))
+    yield "because", regime.reason
+    yield "expected sag", f"about {significant(100 * sag)} % of the span, {length(sag * span)}"
+    if regime.stopping_depth_exact is not None:
+        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
+    if sags := elastic_sags(scene):
+        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
+    if cost := run_cost(scene, effects).text:
+        yield "cost of a run", cost
+
+
+class CardPrinter:
+    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self.card: Card | None = None  # As far as it is
+        self._quiet, self._printed = quiet, set[str]()
+
+    def foresee(self, scene: Scene) -> None:
+        """Print the scene's title, and what can be said before anything is integrated."""
+        if not self._quiet:
+            self._print(Text(scene.title or "Filament", style="bold"), *(row_of(*row) for row in foreseen(scene)))
+
+    def hear(self, card: Card) -> None:
+        """Take note of what is known by now."""
+        self.card, known = card, lines(card)
+        if not self._quiet:
+            self._print(*(line for words, line in known.items() if words not in self._printed))
+        self._printed |= known.keys()
+
+    @staticmethod
+    def _print(*found: RenderableType) -> None:
+        console = Console()
+        for line in found:
+            with console.capture() as shown:
+                console.print(line, markup=False, highlight=False)
+            # By way of print, as bars on the same terminal replace its stream.
+            print(shown.get(), end="", flush=True)
 
 
 LIVE = "live.html"

@@ -358,7 +358,10 @@ def smay_modulus_needed(scene: Scene) -> float:
     return _value(closed_forms.smay_modulus(), scene)
 
 
-_STIFFER, _EQUILIBRIA = 100.0, 11
+_STIFFER = 100.0
+
+_EQUILIBRIA = 101
+"""Frames of a row of equilibria: enough for its energy balance, which is what more of them would change."""
 
 _NEEDS = {"shear": "stretching"}
 """Causes that cannot act without another, whose own part is divided out: a beam with shear also stretches."""
@@ -422,7 +425,6 @@ class Variants:
                 changes["load.ramp"] = f"{max(scene.load.ramp, scene.run.duration / 2)!r} s"
         scene = with_effects(scene, ordered(effects))
         if not terms_of(scene, effects).integrates:
-            # A row of equilibria, whose last one is no better for those on the way.
             changes["run.frames"] = min(scene.run.frames, _EQUILIBRIA)
         if scene.numerics.cells is None:
             changes["numerics.cells"] = (self._run.summary.get("resolution") or {}).get("cells")
@@ -439,7 +441,7 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
     First the solver runs without any effect that the rule neglects: there the two must agree. Then each effect is put
     back alone; an effect that makes the two differ explains the error, and the difference is reported.
     """
-    if not rule.fails:
+    if rule.error is None or not rule.fails:
         return replace(rule, text="holds") if rule.holds else rule
 
     def error_without(causes: frozenset[str]) -> float | None:

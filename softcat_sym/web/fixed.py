@@ -282,6 +282,7 @@ def interpolated(
 
     few = list(random_points(base, ranges, 3, seed=1))
     along = _SCALINGS @ np.array([dimensions[key] for key in keys]).T
+    along = along[np.any(along, axis=1)]
     powers = np.array([scaled(one) for one in along])
     along, powers = along[np.isfinite(powers)], powers[np.isfinite(powers)]
     exponents = np.linalg.lstsq(along, powers, rcond=None)[0]

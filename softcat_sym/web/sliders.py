@@ -306,7 +306,10 @@ def _interpolating(base: Fixed, sliders: Sliders) -> Sliders:
     if ESTIMATED not in base.parameters or not sliders.lost(base, [ESTIMATED]):
         return sliders
     dimensions = {one.key: COMMON[one.written][1] if one.written in COMMON else PURE for one in sliders.each}
-    found = interpolated(base, ESTIMATED, ranges, dimensions)
+    try:
+        found = interpolated(base, ESTIMATED, ranges, dimensions)
+    except SceneError:
+        found = None  # Somewhere in the ranges there is no stable shape, and no frequency.
     if found is None:
         return sliders
     powers, interpolation = found

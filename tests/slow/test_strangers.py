@@ -43,13 +43,17 @@ from softcat_sym.plotting.terminal import answer_rows, print_summary
 from softcat_sym.results.observed import DISPLACEMENT, OWN
 from softcat_sym.studies.card_rules import descent_of
 from softcat_sym.studies.explanation import explain
+from softcat_sym.web.description import describe_page
+from softcat_sym.web.module import find_wasm_compiler, wasm_module
 from tests.common.compilers import ANSWER, COMPILE
 from tests.common.filmed import film, scene
 from tests.common.held_straight import BY_LAW, IN_THREE_DIMENSIONS, by_bulk, by_section
 from tests.common.in_process import Softcat, sets
+from tests.common.javascript import solved_in_node
 from tests.common.table import rows_of
 from tests.common.tiny_disk import files_in, tiny_disk
 from tests.common.true_error import true_errors
+from tests.slow.test_web_model import simulated_with
 from tests.test_breaking import cantilever
 from tests.test_table_reader import FILMS, FLOW_CURVES, NOTES, as_written, film_is_read
 
@@ -762,3 +766,75 @@ def test_on_a_full_disk_every_writer_says_so_and_leaves_nothing(says: Says, soft
                 assert done.stderr.count("\n") == 1 and not list(disk.iterdir())
     says("D3", "segmentation fault of sweep on a disk of 64 kB", "status 2: No space left on device (DIR); DIR is gone")
     says("D3", "films and VTK", "the same")
+
+
+# --- What a newcomer expects: the live page of README's scene, and the card
+
+
+def test_the_live_page_of_the_readme_has_its_sliders(says: Says, tmp_path: Path) -> None:
+    """A slider that is moved gives the midpoint of the scene with that change, though its loss is interpolated."""
+    if find_wasm_compiler() is None:
+        pytest.skip("no compiler for WebAssembly")
+    ink = sc.Scene.model_validate(tomllib.loads(INK)).replace({"run.frames": 201})
+    page, module, rows = describe_page(ink), tmp_path / "page.wasm", list[str]()
+    module.write_bytes(wasm_module(page.described))
+    own = page.data["scenes"][0]["keys"]
+    moved = {"filament.span": 1.3, "filament.thickness": 0.7, "filament.density": 1.6}
+    assert moved.keys() <= own.keys()
+    states = [{"scene": 0, "values": {**own, key: own[key] * by}} for key, by in moved.items()]
+    for state, found, key in zip(states, solved_in_node(page.data, module, states, ()), moved, strict=True):
+        run = simulated_with(page, ink, state["values"])
+        sag, apart = np.abs(run.fields["midpoint"]).max(), np.abs(found["midpoint"] - run.fields["midpoint"]).max()
+        assert (found["verdict"]["outcome"], found["verdict"]["regime"]) == ("solved", run.summary["regime"])
+        assert apart < ink.run.accuracy * sag
+        rows.append(f"{key.partition('.')[2]} {apart / sag:.0e}")
+    says(
+        "newcomer C3", "sliders for span, diameter and density vanish", f"midpoint off by {', '.join(rows)} of the sag"
+    )
+
+
+FIRST = """
+import sys, time
+from softcat_sym.cli import main
+
+begun, write = time.process_time(), sys.stdout.write
+
+def heard(text):
+    sys.stdout.write = write
+    print("heard after", time.process_time() - begun, file=sys.stderr)
+    return write(text)
+
+sys.argv[0], sys.stdout.write = "softcat", heard
+main()
+"""
+"""Tells what passes from the start of the program to the first that it prints."""
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_a_card_says_at_once_what_it_can(says: Says, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With an empty cache: what is foreseen within two seconds of the processor, and all in less than before."""
+    (tmp_path / "my-ink.toml").write_text(INK, encoding="utf-8")
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("SOFTCAT_WASM_CC", "none")
+    words = ["card", str(tmp_path / "my-ink.toml"), "-o", str(tmp_path)]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([sys.executable, "-c", FIRST, *words], capture_output=True, text=True, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    first = float(re.search(r"heard after (\S+)", done.stderr)[1])  # type: ignore[index]
+    told = [
+        "expected",
+        "expected sag",
+        "elastic sags",
+        "regime",
+        "final sag",
+        "longest span",
+        "surface tension",
+        "rule",
+    ]
+    labels = [line.split("  ")[0].strip() for line in done.stdout.splitlines()]
+    assert [label for label in labels if label in told] == told
+    assert first < 2 and spent < 53
+    says(
+        "newcomer C7", "card: 53 s of the processor, then all", f"foreseen after {first:.1f} s, all after {spent:.0f} s"
+    )
