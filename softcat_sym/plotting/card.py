@@ -276,18 +276,20 @@ def predictions(card: Card) -> list[tuple[str, float]]:
     Rules that as good as agree are named together.
     """
     rules = [
-        (rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
+        (rule.name, rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
         for rule in card.rules
         if rule.unit == "m" and rule.predicted is not None
     ]
     if card.surface is not None and card.surface.sag_without is not None:
-        rules.append(("no surface tension", card.surface.sag_without))
+        rules.append(("", "no surface tension", card.surface.sag_without))
     found: list[tuple[str, float]] = []
-    for name, depth in sorted(rules, key=lambda pair: pair[1]):
+    last = ""
+    for name, label, depth in sorted(rules, key=lambda rule: rule[2]):
         if found and abs(depth - found[-1][1]) < _AGREE * abs(depth):
-            found[-1] = f"{found[-1][0]},\n{name}", found[-1][1]
+            found[-1] = f"{found[-1][0]}, {label.removeprefix(f'{last}, ')}", found[-1][1]
         else:
-            found.append((name, depth))
+            found.append((label, depth))
+        last = name
     return found
 
 
