@@ -769,7 +769,7 @@ def test_pictures_against_time_show_the_part_in_which_something_happens(says: Sa
         assert 0.4 < (fallen - left) / (right - left) < 0.8, name
         assert axes.get_xscale() == "asinh" and not labels_without_a_mark(figures[name])
     label = figures["midpoint"].axes[0].get_xlabel()
-    says("P1", "it arrests within 3 s of 60: a twentieth of the time axis", f"'{label}': half of it")
+    says("C8", "it arrests within 3 s of 60: a twentieth of the time axis", f"'{label}': half of it")
     assert sc.simulate("no-yield").plot().axes[0].get_xscale() == "linear"
 
 
@@ -784,7 +784,7 @@ def test_ringing_is_no_polygon(says: Says) -> None:
     dense = {name.removeprefix("dense_"): values for name, values in run.fields.items() if name.startswith("dense_")}
     imbalance, largest = energy_imbalance(dense)
     assert np.abs(imbalance).max() < 1e-4 * largest
-    says("P2", f"{frames:.1f} frames a period: polygons", f"{drawn:.0f} points a period, from dense output")
+    says("C8", f"{frames:.1f} frames a period: polygons", f"{drawn:.0f} points a period, from dense output")
 
 
 def test_no_legend_has_an_entry_that_is_not_drawn(says: Says) -> None:
@@ -794,7 +794,7 @@ def test_no_legend_has_an_entry_that_is_not_drawn(says: Says) -> None:
     names = [text.get_text() for legend in figure.findobj(Legend) for text in legend.get_texts()]
     assert labels_without_a_mark(figure) == [] and len(set(names)) == len(names) and deeper
     assert sum("catenary at yield" in name for name in names) == 1
-    says("P3", "card.png: six legend entries without a line, one rule twice", f"{len(deeper)} arrows at the edge")
+    says("C8", "card.png: six legend entries without a line, one rule twice", f"{len(deeper)} arrows at the edge")
 
 
 def test_a_fit_writes_no_empty_picture(says: Says, softcat: Softcat, tmp_path: Path) -> None:
@@ -812,4 +812,4 @@ def test_a_fit_writes_no_empty_picture(says: Says, softcat: Softcat, tmp_path: P
     assert softcat(*one).status == 0
     pictures = sorted(path.name for path in (tmp_path / "out").glob("*.png"))
     assert pictures == ["features.png", "fit.png"]
-    says("P4", "starts.png of one start, an empty correlation.png", f"written: {', '.join(pictures)}")
+    says("C8", "starts.png of one start, an empty correlation.png", f"written: {', '.join(pictures)}")
