@@ -311,7 +311,7 @@ def shapes_figure(
                 axes.set_aspect(larger.sag, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
-            _draw_shape(axes, shape, ruler)
+            draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
             if not stacked and inch * np.ptp(x) < _NARROW:
                 axes.set_xticks([float(ruler.of(x.mean()))], [significant(float(ruler.of(x.mean())))])
@@ -375,17 +375,19 @@ def _spatial_shapes(sheet: Sheet, radius: float) -> Figure:
     return figure
 
 
-def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
-    """Body, yielded zones, outline, the line between the ends."""
+def draw_shape(axes: Axes, shape: Shape, ruler: Unit, ever: Floats | None = None) -> None:
+    """Body, zones that have `ever` yielded and those that yield, outline, the line between the ends."""
     body = ruler.of(shape.outline)
     # As artists: limits are set before, and looking for those of each patch takes as long as drawing it.
-    axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
-    # Anti-aliasing would leave hairlines between neighbouring quads.
-    quads = PolyCollection(
-        list(ruler.of(shape.yielded)), facecolors=style.VERMILLION, edgecolors="none", antialiaseds=False,
-        rasterized=True, zorder=3,
-    )  # fmt: skip
-    axes.add_collection(quads, autolim=False)
+    inside = axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
+    for colour, quads in ((style.ORANGE, ever), (style.VERMILLION, shape.yielded)):
+        if quads is not None and len(quads):
+            # Anti-aliasing would leave hairlines between neighbouring quads.
+            look: dict[str, Any] = {"edgecolors": "none", "antialiaseds": False, "rasterized": True, "zorder": 3}
+            zones = PolyCollection(list(ruler.of(quads)), facecolors=colour, **look)
+            axes.add_collection(zones, autolim=False)
+            # At a clamp the sections of the first cell cross: what they cover beyond the body is none.
+            zones.set_clip_path(inside)
     axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
 
