@@ -464,8 +464,11 @@ def overlapping(shown: list[tuple[str, Bbox]]) -> list[tuple[str, str]]:
     return [(a, b) for (a, one), (b, two) in pairs if one.padded(-0.5).overlaps(two.padded(-0.5))]
 
 
-def test_low_shapes_side_by_side_have_numbers_apart(make_run, make_scene, summary):
-    run = make_run(make_scene(span=0.06, thickness=8e-3), 9e-3 * TIMES, TIMES, cells=60)
+def test_shapes_are_as_large_as_they_can_be_and_side_by_side_have_numbers_apart(make_run, make_scene, summary):
+    low = make_run(make_scene(span=0.06, thickness=8e-3), 9e-3 * TIMES, TIMES, cells=60)
+    below = shapes_figure(low, summary, make_scene(span=0.06, thickness=8e-3))
+    assert len({axes.get_position().y0 for axes in below.axes}) == len(below.axes) == 5
+    run = make_run(make_scene(span=0.06, thickness=8e-3), 9e-2 * TIMES, TIMES, cells=60)
     figure = shapes_figure(run, summary, make_scene(span=0.06, thickness=8e-3))
     assert len({axes.get_position().y0 for axes in figure.axes}) == 1 < len(figure.axes)
     assert overlapping(list(drawn_words(figure))) == []

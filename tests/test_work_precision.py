@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.structure import model_for
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting.accuracy import front, work_precision_figure
+from softcat_sym.plotting.accuracy import front
 from softcat_sym.single_run import build
 from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.rates import Rates
@@ -164,6 +165,8 @@ def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> No
     best_line = found.figures()["accuracy"].axes[0].lines[1]
     np.testing.assert_array_equal(best_line.get_xdata(), [1.0, 2.0])
     np.testing.assert_array_equal(best_line.get_ydata(), [1e-2, 1e-4])
+    with pytest.raises(ValueError, match="no run with an error to draw"):
+        replace(found, runs=runs.assign(error=math.nan)).plot()
 
 
 def test_front_is_every_run_that_no_other_beats() -> None:
@@ -172,8 +175,6 @@ def test_front_is_every_run_that_no_other_beats() -> None:
     kept = front(runs)
     pairs = {tuple(pair) for pair in values if not any((other < pair).all() for other in values)}
     assert set(map(tuple, kept.to_numpy())) == pairs and len(kept) == len(pairs)
-    with pytest.raises(ValueError, match="no run with an error to draw"):
-        work_precision_figure(pd.DataFrame({"seconds": [1.0], "error": [math.nan]}), "Rods")
 
 
 def test_faults_are_said_and_nothing_is_written(

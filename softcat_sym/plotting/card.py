@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from rich.console import Console, RenderableType
 from rich.table import Table
@@ -28,17 +28,8 @@ from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
-from softcat_sym.plotting.run import Sheet
-from softcat_sym.plotting.section import (
-    Magnification,
-    Section,
-    array,
-    largest_sag,
-    outline,
-    quads_outside,
-    section_at,
-    yielding_of,
-)
+from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
+from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
 from softcat_sym.plotting.style import headed, png, printable
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
@@ -302,8 +293,8 @@ def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
     sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene, style.SCREEN), card.scene.filament
     larger = Magnification.of(largest_sag(array(sheet.data, "y")[-1:]), filament.thickness, filament.span)
-    section = section_at(larger.drawn(sheet.data), -1, [one.holds_angle for one in card.scene.ends.supports])
-    wide, high = np.ptp(outline(section), axis=0)
+    (shape,) = shapes_of(larger.drawn(sheet.data), card.scene, [len(sheet.time) - 1])
+    wide, high = np.ptp(shape.outline, axis=0)
     tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
     scaled = f", {larger}" if str(larger) else ""
     with style.styled():
@@ -311,32 +302,25 @@ def card_figure(card: Card) -> Figure:
         axes = body.subplot_mosaic(
             [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
         )
-        _draw_shape(axes["shape"], sheet, section, larger)
+        _draw_end(axes["shape"], sheet, shape, larger)
         _draw_descent(axes["descent"], sheet, card)
         _draw_exponents(axes["span"], card)
     return figure
 
 
-def _draw_shape(axes: Axes, sheet: Sheet, section: Section, larger: Magnification) -> None:
+def _draw_end(axes: Axes, sheet: Sheet, shape: Shape, larger: Magnification) -> None:
     """The filament with what has yielded; one scale along both axes but for what is magnified."""
-    unit = length_unit(sheet.scene.filament.span)
-    body = unit.of(outline(section))
-    (inside,) = axes.fill(*body.T, facecolor=style.FILAMENT, edgecolor="none", zorder=2)
+    unit, ever = length_unit(sheet.scene.filament.span), np.empty((0, 4, 2))
     if sheet.scene.material.yield_stress is not None:
         core = yielding_of(sheet.data, sheet.scene)
         low, high = np.max(core.low, axis=0), np.min(core.high, axis=0)
-        ever = quads_outside(section, np.minimum(low, high), np.maximum(low, high))
-        now = quads_outside(section, core.low[-1], core.high[-1])
-        for colour, label, quads in ((style.ORANGE, "has yielded", ever), (style.VERMILLION, "yields at the end", now)):
-            if len(quads):
-                look: dict[str, Any] = {"facecolors": colour, "edgecolors": "none", "antialiaseds": False}
-                patch = PolyCollection(list(unit.of(quads)), label=label, zorder=3, **look)
-                axes.add_collection(patch, autolim=False)
-                # At a clamp the sections of the first cell cross: what they cover beyond the body is none.
-                patch.set_clip_path(inside)
-                axes.legend(loc="lower center", ncols=2, bbox_to_anchor=(0.5, 1.0), borderaxespad=0.0)
-    axes.fill(*body.T, facecolor="none", edgecolor=style.BLACK, linewidth=0.5, zorder=5)
-    axes.plot(unit.of(section.x[[0, -1]]), unit.of(section.y[[0, -1]]), ":", color=style.GREY, lw=0.7)
+        ever = quads_outside(shape.section, np.minimum(low, high), np.maximum(low, high))
+    axes.update_datalim(unit.of(shape.outline))
+    draw_shape(axes, shape, unit, ever)
+    names = {"has yielded": (style.ORANGE, ever), "yields at the end": (style.VERMILLION, shape.yielded)}
+    patches = [Patch(facecolor=colour, label=name) for name, (colour, quads) in names.items() if len(quads)]
+    if patches:
+        axes.legend(handles=patches, loc="lower center", ncols=2, bbox_to_anchor=(0.5, 1.0), borderaxespad=0.0)
     axes.margins(0.02, 0.06)
     axes.set_aspect(larger.sag, adjustable="datalim")
     axes.yaxis.set_major_locator(MaxNLocator(3))
@@ -350,18 +334,20 @@ def predictions(card: Card) -> list[tuple[str, float]]:
     Rules that as good as agree are named together.
     """
     rules = [
-        (rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
+        (rule.name, rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
         for rule in card.rules
         if rule.unit == "m" and rule.predicted is not None
     ]
     if card.surface is not None and card.surface.sag_without is not None:
-        rules.append(("no surface tension", card.surface.sag_without))
+        rules.append(("", "no surface tension", card.surface.sag_without))
     found: list[tuple[str, float]] = []
-    for name, depth in sorted(rules, key=lambda pair: pair[1]):
+    last = ""
+    for name, label, depth in sorted(rules, key=lambda rule: rule[2]):
         if found and abs(depth - found[-1][1]) < _AGREE * abs(depth):
-            found[-1] = f"{found[-1][0]},\n{name}", found[-1][1]
+            found[-1] = f"{found[-1][0]}, {label.removeprefix(f'{last}, ')}", found[-1][1]
         else:
-            found.append((name, depth))
+            found.append((label, depth))
+        last = name
     return found
 
 

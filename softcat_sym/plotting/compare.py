@@ -23,7 +23,7 @@ from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend
+from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
@@ -288,6 +288,7 @@ def rate_figure(comparison: Comparison) -> Figure:
         if top > 0:
             bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
             bar.set_label("plastic shear rate [s⁻¹]")
+            plain_log(bar.ax.xaxis)
     return figure
 
 

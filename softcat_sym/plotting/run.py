@@ -18,7 +18,7 @@ from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normal
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.image import PcolorImage
 from matplotlib.patches import Patch, Polygon
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym import drawing
@@ -200,7 +200,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     """The same scales divided by the span and by the paper's unit of time, where the scene has one."""
     scene, span = sheet.scene, sheet.scene.filament.span
     share = share_unit(largest / span)
-    right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
+    factor = ruler.size / span / share.size
+    right = axes.secondary_yaxis("right", functions=(lambda height: height * factor, lambda part: part / factor))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     right.spines["right"].set_visible(True)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
@@ -260,6 +261,9 @@ _TALLEST = 7.0
 _DEEPEST = 6.0
 """Of shapes side by side [inch]."""
 
+_NARROW = 0.5
+"""Of a shape beside others [inch]: there is room for one number."""
+
 _LOW = 0.3
 """Below this height [inch] the axis of a shape has room for one number."""
 
@@ -287,17 +291,12 @@ def shapes_figure(
     x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or thickness)
     y = corners[:, :, 1] + margin * np.array([-1, 1])
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
-    # As large as they can be: below each other, or side by side.
-    wide, across = WIDTHS[name] - (1.0 if sheet.on_screen else 0.65), WIDTHS[name] - 1.0 - 0.15 * (len(shapes) - 1)
-    inch = min(wide / np.ptp(x), _TALLEST / (larger.sag * float(np.ptp(y, axis=1).sum())))
-    tall = high[1] - low[1] + 2 * margin
-    beside = min(across / len(shapes) / np.ptp(x), _DEEPEST / (larger.sag * tall))
-    stacked = inch >= beside or not sheet.on_screen
+    stacked, inch = _arranged(name, float(np.ptp(x)), larger.sag * np.ptp(y, axis=1), larger.sag * np.ptp(y))
     if stacked:
         heights, columns = np.maximum(larger.sag * inch * np.ptp(y, axis=1), _LOW), 1
     else:
-        y[:], columns = (low[1] - margin, high[1] + margin), len(shapes)
-        heights = np.array([larger.sag * beside * tall])
+        y[:], columns = (y.min(), y.max()), len(shapes)
+        heights = larger.sag * inch * np.ptp(y[:1], axis=1)
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
         up = int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
@@ -312,8 +311,10 @@ def shapes_figure(
                 axes.set_aspect(larger.sag, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
-            _draw_shape(axes, shape, ruler)
+            draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
+            if not stacked and inch * np.ptp(x) < _NARROW:
+                axes.set_xticks([float(ruler.of(x.mean()))], [significant(float(ruler.of(x.mean())))])
             axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else up, steps=_STEPS))
             if stacked and np.ptp(bounds) * larger.sag * inch < _LOW:
                 axes.set_yticks((0.0,))
@@ -322,8 +323,7 @@ def shapes_figure(
             if stacked and axes is not panels[-1]:
                 axes.xaxis.set_visible(False)
                 axes.spines["bottom"].set_visible(False)
-            if not stacked and axes is not panels[0]:
-                axes.tick_params(labelleft=False)
+            axes.tick_params(labelleft=stacked or axes is panels[0])
         scaled = f" ({larger})" if str(larger) else ""
         scaled += "" if radius == 1 or sheet.on_screen else f" ({drawn})"
         body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.01, va="bottom")
@@ -335,6 +335,14 @@ def shapes_figure(
             patches, small = [Patch(facecolor=colour, label=label)], max(7.0, size - 0.5)
             body.legend(handles=patches, loc="upper center", borderaxespad=0.0, fontsize=small)
     return figure
+
+
+def _arranged(name: str, wide: float, tall: Floats, deep: float) -> tuple[bool, float]:
+    """Whether shapes stand below each other instead of side by side, and how large they are [inch/m]."""
+    screen, count = name == style.SCREEN, len(tall)
+    below = min((WIDTHS[name] - (1.0 if screen else 0.65)) / wide, _TALLEST / float(tall.sum()))
+    beside = min((WIDTHS[name] - 1.0 - 0.15 * (count - 1)) / count / wide, _DEEPEST / deep)
+    return (True, below) if below >= beside or not screen else (False, beside)
 
 
 _PANELS, _PANEL = 4, 2.9
@@ -367,17 +375,19 @@ def _spatial_shapes(sheet: Sheet, radius: float) -> Figure:
     return figure
 
 
-def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
-    """Body, yielded zones, outline, the line between the ends."""
+def draw_shape(axes: Axes, shape: Shape, ruler: Unit, ever: Floats | None = None) -> None:
+    """Body, zones that have `ever` yielded and those that yield, outline, the line between the ends."""
     body = ruler.of(shape.outline)
     # As artists: limits are set before, and looking for those of each patch takes as long as drawing it.
-    axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
-    # Anti-aliasing would leave hairlines between neighbouring quads.
-    quads = PolyCollection(
-        list(ruler.of(shape.yielded)), facecolors=style.VERMILLION, edgecolors="none", antialiaseds=False,
-        rasterized=True, zorder=3,
-    )  # fmt: skip
-    axes.add_collection(quads, autolim=False)
+    inside = axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
+    for colour, quads in ((style.ORANGE, ever), (style.VERMILLION, shape.yielded)):
+        if quads is not None and len(quads):
+            # Anti-aliasing would leave hairlines between neighbouring quads.
+            look: dict[str, Any] = {"edgecolors": "none", "antialiaseds": False, "rasterized": True, "zorder": 3}
+            zones = PolyCollection(list(ruler.of(quads)), facecolors=colour, **look)
+            axes.add_collection(zones, autolim=False)
+            # At a clamp the sections of the first cell cross: what they cover beyond the body is none.
+            zones.set_clip_path(inside)
     axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
 
@@ -543,9 +553,7 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
         axes.images[0], cax=beside, label=shown.label, extend="max" if shown.beyond else "neither"
     )
     if isinstance(shown.norm, LogNorm):
-        # Powers of ten would be set by a parser and in fonts that not every machine has.
-        bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)
-        bar.formatter = FuncFormatter(lambda value, _: significant(value))
+        style.plain_log(bar.ax.yaxis, significant)
         bar.minorticks_off()
     else:
         bar.locator = MaxNLocator(5, steps=_STEPS)

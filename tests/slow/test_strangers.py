@@ -25,6 +25,9 @@ from time import process_time
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
 from scipy.special import lambertw
 
 import softcat_sym as sc
@@ -39,7 +42,9 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
+from softcat_sym.plotting.card import predictions
 from softcat_sym.plotting.terminal import answer_rows, print_summary
+from softcat_sym.results.fields import energy_imbalance
 from softcat_sym.results.observed import DISPLACEMENT, OWN
 from softcat_sym.studies.card_rules import descent_of
 from softcat_sym.studies.explanation import explain
@@ -838,3 +843,70 @@ def test_a_card_says_at_once_what_it_can(says: Says, tmp_path: Path, monkeypatch
     says(
         "newcomer C7", "card: 53 s of the processor, then all", f"foreseen after {first:.1f} s, all after {spent:.0f} s"
     )
+
+
+# --- Pictures: of a run, a card and a fit
+def labels_without_a_mark(figure: Figure) -> list[str]:
+    """Entries of its legends for which nothing is drawn."""
+    found = []
+    for legend in figure.findobj(Legend):
+        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
+            bare = isinstance(handle, Line2D) and {handle.get_linestyle(), handle.get_marker()} <= {"None", "none", ""}
+            found += [text.get_text()] if bare else []
+    return found
+
+
+def test_pictures_against_time_show_the_part_in_which_something_happens(says: Says) -> None:
+    run = sc.simulate("modelling-clay")
+    figures = run.figures()
+    for name in ("midpoint", "energy", "space-time"):
+        axes = figures[name].axes[0]
+        figures[name].canvas.draw()
+        left, fallen, right = axes.transData.transform([(t, 0.0) for t in (0.0, 3.0, 60.0)])[:, 0]
+        assert 0.4 < (fallen - left) / (right - left) < 0.8, name
+        assert axes.get_xscale() == "asinh" and not labels_without_a_mark(figures[name])
+    label = figures["midpoint"].axes[0].get_xlabel()
+    says("C8", "it arrests within 3 s of 60: a twentieth of the time axis", f"'{label}': half of it")
+    assert sc.simulate("no-yield").plot().axes[0].get_xscale() == "linear"
+
+
+def test_ringing_is_no_polygon(says: Says) -> None:
+    run = sc.simulate("agar-bar")
+    frames = run.summary["frames_a_period"]
+    for name in ("midpoint", "energy"):
+        line = max(run.plot(name).axes[0].lines, key=lambda one: len(one.get_xdata()))
+        drawn = frames * len(np.unique(line.get_xdata())) / len(run.fields["time"])
+        assert frames < 6 and drawn > 20
+    # Potential energy, kinetic and stored ones and what is lost balance at all of these times, too.
+    dense = {name.removeprefix("dense_"): values for name, values in run.fields.items() if name.startswith("dense_")}
+    imbalance, largest = energy_imbalance(dense)
+    assert np.abs(imbalance).max() < 1e-4 * largest
+    says("C8", f"{frames:.1f} frames a period: polygons", f"{drawn:.0f} points a period, from dense output")
+
+
+def test_no_legend_has_an_entry_that_is_not_drawn(says: Says) -> None:
+    card = sc.card(sc.load_scene("ink-bridge", {"numerics.cells": 12, "numerics.estimate": False}))
+    deeper = [text for text, depth in predictions(card) if depth > 2.5 * card.descent.largest]
+    figure = card.plot()
+    names = [text.get_text() for legend in figure.findobj(Legend) for text in legend.get_texts()]
+    assert labels_without_a_mark(figure) == [] and len(set(names)) == len(names) and deeper
+    assert sum("catenary at yield" in name for name in names) == 1
+    says("C8", "card.png: six legend entries without a line, one rule twice", f"{len(deeper)} arrows at the edge")
+
+
+def test_a_fit_writes_no_empty_picture(says: Says, softcat: Softcat, tmp_path: Path) -> None:
+    assert softcat("samples", "-o", str(tmp_path)).status == 0
+    words = (
+        "fit",
+        str(tmp_path / "film.csv"),
+        "--scene",
+        str(tmp_path / "my-ink.toml"),
+        "--free",
+        "yield_stress",
+        "-q",
+    )
+    one = (*words, "--calibrated", "--no-profile-likelihood", "--starts", "1", "-o", str(tmp_path / "out"))
+    assert softcat(*one).status == 0
+    pictures = sorted(path.name for path in (tmp_path / "out").glob("*.png"))
+    assert pictures == ["features.png", "fit.png"]
+    says("C8", "starts.png of one start, an empty correlation.png", f"written: {', '.join(pictures)}")
