@@ -13,11 +13,11 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import Theory, choose_body, choose_theory
+from softcat_sym.discretization.frames import Quaternion
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
-from softcat_sym.discretization.spatial import cell_strains
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -252,7 +252,7 @@ def test_the_tangent_sideways_is_the_second_derivative_of_the_energy_of_a_cell()
     za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
     slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
     turns = turned_out_of_plane(pa, a1, a2), turned_out_of_plane(pb, b1, b2)
-    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, *turns, d)
+    Lam, Gam, Gam_3, k_1, k_2, k_3 = Quaternion().strains(slope, *turns, d)
     stiff = (shear * Gam_3**2 + twist * k_1**2 + bend * k_2**2) / 2
     energy = d * (n1 * ca.sqrt(Lam**2 + Gam_3**2) + n2 * Gam - M * k_3 + stiff)
     hessian = ca.Function("hessian", [given], [ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))])

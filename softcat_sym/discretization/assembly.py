@@ -31,6 +31,7 @@ from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
 
 if TYPE_CHECKING:
+    from softcat_sym.discretization.cell import Program
     from softcat_sym.discretization.sampling import Sampling
     from softcat_sym.discretization.symbolic import Filament
 
@@ -241,17 +242,21 @@ class Recorded:
 
     @cached_property
     def program(self) -> Filament:
-        """What its sites compute."""
-        return self.sampled_by(self.theory.rule)
+        """What its sites compute, or the small-deflection model, which has none."""
+        if self.theory.model != "small-deflection":
+            return self.sampled_by(self.theory.rule)
+        # Imported here and below: a run whose library is cached does without SymPy and CasADi.
+        from softcat_sym.discretization.small_deflection import SmallDeflection
+        from softcat_sym.physics.filament import equations_of
 
-    def sampled_by(self, rule: Sampling | None) -> Filament:
+        return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
+
+    def sampled_by(self, rule: Sampling | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
-        # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
         from softcat_sym.physics.filament import equations_of
 
-        ends = self.grid.first, self.grid.last
-        return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
+        return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 
 
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:

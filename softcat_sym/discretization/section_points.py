@@ -9,14 +9,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.cell import (
     Builder,
     Values,
     branch_name,
     chain_state,
     derivatives,
-    printed,
     shown_chains,
 )
 from softcat_sym.discretization.sampling import OnePoint, Sampling, point_labels

@@ -138,7 +138,7 @@ class SmallDeflection:
             "load": ca.vertcat(mass * gravity_rate * y, *(ca.jtimes(one, time, 1) / scale for one in stored.values())),
             "gradient": ca.SX(1, 1),
             WORK_OF_AGEING: ca.jtimes(ca.vertcat(elastic, of_surface), time, 1) / scale,
-            **{name: ca.jtimes(one, speed, speed) for name, one in lost.items()},
+            **({} if speed is None else {name: ca.jtimes(one, speed, speed) for name, one in lost.items()}),
         }
         unit, every = scale / energy_scale(rho, span, scale), ca.SX.ones(nodes - 1)
         shown = {

@@ -225,11 +225,11 @@ def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
 
 
 def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
-    yield stated("stretch along the section's normal", Lam, resolved.strains[0], _SOURCE)
+    yield stated("stretch along the section's normal", Lam, reissner.director_strains()[0], _SOURCE)
     if resolved.shears:
-        yield stated("shear of the section", Gam, resolved.strains[1], _SOURCE)
+        yield stated("shear of the section", Gam, reissner.director_strains()[1], _SOURCE)
     else:
-        yield stated("sections stay normal to the centreline", sp.Integer(0), resolved.strains[1], "2.5")
+        yield stated("sections stay normal to the centreline", sp.Integer(0), reissner.director_strains()[1], "2.5")
     yield stated("bending", k, Rate(psi, sy.X, 1), _SOURCE)
     yield stated("area", A, resolved.cell.area, "2.9")
     yield stated("thickness", h, resolved.relative_thickness * sy.h0, "2.9")

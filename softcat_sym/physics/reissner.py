@@ -30,9 +30,7 @@ from softcat_sym.physics.symbols import (
     s,
     sigma,
     x_X,
-    x_Xt,
     y_X,
-    y_Xt,
     zeta,
 )
 
@@ -297,12 +295,6 @@ def strain_rates(strains: Iterable[sp.Expr], moving: Iterable[tuple[sp.Symbol, s
     return tuple(sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in pairs)) for strain in strains)
 
 
-def director_rates() -> tuple[sp.Expr, sp.Expr]:
-    """Rates of (Lam, Gam), of (r_X, psi) and their rates."""
-    first, second = strain_rates(director_strains(), ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t)))
-    return first, second
-
-
 def rotary_inertia(section: Section) -> sp.Expr:
     """Rho I_0 = lambda_0 (h_0/2)^2 <zeta^2>, of the undeformed section.
 
@@ -345,6 +337,10 @@ class SampledSection:
     viscous: ViscousFibre | None  # What acts beside them
     # Means over the section, by name: their symbol, of the stresses conjugate to the strains, times a lever.
     means: Mapping[str, tuple[sp.Symbol, sp.Expr, sp.Expr]]
+    strains: tuple[sp.Symbol, ...]  # Of the cell: stretch, shears, curvatures; and their rates
+    strain_rates: tuple[sp.Symbol, ...]
+    power: sp.Expr  # Of the means in the strains, per unit rest length and undeformed area
+    relative_thickness: sp.Expr  # h/h0 of Lam
 
 
 @dataclass(frozen=True, slots=True)
@@ -352,10 +348,7 @@ class ResolvedSection(SampledSection):
     """What one cell of a filament in its plane with a resolved section consists of."""
 
     shears: bool  # Whether shear is physics here; otherwise it is only kept small
-    strains: tuple[sp.Expr, sp.Expr]  # (Lam, Gam) of (r_X, psi), and their rates
-    strain_rates: tuple[sp.Expr, sp.Expr]
     cell: ShearingCell  # The chain from strains to forces
-    relative_thickness: sp.Expr  # h/h0 of Lam
     rotary_inertia: sp.Expr  # rho I0, undeformed
     relaxed: sp.Expr  # Strain of a fibre where the filament is as curved as it is by nature
 
@@ -383,11 +376,12 @@ def resolve(
             "axial_zeta": (sigma_zeta, sigma_c, zeta),
             "shear": (tau_mean, tau_f, sp.S.One),
         },
+        strains=(Lam, Gam, k),
+        strain_rates=(Lam_t, Gam_t, k_t),
+        power=cell.power,
+        relative_thickness=cell.thickness / h0,
         shears=shear,
-        strains=director_strains(),
-        strain_rates=director_rates(),
         cell=cell,
-        relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
         relaxed=relaxed,
     )

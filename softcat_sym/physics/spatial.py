@@ -7,8 +7,6 @@ are Gamma = R^T r_X = (Lam, Gam_2, Gam_3) and kappa = (k_1, k_2, k_3), twist and
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from softcat_sym.physics.bulk import shear_modulus
@@ -30,7 +28,7 @@ from softcat_sym.physics.reissner import (
     strain_rates,
 )
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0
+from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0, s
 
 SOURCE = "THEORY3D"
 Three = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -139,14 +137,7 @@ def power(correction: sp.Expr) -> sp.Expr:
     return mean * sp.log(Lam) + root * (Gam * mean_2 + Gam_3 * mean_3) / Lam + bent
 
 
-@dataclass(frozen=True, slots=True)
-class SpatialSection(SampledSection):
-    """What one cell of a filament in three dimensions consists of."""
-
-    power: sp.Expr
-
-
-def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSection:
+def spatial_section(shape: Section, law: Law, *, natural: bool) -> SampledSection:
     """A section that shrinks both ways; that of a sheet does not twist without warping, and is refused.
 
     Raises
@@ -161,7 +152,7 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSectio
     correction, viscosity, (second, third) = shape.shear_correction, law.viscosity, tau
     strains = point_strain(correction, natural=natural)
     of_points = (sigma_c, sigma_c * Y, sigma_c * Z, second, third, second * W_2 + third * W_3)
-    return SpatialSection(
+    return SampledSection(
         point_strains=strains,
         kinds=SHEARS,
         branches=tuple(
@@ -178,5 +169,8 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSectio
             rayleigh(viscosity, viscosity, shears=SHEARS), strain_rates(strains, zip(STRAINS, RATES, strict=True))
         ),
         means={mean.name: (mean, of_point, sp.S.One) for mean, of_point in zip(MEANS, of_points, strict=True)},
+        strains=STRAINS,
+        strain_rates=RATES,
         power=power(correction),
+        relative_thickness=shape.contraction.thickness.subs(s, Lam) / h0,
     )
