@@ -179,9 +179,9 @@ class _Balance:
             xx, xy, yy = self.outer.mass(before, behind)
             xx, yy = xx + mass, yy + mass
             if alone:
-                return self.unit * (across / yy if way else along / xx)
+                return ca.SX(self.unit * (across / yy if way else along / xx))
             solved = xx * across - xy * along if way else yy * along - xy * across
-            return self.unit * solved / (xx * yy - xy**2)
+            return ca.SX(self.unit * solved / (xx * yy - xy**2))
 
         sides = zip(_SIDES, slot.held, other, strict=True)
         ends = {site: acting(*cells, alone=held) for (site, cells), is_held, held in sides if not is_held}

@@ -129,7 +129,7 @@ def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
     outer.on_cells.append((pulls[0], pulls[1]))  # type: ignore[arg-type]
     if masses:
         outer.masses_of_cells.append((masses[0], masses[1]))  # type: ignore[arg-type]
-    of.force = tuple(  # type: ignore[assignment]
+    of.force = tuple(
         b.stage(f"force_{way}_with_{name}", CELLS, of.force[k][0] + inner[k]) for k, way in enumerate("xy")
     )
 

@@ -26,7 +26,7 @@ from softcat_sym.physics import backstress, conformation, reissner, spatial, sym
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.clocks import State
 from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.reissner import FibreBranch, FibreHardening, ResolvedSection, SampledSection
+from softcat_sym.physics.reissner import FibreBranch, FibreHardening, SampledSection
 from softcat_sym.physics.structure import speed
 
 _NO_STRESS = 1e-12
@@ -65,7 +65,7 @@ def sampled(b: Builder, section: SampledSection, rule: Sampling, values: Values)
             profiles |= _profiles(rule, _names(rule, "axial", number))
     for clock in clocks:
         plastic |= clock.rates(rule, points)
-    if b.equations.chains is not None and isinstance(section, ResolvedSection):
+    if b.equations.chains is not None:
         plastic |= _add_chains(b, section, b.equations.chains, rule, points)
         for one in b.equations.chains.states:
             profiles |= _profiles(rule, [f"{chain_state(one)}_{label}" for label in rule.labels], one.power)
@@ -173,7 +173,7 @@ class _Followed:
 
 
 def _add_chains(
-    b: Builder, section: ResolvedSection, chains: ChainResponse, rule: Sampling, points: Sequence[_Point]
+    b: Builder, section: SampledSection, chains: ChainResponse, rule: Sampling, points: Sequence[_Point]
 ) -> dict[str, ca.SX]:
     """Polymer chains at every point of a section; rates of their states."""
     names = [[f"{chain_state(one)}_{label}" for label in rule.labels] for one in chains.states]
@@ -191,9 +191,8 @@ def _add_branch(
     b: Builder, section: SampledSection, branch: FibreBranch, rule: Sampling, points: Sequence[_Point], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
-    shears = not isinstance(section, ResolvedSection) or section.shears
     kinds = ("axial", "shear") if not rule.is_spatial else ("axial", "shear2", "shear3")
-    moving = len(kinds) if shears else 1
+    moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
     for row, symbol in zip(back, (backstress.axial, backstress.shear), strict=False):
@@ -293,7 +292,7 @@ class _Point:
         self.backstress = printed(hardening.stress, values)
         self.energy += printed(hardening.stored, values)
 
-    def carry(self, section: ResolvedSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
+    def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
         values |= {conformation.strain: self.strain[0] - printed(section.relaxed, values)}

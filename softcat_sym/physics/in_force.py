@@ -10,7 +10,6 @@ import sympy as sp
 from softcat_sym.physics import backstress, conformation, heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.closures import CLOSURES, A, h
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
@@ -36,7 +35,7 @@ from softcat_sym.physics.reissner import (
     tau_f,
     tau_mean,
 )
-from softcat_sym.physics.section_response import PLANE_STRAIN, BranchResponse, shrunk, stiffness
+from softcat_sym.physics.section_response import CLOSURES, PLANE_STRAIN, A, BranchResponse, h, shrunk, stiffness
 from softcat_sym.physics.sections import NONE, Section
 
 Rename = dict[sp.Symbol, sp.Symbol]

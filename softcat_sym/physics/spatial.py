@@ -9,26 +9,21 @@ from __future__ import annotations
 
 import sympy as sp
 
-from softcat_sym.physics.bulk import shear_modulus
 from softcat_sym.physics.laws import Law
 from softcat_sym.physics.reissner import (
     CARRY,
-    FibreBranch,
     Gam,
     Gam_t,
     Lam,
     Lam_t,
     SampledSection,
     Shear,
-    ViscousFibre,
-    fibre_flow,
-    fibre_spring,
-    rayleigh,
+    fibre_branches,
     sigma_c,
-    strain_rates,
+    viscous_fibre,
 )
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0, s
+from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, enter, h0, s
 
 SOURCE = "THEORY3D"
 Three = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -149,25 +144,14 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SampledSectio
         raise ValueError("a sheet twists and bends as a plate: take a rectangle")
     if law.chains is not None or any(branch.growth is not None for branch in law.branches):
         raise ValueError("chains and springs that grow are those of a filament in its plane")
-    correction, viscosity, (second, third) = shape.shear_correction, law.viscosity, tau
+    correction, (second, third) = shape.shear_correction, tau
     strains = point_strain(correction, natural=natural)
     of_points = (sigma_c, sigma_c * Y, sigma_c * Z, second, third, second * W_2 + third * W_3)
     return SampledSection(
         point_strains=strains,
         kinds=SHEARS,
-        branches=tuple(
-            FibreBranch(
-                branch.modulus,
-                fibre_spring(branch.modulus, shear_modulus().subs(E, branch.modulus), shears=SHEARS),
-                None if branch.flow is None else fibre_flow(branch.flow.rate, shears=SHEARS),
-            )
-            for branch in law.branches
-        ),
-        viscous=None
-        if viscosity is None
-        else ViscousFibre(
-            rayleigh(viscosity, viscosity, shears=SHEARS), strain_rates(strains, zip(STRAINS, RATES, strict=True))
-        ),
+        branches=fibre_branches(shape, law, shears=SHEARS),
+        viscous=viscous_fibre(shape, law, strains, zip(STRAINS, RATES, strict=True), shears=SHEARS),
         means={mean.name: (mean, of_point, sp.S.One) for mean, of_point in zip(MEANS, of_points, strict=True)},
         strains=STRAINS,
         strain_rates=RATES,
