@@ -151,7 +151,7 @@ def explain(scene: SceneLike) -> Explanation:
     """
     # The equations need SymPy, which is loaded only here.
     from softcat_sym.physics.filament import equations_of
-    from softcat_sym.physics.in_force import equations_in_force
+    from softcat_sym.physics.written_equations import equations_in_force
 
     scene = as_scene(scene)
     effects = choose_effects(scene)
