@@ -18,8 +18,7 @@ from softcat_sym.discretization.cell import (
     derivatives,
     shown_chains,
 )
-from softcat_sym.discretization.sampling import OnePoint, Sampling, point_labels
-from softcat_sym.discretization.section_rule import POINT
+from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
 from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
@@ -47,10 +46,15 @@ class Sampled:
     shown: dict[str, ca.SX]
 
 
-def sampled(b: Builder, section: SampledSection, rule: Sampling, values: Values) -> Sampled:
+def one_of(rule: SectionRule) -> SectionRule:
+    """A point that stands for all of a rule, for code that loops over points."""
+    return SectionRule.of_points({name: (ca.SX.sym(name),) for name in rule.tables}, stands_for_all=True)
+
+
+def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> Sampled:
     """Stress and flow at the points of a section, and their sums."""
-    if isinstance(rule, OnePoint):
-        for name, symbol in rule.symbols.items():
+    if rule.stands_for_all:
+        for name, (symbol,) in rule.tables.items():
             b.leaves.adopt(symbol, Leaf(FIBRE, name))
     places = [{_PLACES[name]: ca.SX(one) for name, one in place.items() if name != "weight"} for place in rule.places]
     points = [_Point(b, section, {**values, **place}) for place in places]
@@ -81,7 +85,7 @@ _PLACES = {symbol.name: symbol for symbol in (symbols.zeta, *spatial.POINT)}
 def _summed(
     b: Builder,
     section: SampledSection,
-    rule: Sampling,
+    rule: SectionRule,
     points: Sequence[_Point],
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
@@ -91,12 +95,12 @@ def _summed(
 
     def mean(name: str, values: Iterable[ca.SX], levers: Iterable[Any] | None = None) -> ca.SX:
         total = sum((value * weight for weight, value in zip(levers or weights, values, strict=True)), ca.SX(0))
-        return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
+        return b.total(name, total) if rule.stands_for_all else ca.SX(total)
 
     conjugate = (reissner.sigma_c, *(kind.stress for kind in section.kinds))
     stressed = [{**point.values, **dict(zip(conjugate, point.stress, strict=True))} for point in points]
     shown: dict[str, ca.SX] = {}
-    for label, point in zip(point_labels(rule), points, strict=True):
+    for label, point in zip(rule.point_labels, points, strict=True):
         found = {"yields": point.yields, "speed": point.speed, **shown_chains(point.conformation)}
         found |= {} if rule.is_spatial else {"axial": point.stress[0]}
         found |= {clock.state.name: point.values[clock.state.shown] for clock in clocks}
@@ -122,18 +126,18 @@ def _summed(
     )
 
 
-def _names(rule: Sampling, kind: str, branch: int) -> list[str]:
+def _names(rule: SectionRule, kind: str, branch: int) -> list[str]:
     """The states of one kind, of a branch."""
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
 
 
-def _recalled(b: Builder, rule: Sampling, names: Sequence[str]) -> list[ca.SX]:
+def _recalled(b: Builder, rule: SectionRule, names: Sequence[str]) -> list[ca.SX]:
     """What states of these names make at every point."""
     states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
     return [_dot(row, states) for row in rule.recall]
 
 
-def _projected(rule: Sampling, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
+def _projected(rule: SectionRule, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
     """Rates of states of these names, of the rates at every point."""
     return dict(zip(names, (_dot(row, rates) for row in rule.project), strict=True))
 
@@ -142,7 +146,7 @@ def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
     return sum((weight * value for weight, value in zip(weights, values, strict=True) if weight), ca.SX(0))
 
 
-def _profiles(rule: Sampling, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
+def _profiles(rule: SectionRule, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
     """What states of these names are of a strain that is linear through the thickness; of one fibre over its zeta."""
     mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.across
     return {name: (power * float(m), power * float(z)) for name, m, z in zip(names, mean, linear, strict=True)}
@@ -156,24 +160,24 @@ class _Followed:
     replaces: tuple[tuple[Any, Any], ...]
     state: State
 
-    def _names(self, rule: Sampling) -> list[str]:
+    def _names(self, rule: SectionRule) -> list[str]:
         return [f"{self.name}_{label}" for label in rule.labels]
 
-    def set(self, b: Builder, rule: Sampling, points: Sequence[_Point]) -> None:
+    def set(self, b: Builder, rule: SectionRule, points: Sequence[_Point]) -> None:
         """What it makes of the constants at every point, by its state there."""
         for point, state in zip(points, _recalled(b, rule, self._names(rule)), strict=True):
             stated = {**point.values, self.state.symbol: state}
             point.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
             point.values[self.state.shown] = printed(self.state.value, stated)
 
-    def rates(self, rule: Sampling, points: Sequence[_Point]) -> dict[str, ca.SX]:
+    def rates(self, rule: SectionRule, points: Sequence[_Point]) -> dict[str, ca.SX]:
         """Rates of its states, of the flow at every point."""
         rates = [printed(self.state.rate, {**point.values, speed: point.speed}) for point in points]
         return _projected(rule, self._names(rule), rates)
 
 
 def _add_chains(
-    b: Builder, section: SampledSection, chains: ChainResponse, rule: Sampling, points: Sequence[_Point]
+    b: Builder, section: SampledSection, chains: ChainResponse, rule: SectionRule, points: Sequence[_Point]
 ) -> dict[str, ca.SX]:
     """Polymer chains at every point of a section; rates of their states."""
     names = [[f"{chain_state(one)}_{label}" for label in rule.labels] for one in chains.states]
@@ -188,7 +192,7 @@ def _add_chains(
 
 
 def _add_branch(
-    b: Builder, section: SampledSection, branch: FibreBranch, rule: Sampling, points: Sequence[_Point], number: int
+    b: Builder, section: SampledSection, branch: FibreBranch, rule: SectionRule, points: Sequence[_Point], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
     kinds = ("axial", "shear") if not rule.is_spatial else ("axial", "shear2", "shear3")
@@ -215,7 +219,7 @@ def _add_branch(
 
 
 def _follow(
-    rule: Sampling, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
+    rule: SectionRule, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
 ) -> dict[str, ca.SX]:
     """Rates of states; what these do not follow of the rates at the points costs no energy."""
     found = _projected(rule, names, rates)

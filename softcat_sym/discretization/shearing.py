@@ -21,15 +21,15 @@ from softcat_sym.discretization.cell import (
     velocities,
 )
 from softcat_sym.discretization.frames import Angle, Quaternion
-from softcat_sym.discretization.sampling import OnePoint, Sampling
 from softcat_sym.discretization.section_points import Sampled, sampled
+from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS
 from softcat_sym.physics import symbols
 from softcat_sym.physics.reissner import SampledSection
 
 
-def shearing(b: Builder, rule: Sampling, section: SampledSection) -> Mechanics:
+def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanics:
     """A filament whose sections turn by themselves, resolved point by point."""
     frame, terms = Quaternion() if rule.is_spatial else Angle(), b.equations.terms
     places, (speeds, moved) = positions(b, frame.ways), velocities(b, frame.ways)
@@ -45,7 +45,7 @@ def shearing(b: Builder, rule: Sampling, section: SampledSection) -> Mechanics:
         speed = [(r[1] - r[0]) / b.length[0] / b.scale for r in moved]
         turning = [one / b.scale for n, q in ((0, first), (1, last)) for one in frame.rate(q, [o[n] for o in spin])]
         rates = ca.vertsplit(ca.substitute(ca.jtimes(expressions, every, ca.vertcat(*speed, *turning)), every, now))
-    if isinstance(rule, OnePoint):
+    if rule.stands_for_all:
         # What all points see is looked up.
         strains = [b.stage(f"strain_{n}", CELLS, one)[0] for n, one in enumerate(strains)]
         rates = [b.stage(f"strain_{n}_t", CELLS, one)[0] for n, one in enumerate(rates)]
