@@ -6,13 +6,11 @@ against its span and large against its thickness, so that bending plays no part.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.regimes import E_star, H, V, tau_star
-from softcat_sym.physics.symbols import ONE, E, L, enter, eta, g, rho
+from softcat_sym.physics.symbols import ONE, L, enter, eta, g, rho
 
 Rational = sp.Rational
 
@@ -24,19 +22,12 @@ t_star = enter("t_star", "t^*", ONE, "time over sqrt(L/g)", "2.18", positive=Tru
 d_R = enter("d_R", "d", ONE, "decay rate of the oscillation at t_high", "2.22", positive=True)
 
 
-def tension_stiffness() -> sp.Expr:
-    """Stiffness c = (3 t_high^2/B)^(1/3): 6 c is the coefficient of f' in (2.21), frozen at t_high."""
-    return sp.cbrt(3 * t_high**2 / B)
-
-
 B_FROM_VISCOSITY = Equation("load over viscosity", B, rho * sp.sqrt(g * L**3) / (2 * eta), "2.20")
 VISCOSITY_FROM_B = Equation("viscosity from B", eta, rho * sp.sqrt(g * L**3) / (2 * B), "2.20, inverted")
 B_FROM_SAG = Equation(
     "B from the 1/3 law itself", B, Rational(64, 9) * (H / L) ** 3 / t_star, "2.20, without its logarithm"
 )
 DECAY = Equation("decay rate", d_R, 1 / (2 * tau_star), "2.22")
-LARGEST_FREQUENCY = Equation("frequency at the double root", R, 6 * tension_stiffness(), "2.22")
-MODULUS = Equation("modulus from viscosity and relaxation time", E, eta / (tau_star * sp.sqrt(L / g)), "2.17")
 MODULUS_FROM_SAG = Equation(
     "modulus from the ringing and the sag about which it rings",
     E_star,
@@ -46,19 +37,3 @@ MODULUS_FROM_SAG = Equation(
 """With nothing assumed about the past: no t_high, no B, one root, no double root; but the parabola's shape is held."""
 
 VISCOUS_NUMBER = Equation("viscous number", V, 1 / (2 * B), "2.20")
-
-
-@dataclass(frozen=True, slots=True)
-class RelaxationTimes:
-    """Both relaxation times that one frequency allows, in units of sqrt(L/g); real while R <= 6 c."""
-
-    # The longer: the amplitude falls by less than exp(2 pi) a period (d < R). An oscillation one can see is this.
-    ringing: sp.Expr
-    fading: sp.Expr  # The shorter: the amplitude falls by more than exp(2 pi) = 535 a period (d > R)
-
-
-def relaxation_times() -> RelaxationTimes:
-    """Roots of 4 R^2 tau^2 - 24 c tau + 1 = 0 in terms of R, t_high and B; their product is 1/(4 R^2)."""
-    stiffness = 6 * tension_stiffness()
-    root = sp.sqrt(stiffness**2 - R**2)
-    return RelaxationTimes((stiffness + root) / (2 * R**2), (stiffness - root) / (2 * R**2))
