@@ -38,6 +38,8 @@ from softcat_sym.discretization.unknowns import (
     INVERTED,
     NODES,
     PER,
+    PLACES,
+    SPEEDS,
     WARMING,
     Floats,
     Shown,
@@ -304,26 +306,37 @@ def mean_of_nodes(nodes: Neighbours) -> ca.SX:
 
 @dataclass
 class Mechanics:
-    """What a theory makes of a filament."""
+    """What a theory makes of a filament, in the plane or in space."""
 
-    x: Neighbours  # Places of the nodes, in rest lengths, and their velocities, in these and time scales
-    y: Neighbours
-    u: Neighbours
-    v: Neighbours
+    places: tuple[
+        Neighbours, ...
+    ]  # Places of the nodes, in rest lengths, and their velocities, in these and time scales
+    speeds: tuple[Neighbours, ...]
+    moved: tuple[Neighbours, ...]  # Velocities with those of supports that move
     stretch: Neighbours  # Of cells
-    force: tuple[Neighbours, Neighbours]  # Internal force of cells [Pa]
+    force: tuple[Neighbours, ...]  # Internal force of cells [Pa]
     plastic: dict[str, ca.SX]  # Rates of the plastic states [1/s]
     energies: dict[str, list[Field]]  # Stored energies, each a sum over sites
     dissipation: list[Field]  # Plastic power, weighted with the length of each place
     shown: dict[str, ca.SX]  # What a run stores of the cells
-    psi: Neighbours | None = None  # The section angle where it is independent, its rate, and what turns it [Pa m]
-    omega: Neighbours = field(default_factory=Same)
-    torque: Sided | None = None
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
-    profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
-    moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
-    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
+    profiles: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
+    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
+    turning: Turning | None = None  # Frames of the sections, where they are independent
+
+
+@dataclass
+class Turning:
+    """Frames of the nodes: angles or quaternions, their spins, and what turns them."""
+
+    frame: Sequence[Neighbours]
+    spin: Sequence[Neighbours]
+    clamps: tuple[Sequence[ca.SX], Sequence[ca.SX]]  # Frames that the ends hold
+    torques: dict[str, Sided]  # Of the cells [Pa m], by the unknown that balances them
+    of_slopes: Callable[[Sequence[ca.SX]], list[ca.SX]]  # Torques that go with derivatives by the frame of a node
+    fixed: dict[str, dict[int, ca.SX]] = field(default_factory=dict)  # What vanishes instead at single ends
+    dead: Sequence[ca.SX] = ()  # A torque on the free end [Pa m]
 
 
 def _resists(b: Builder) -> bool:
@@ -336,45 +349,49 @@ def _needs_velocities(b: Builder) -> bool:
     return b.equations.terms.inertia or _resists(b)
 
 
-def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours]:
+def _held(b: Builder, way: int) -> tuple[bool, bool]:
+    """Whether the ends hold a coordinate."""
+    return (b.first.holds_height, b.last.holds_height) if way else (b.first.holds_x, b.last.holds_x)
+
+
+def positions(b: Builder, ways: int = 2, *, along: bool = True) -> tuple[Neighbours, ...]:
     """Positions of all nodes in rest lengths; those that are held are where the supports are."""
     moves, at = _needs_velocities(b), b.supports
+    ends = ((at.left_x if b.first.holds_height else 0, at.right_x), (0, at.right_y), (0, at.right_z))
     found = []
-    for name, rate, holds, first, last in (
-        ("x", "u", (b.first.holds_x, b.last.holds_x), at.left_x if b.first.holds_height else 0, at.right_x),
-        ("y", "v", (b.first.holds_height, b.last.holds_height), 0, at.right_y),
-    ):
-        if name == "y" or along:
-            slot = Slot(name, "node", holds, moves, rate if moves else "", section=False)
-            found.append(b.unknown(slot, first, last))
+    for way in range(ways):
+        if way or along:
+            slot = Slot(PLACES[way], "node", _held(b, way), moves, SPEEDS[way] if moves else "", section=False)
+            found.append(b.unknown(slot, *ends[way]))
         else:
             # Nodes stay above the places where a straight, level filament has them.
             shift = at.left_x + 0.5 if b.first.holds_height else at.right_x - 0.5
-            found.append(b.stage(name, NODES, b.X[0] + shift))
-    return found[0], found[1]
+            found.append(b.stage("x", NODES, b.X[0] + shift))
+    return tuple(found)
 
 
-def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours, Neighbours, Neighbours]:
+def velocities(
+    b: Builder, ways: int = 2, *, along: bool = True
+) -> tuple[tuple[Neighbours, ...], tuple[Neighbours, ...]]:
     """Velocities of all nodes in rest lengths and time scales: those of held ones as zero, and as they move."""
-    inertia = b.equations.terms.inertia
     # A neck's gradient takes power where the last cell is stretched by a support that moves.
-    felt = _resists(b) or b.equations.neck is not None
-    if not _needs_velocities(b):
-        return Same(), Same(), Same(), Same()
-    at, plain, moved = b.supports, list[Neighbours](), list[Neighbours]()
-    for name, holds, last in (
-        ("u", (b.first.holds_x, b.last.holds_x), at.right_u * b.scale),
-        ("v", (b.first.holds_height, b.last.holds_height), at.right_v * b.scale),
-    ):
-        if name == "u" and not along:
+    felt, at, plain, moved = (
+        _resists(b) or b.equations.neck is not None,
+        b.supports,
+        list[Neighbours](),
+        list[Neighbours](),
+    )
+    for way, last in zip(range(ways), (at.right_u, at.right_v, at.right_w), strict=False):
+        if not _needs_velocities(b) or not (way or along):
             plain.append(Same())
             moved.append(Same())
             continue
-        slot = Slot(name, "node", holds, inertia, "", section=False)
+        holds = _held(b, way)
+        slot = Slot(SPEEDS[way], "node", holds, b.equations.terms.inertia, "", section=False)
         plain.append(b.unknown(slot))
-        still = not any(holds) or not holds[1] or ca.SX(last).is_zero()
-        moved.append(plain[-1] if still or not felt else b.unknown(slot, 0, last, f"{name}_moving"))
-    return plain[0], plain[1], moved[0], moved[1]
+        still = not felt or not holds[1] or ca.SX(last).is_zero()
+        moved.append(plain[-1] if still else b.unknown(slot, 0, last * b.scale, f"{SPEEDS[way]}_moving"))
+    return tuple(plain), tuple(moved)
 
 
 def branch_name(kind: str, branch: int) -> str:

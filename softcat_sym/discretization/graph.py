@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from softcat_sym.discretization.grid import Grid
-from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule, shown_of_points, shown_of_section
 from softcat_sym.discretization.unknowns import Floats, Layout, Signature
 from softcat_sym.physics.terms import Terms
@@ -43,7 +42,7 @@ class Graph:
     terms: Terms  # What they left of the equations
     conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
     signature: Signature  # What its sites compute, by name
-    rule: SectionRule | PointRule | None  # Points of a section that is resolved
+    rule: SectionRule | None  # Points of a section that is resolved
     recorded: RecordedProgram  # What writes down what its sites compute
     places: Mapping[str, Floats]  # Geometry of each site
     moving: Layout  # Where the differential and the algebraic unknowns stand

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
+from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
     Mechanics,
@@ -15,7 +16,6 @@ from softcat_sym.discretization.cell import (
     mean_of_nodes,
     neck_force,
     positions,
-    printed,
     shown_chains,
     surface_force,
     velocities,
@@ -176,9 +176,9 @@ def _states(b: Builder, branch: int) -> tuple[Neighbours, Neighbours]:
 def kirchhoff(b: Builder) -> Mechanics:
     """A filament whose sections stay normal to the centreline."""
     terms, line = b.equations.terms, b.equations.centreline
-    x, y = positions(b, along=terms.stretches)
-    u, v, *moved = velocities(b, along=terms.stretches)
-    slope = tuple(b.stage(f"slope_{n}", CELLS, (r[1] - r[0]) / b.length[0]) for n, r in (("x", x), ("y", y)))
+    places = positions(b, along=terms.stretches)
+    speeds, moved = velocities(b, along=terms.stretches)
+    slope = tuple(b.stage(f"slope_{n}", CELLS, (r[1] - r[0]) / b.length[0]) for n, r in zip("xy", places, strict=True))
     tangent = {symbols.x_X: slope[0][0], symbols.y_X: slope[1][0]}
     s = b.stage("s", CELLS, printed(line.stretch, tangent) if terms.stretches else ca.SX(1))
     s_node = b.nodes("s_node", b.averaged(s))
@@ -214,19 +214,17 @@ def kirchhoff(b: Builder) -> Mechanics:
     }
     energies = {"elastic": section.stored, "surface": surface}
     return Mechanics(
-        x,
-        y,
-        u,
-        v,
+        places,
+        speeds,
+        moved,
         s,
-        (force[0], force[1]),
+        force,
         section.plastic,
         energies,
         section.dissipation,
         shown,
         double_force=double_force,
         profiles=section.profiles,
-        moved=(moved[0], moved[1]),
         ageing=_aged(b, section, surface),
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
     )

@@ -9,25 +9,23 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.cell import (
     Builder,
     Values,
     branch_name,
     chain_state,
     derivatives,
-    printed,
     shown_chains,
 )
-from softcat_sym.discretization.sampling import OnePoint, Sampling, point_labels
-from softcat_sym.discretization.section_rule import POINT
+from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
 from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.clocks import State
 from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.reissner import FibreBranch, FibreHardening, ResolvedSection, SampledSection
+from softcat_sym.physics.reissner import FibreBranch, FibreHardening, SampledSection
 from softcat_sym.physics.structure import speed
 
 _NO_STRESS = 1e-12
@@ -48,10 +46,15 @@ class Sampled:
     shown: dict[str, ca.SX]
 
 
-def sampled(b: Builder, section: SampledSection, rule: Sampling, values: Values) -> Sampled:
+def one_of(rule: SectionRule) -> SectionRule:
+    """A point that stands for all of a rule, for code that loops over points."""
+    return SectionRule.of_points({name: (ca.SX.sym(name),) for name in rule.tables}, stands_for_all=True)
+
+
+def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> Sampled:
     """Stress and flow at the points of a section, and their sums."""
-    if isinstance(rule, OnePoint):
-        for name, symbol in rule.symbols.items():
+    if rule.stands_for_all:
+        for name, (symbol,) in rule.tables.items():
             b.leaves.adopt(symbol, Leaf(FIBRE, name))
     places = [{_PLACES[name]: ca.SX(one) for name, one in place.items() if name != "weight"} for place in rule.places]
     points = [_Point(b, section, {**values, **place}) for place in places]
@@ -66,7 +69,7 @@ def sampled(b: Builder, section: SampledSection, rule: Sampling, values: Values)
             profiles |= _profiles(rule, _names(rule, "axial", number))
     for clock in clocks:
         plastic |= clock.rates(rule, points)
-    if b.equations.chains is not None and isinstance(section, ResolvedSection):
+    if b.equations.chains is not None:
         plastic |= _add_chains(b, section, b.equations.chains, rule, points)
         for one in b.equations.chains.states:
             profiles |= _profiles(rule, [f"{chain_state(one)}_{label}" for label in rule.labels], one.power)
@@ -82,7 +85,7 @@ _PLACES = {symbol.name: symbol for symbol in (symbols.zeta, *spatial.POINT)}
 def _summed(
     b: Builder,
     section: SampledSection,
-    rule: Sampling,
+    rule: SectionRule,
     points: Sequence[_Point],
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
@@ -92,12 +95,12 @@ def _summed(
 
     def mean(name: str, values: Iterable[ca.SX], levers: Iterable[Any] | None = None) -> ca.SX:
         total = sum((value * weight for weight, value in zip(levers or weights, values, strict=True)), ca.SX(0))
-        return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
+        return b.total(name, total) if rule.stands_for_all else ca.SX(total)
 
     conjugate = (reissner.sigma_c, *(kind.stress for kind in section.kinds))
     stressed = [{**point.values, **dict(zip(conjugate, point.stress, strict=True))} for point in points]
     shown: dict[str, ca.SX] = {}
-    for label, point in zip(point_labels(rule), points, strict=True):
+    for label, point in zip(rule.point_labels, points, strict=True):
         found = {"yields": point.yields, "speed": point.speed, **shown_chains(point.conformation)}
         found |= {} if rule.is_spatial else {"axial": point.stress[0]}
         found |= {clock.state.name: point.values[clock.state.shown] for clock in clocks}
@@ -123,18 +126,18 @@ def _summed(
     )
 
 
-def _names(rule: Sampling, kind: str, branch: int) -> list[str]:
+def _names(rule: SectionRule, kind: str, branch: int) -> list[str]:
     """The states of one kind, of a branch."""
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
 
 
-def _recalled(b: Builder, rule: Sampling, names: Sequence[str]) -> list[ca.SX]:
+def _recalled(b: Builder, rule: SectionRule, names: Sequence[str]) -> list[ca.SX]:
     """What states of these names make at every point."""
     states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
     return [_dot(row, states) for row in rule.recall]
 
 
-def _projected(rule: Sampling, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
+def _projected(rule: SectionRule, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
     """Rates of states of these names, of the rates at every point."""
     return dict(zip(names, (_dot(row, rates) for row in rule.project), strict=True))
 
@@ -143,7 +146,7 @@ def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
     return sum((weight * value for weight, value in zip(weights, values, strict=True) if weight), ca.SX(0))
 
 
-def _profiles(rule: Sampling, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
+def _profiles(rule: SectionRule, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
     """What states of these names are of a strain that is linear through the thickness; of one fibre over its zeta."""
     mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.across
     return {name: (power * float(m), power * float(z)) for name, m, z in zip(names, mean, linear, strict=True)}
@@ -157,24 +160,24 @@ class _Followed:
     replaces: tuple[tuple[Any, Any], ...]
     state: State
 
-    def _names(self, rule: Sampling) -> list[str]:
+    def _names(self, rule: SectionRule) -> list[str]:
         return [f"{self.name}_{label}" for label in rule.labels]
 
-    def set(self, b: Builder, rule: Sampling, points: Sequence[_Point]) -> None:
+    def set(self, b: Builder, rule: SectionRule, points: Sequence[_Point]) -> None:
         """What it makes of the constants at every point, by its state there."""
         for point, state in zip(points, _recalled(b, rule, self._names(rule)), strict=True):
             stated = {**point.values, self.state.symbol: state}
             point.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
             point.values[self.state.shown] = printed(self.state.value, stated)
 
-    def rates(self, rule: Sampling, points: Sequence[_Point]) -> dict[str, ca.SX]:
+    def rates(self, rule: SectionRule, points: Sequence[_Point]) -> dict[str, ca.SX]:
         """Rates of its states, of the flow at every point."""
         rates = [printed(self.state.rate, {**point.values, speed: point.speed}) for point in points]
         return _projected(rule, self._names(rule), rates)
 
 
 def _add_chains(
-    b: Builder, section: ResolvedSection, chains: ChainResponse, rule: Sampling, points: Sequence[_Point]
+    b: Builder, section: SampledSection, chains: ChainResponse, rule: SectionRule, points: Sequence[_Point]
 ) -> dict[str, ca.SX]:
     """Polymer chains at every point of a section; rates of their states."""
     names = [[f"{chain_state(one)}_{label}" for label in rule.labels] for one in chains.states]
@@ -189,12 +192,11 @@ def _add_chains(
 
 
 def _add_branch(
-    b: Builder, section: SampledSection, branch: FibreBranch, rule: Sampling, points: Sequence[_Point], number: int
+    b: Builder, section: SampledSection, branch: FibreBranch, rule: SectionRule, points: Sequence[_Point], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
-    shears = not isinstance(section, ResolvedSection) or section.shears
     kinds = ("axial", "shear") if not rule.is_spatial else ("axial", "shear2", "shear3")
-    moving = len(kinds) if shears else 1
+    moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
     for row, symbol in zip(back, (backstress.axial, backstress.shear), strict=False):
@@ -217,7 +219,7 @@ def _add_branch(
 
 
 def _follow(
-    rule: Sampling, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
+    rule: SectionRule, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
 ) -> dict[str, ca.SX]:
     """Rates of states; what these do not follow of the rates at the points costs no energy."""
     found = _projected(rule, names, rates)
@@ -294,7 +296,7 @@ class _Point:
         self.backstress = printed(hardening.stress, values)
         self.energy += printed(hardening.stored, values)
 
-    def carry(self, section: ResolvedSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
+    def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
         values |= {conformation.strain: self.strain[0] - printed(section.relaxed, values)}

@@ -16,14 +16,14 @@ import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import CATALOGUE
+from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
 from softcat_sym.discretization.parameters import AREA, REST_LENGTH, TIME_SCALE, energy_scale
 from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Signature, Slot
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import FilamentEquations
-from softcat_sym.physics.laws import growth_of
+from softcat_sym.physics.laws import Constant, growth_of
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import Support
 
@@ -48,6 +48,11 @@ class SmallDeflection:
     body: Body
     support: tuple[()] = ()  # Nothing balances along x: the force of a support is not known
 
+    @property
+    def rows(self) -> tuple[Parameter | Constant, ...]:
+        """Numbers that equations may hold."""
+        return (*CATALOGUE, *self.equations.constants)
+
     @cached_property
     def signature(self) -> Signature:
         """Unknowns, numbers that a run is given, and what is integrated beside the unknowns."""
@@ -60,7 +65,7 @@ class SmallDeflection:
             slots += [Slot("a_0", "whole", (False, False), True, "", section=False)]
             slots += [Slot("a_1", "node", turns, True, "", section=False)] * terms.bending
         unused = {sy.sigma_Y} if terms.flows else {sy.sigma_Y, sy.eta}
-        rows = [row.name for row in (*CATALOGUE, *equations.constants) if row.symbol not in unused]
+        rows = [row.name for row in self.rows if row.symbol not in unused]
         powers = ["plastic", "load", "gradient", *(one.label for one in equations.densities if one.dissipation != 0)]
         powers += [WORK_OF_AGEING] * bool(equations.clocks)
         parameters, profiles = (*rows, AREA, *self.body.parameters, TIME_SCALE), {"a_0": (1.0, 0.0), "a_1": (0.0, 1.0)}
@@ -73,8 +78,8 @@ class SmallDeflection:
         equations, terms, (left, right) = self.equations, self.equations.terms, self.ends
         node, X, cell, nodes = places["node"], places["X"], places["cell"][:-1], len(places["node"])
         span, scale, rho = named[REST_LENGTH], named[TIME_SCALE], named["density"]
-        rows = (row for row in (*CATALOGUE, *equations.constants) if row.name in named)
-        given: dict[Any, Any] = {row.symbol: named[row.name] for row in rows} | {sy.t: time * scale, sy.A0: 1.0}
+        given: dict[Any, Any] = {row.symbol: named[row.name] for row in self.rows if row.name in named}
+        given |= {sy.t: time * scale, sy.A0: 1.0}
         given |= dict.fromkeys((sy.n_0, sy.n_1, GROWTH), 0.0) | {zeta_squared: float(equations.shape.zeta_squared)}
         for clock in equations.clocks:
             given |= {symbol: printed(value, given) for symbol, value in clock.replaces}
@@ -110,7 +115,7 @@ class SmallDeflection:
             at = {sy.x_X: s - elongation, sy.y_X: slope, sy.x_t: 0.0, sy.x_Xt: 0.0, sy.y_Xt: ca.diff(v) / cell / scale}
             at |= {sy.g_t: gravity, sy.A0: named[AREA] * given[sy.A0]}
             ends = ({one: value[here] for one, value in moving.items()} for here in (slice(0, -1), slice(1, None)))
-            return sum(cell / (2 * named[AREA]) * printed(density, given | at | end) for end in ends)
+            return ca.SX(sum(cell / (2 * named[AREA]) * printed(density, given | at | end) for end in ends))
 
         x = X + ca.vertcat(0, ca.cumsum(cell * (s - 1 - elongation)))
         moving = {sy.x: x * span, sy.y: y * span, sy.X: ca.DM(X) * span, sy.y_t: v * span / scale}
@@ -138,7 +143,7 @@ class SmallDeflection:
             "load": ca.vertcat(mass * gravity_rate * y, *(ca.jtimes(one, time, 1) / scale for one in stored.values())),
             "gradient": ca.SX(1, 1),
             WORK_OF_AGEING: ca.jtimes(ca.vertcat(elastic, of_surface), time, 1) / scale,
-            **{name: ca.jtimes(one, speed, speed) for name, one in lost.items()},
+            **({} if speed is None else {name: ca.jtimes(one, speed, speed) for name, one in lost.items()}),
         }
         unit, every = scale / energy_scale(rho, span, scale), ca.SX.ones(nodes - 1)
         shown = {

@@ -170,7 +170,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
     """
     # The equations need SymPy, which is loaded only here.
     from softcat_sym.physics.filament import equations_of
-    from softcat_sym.physics.in_force import equations_in_force
+    from softcat_sym.physics.written_equations import equations_in_force
 
     scene = as_scene(scene, changes)
     effects = choose_effects(scene)

@@ -13,7 +13,7 @@ import numpy as np
 from softcat_sym.batch.members import Row, written
 from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.discretization.section_rule import POINT, SectionRule
+from softcat_sym.discretization.section_rule import POINT
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
@@ -220,7 +220,7 @@ def _resolved(one: Fixed) -> dict[str, Any]:
         and {
             "count": rule.points,
             "weight": rule.weight.tolist(),
-            "zeta": rule.zeta.tolist() if isinstance(rule, SectionRule) else None,
+            "zeta": rule.zeta.tolist() if not rule.is_spatial else None,
         },
     }
 
