@@ -17,8 +17,8 @@ import typer
 
 from softcat_sym import cache
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
 from softcat_sym.simulate import simulated
 
