@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
     damping,
@@ -25,8 +26,7 @@ from softcat_sym.effects.forecast import (
 )
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
-from softcat_sym.effects.lists import terms_of
-from softcat_sym.effects.quasi_static import flow_sag, quasi_static_history
+from softcat_sym.effects.quasi_static_sag import flow_sag, quasi_static_history
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     elastic_sag,

@@ -18,8 +18,8 @@ import warnings
 from pathlib import Path
 from typing import NoReturn
 
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.cli.overview import HELP, overview
+from softcat_sym.lazy import lazy_imports
 
 with lazy_imports():
     from softcat_sym import errors, interrupts

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import Display
 
 with lazy_imports():

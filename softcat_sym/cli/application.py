@@ -16,9 +16,9 @@ import typer.main
 from typer.core import TyperGroup
 
 from softcat_sym.cli.completing import complete_change, complete_scene
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.cli.overview import COMMANDS, HELP, INSTANT, SUMMARY, home_of, overview
 from softcat_sym.interrupts import ending
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
     from softcat_sym.drawing import Report

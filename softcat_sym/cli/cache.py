@@ -9,7 +9,7 @@ import typer
 
 from softcat_sym import cache as kept
 from softcat_sym.cli.application import switch
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 
 with lazy_imports():
     from softcat_sym import store

@@ -9,8 +9,8 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 
 with lazy_imports():
     from importlib import resources

@@ -9,9 +9,9 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import write_results
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_names
 
 with lazy_imports():

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
     from softcat_sym.effects.expected_regime import ExpectedRegime

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.files import made
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
 if TYPE_CHECKING:

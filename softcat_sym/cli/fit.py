@@ -12,8 +12,8 @@ import typer
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.fitting.defaults import STARTS
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import StudyDisplay
 
 if TYPE_CHECKING:

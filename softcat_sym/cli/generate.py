@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_names
 
 if TYPE_CHECKING:

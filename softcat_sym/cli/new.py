@@ -11,8 +11,8 @@ from typing import Annotated, Any
 import typer
 
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.lazy import lazy_imports
 
 with lazy_imports():
     from softcat_sym import files

@@ -8,8 +8,8 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
 with lazy_imports():

@@ -9,9 +9,9 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.files import made, write_results, written_together
 from softcat_sym.interrupts import ending
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.simulate import simulated
 
 with lazy_imports():

@@ -10,8 +10,8 @@ import typer
 
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
 
 with lazy_imports():

@@ -10,8 +10,8 @@ import typer
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_change
-from softcat_sym.cli.lazy import lazy_imports
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
 with lazy_imports():

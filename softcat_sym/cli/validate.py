@@ -9,7 +9,7 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.cli.lazy import lazy_imports
+from softcat_sym.lazy import lazy_imports
 
 with lazy_imports():
     from softcat_sym.plotting import terminal

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.quasi_static import followed_sag
+from softcat_sym.effects.quasi_static_sag import followed_sag
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.scene import Scene
 

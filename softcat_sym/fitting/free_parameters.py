@@ -25,9 +25,9 @@ from softcat_sym.scene.material import FROM_SHEAR, Material, poisson_in_shear, t
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
-from softcat_sym.scene.structure import Structure
 from softcat_sym.scene.tables import frozen_below
 from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.thixotropy import Thixotropy
 from softcat_sym.scene.units import (
     SI_UNITS,
     Kind,
@@ -519,7 +519,7 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
             name = key.partition(".")[2]
             parameters[name] = replace(parameters[name], value=value)
         elif key.startswith("structure.") and material.structure is not None:
-            whole = cast("Structure", given.get("structure", material.structure))
+            whole = cast("Thixotropy", given.get("structure", material.structure))
             one: dict[str, Any] = {key.partition(".")[2]: value}
             given["structure"] = replace(whole, **one)
         else:

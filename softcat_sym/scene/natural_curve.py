@@ -11,7 +11,7 @@ from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
 from softcat_sym.scene.tables import Tables
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.curve import Curve
+    from softcat_sym.scene.curve import SpaceCurve
     from softcat_sym.scene.parts import Filament, Point, Rule
 
 _STEP = 0.05
@@ -34,7 +34,7 @@ def is_curved(scene: Tables) -> bool:
 
 
 @lru_cache(maxsize=64)
-def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> Curve:
+def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> SpaceCurve:
     import numpy as np
 
     from softcat_sym.scene.curve import SplineCurve, SteadyCurve
@@ -72,7 +72,7 @@ def _of_helix(distance: float, curvature: float, twist: float) -> float:
     return _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
 
 
-def natural_curve(scene: Tables) -> Curve:
+def natural_curve(scene: Tables) -> SpaceCurve:
     """Return the curve of a filament that has a shape, from its first end to its last one."""
     filament = scene.filament
     chord = (filament.span, 0.0 - scene.ends.drop, 0.0)

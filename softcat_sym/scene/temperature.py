@@ -132,7 +132,7 @@ def _factor(unit: str, wanted: str) -> float:
     return short if math.isclose(short, factor, rel_tol=1e-15) else factor
 
 
-class Softening(Kind):
+class ModulusTable(Kind):
     """A table of temperatures and of moduli over those that the material states."""
 
     si = True
@@ -162,7 +162,7 @@ class Softening(Kind):
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
 
 
-class Stretch(Kind):
+class HeatedPart(Kind):
     """Two places along the rest length, from the left end."""
 
     si = True
@@ -198,7 +198,7 @@ class Temperature(Part):
     """Temperature of the filament at the start; with it the filament has a temperature at all."""
     ambient: Annotated[float | None, TimedTemperature("20 degC")] = None
     """Temperature of what surrounds the filament, or of the furnace."""
-    heated: Annotated[tuple[float, ...], Stretch()] = ()
+    heated: Annotated[tuple[float, ...], HeatedPart()] = ()
     """Part of the filament that is in the furnace, from the left end along the rest length; all of it unless given."""
     outside: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
     """Temperature around the part that is not in the furnace."""
@@ -230,7 +230,7 @@ class Temperature(Part):
     """WLF: C2 of the formula at C1."""
     activation_energy: Annotated[float | None, Thermal("molar energy", "J/mol", "50 kJ/mol")] = None
     """Arrhenius: log of the viscosity over that at the reference is E/R (1/T - 1/T_r)."""
-    modulus: Annotated[History | None, Softening()] = None
+    modulus: Annotated[History | None, ModulusTable()] = None
     """Moduli over those of [material], at temperatures; a monotone cubic between."""
 
     @property

@@ -530,7 +530,7 @@ NUMBERS = Values(Number(), "a list of numbers without units")
 _OF_LENGTH_ONE = 1e-12
 
 
-class Direction(Values):
+class UnitVector(Values):
     """A direction: three numbers of any size, stored with length one."""
 
     def __init__(self) -> None:

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.effects.effect_sets import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
-from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     beam_of,

@@ -16,7 +16,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import Decision, choose_effects
 from softcat_sym.effects.effect import Estimate
-from softcat_sym.effects.lists import (
+from softcat_sym.effects.effect_sets import (
     Names,
     dependants,
     everything,

@@ -18,7 +18,7 @@ from softcat_sym.discretization.parameters import heat_unit, parameter_values, t
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import worst_gravity_number
-from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.effects.initial_stress import initial_strain
 from softcat_sym.effects.scaling_estimates import (
     neck_length,
     pull_of_surface,

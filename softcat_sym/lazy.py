@@ -1,9 +1,10 @@
-"""Imports that are done when they are first used, so that the help of a command, or its refusal, comes at once."""
+"""Imports that are done when they are first used: ``import softcat_sym`` and the help of a command come at once."""
 
 from __future__ import annotations
 
 import builtins
-from collections.abc import Iterator, Sequence
+from _thread import get_ident  # `threading` would take longer to load than all else here
+from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from types import SimpleNamespace
@@ -20,18 +21,20 @@ class _LazyModule:
         return getattr(import_module(self._name), attribute)
 
 
-def _import_lazily(name: str, _globals: object, _locals: object, modules: Sequence[str], _level: int) -> object:
-    """Answer ``from name import modules`` without importing anything."""
-    return SimpleNamespace(**{module: _LazyModule(f"{name}.{module}") for module in modules})
-
-
 @contextmanager
 def lazy_imports() -> Iterator[None]:
     """Import the modules in this block, each a ``from package import module``, when one of their names is first used.
 
     Linters and type checkers see imports like any others.
     """
-    imports, builtins.__import__ = builtins.__import__, _import_lazily  # type: ignore[assignment]
+    imports, here = builtins.__import__, get_ident()
+
+    def lazily(name: str, *scopes: Any) -> Any:
+        if get_ident() != here:
+            return imports(name, *scopes)
+        return SimpleNamespace(**{module: _LazyModule(f"{name}.{module}") for module in scopes[2]})
+
+    builtins.__import__ = lazily  # type: ignore[assignment]
     try:
         yield
     finally:
