@@ -132,8 +132,8 @@ def out_of_plane_instability(scene: Scene, fields: Mapping[str, Floats]) -> OutO
         return None
     # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
     growth = float(np.sum(np.minimum(rates[1:], rates[:-1]) * np.diff(time)))
-    first = float(time[np.flatnonzero(rates)[0]])
-    return None if growth < GROWN else OutOfPlaneInstability(first, growth, float(rates.max()))
+    begins = float(time[np.flatnonzero(rates)[0]])
+    return None if growth < GROWN else OutOfPlaneInstability(begins, growth, float(rates.max()))
 
 
 @dataclass(frozen=True)
