@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from itertools import pairwise
@@ -69,19 +69,18 @@ _SAG = store.json_form(asdict, lambda found: Sag(found["value"], tuple(found["ef
 
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
-    key = store.key_of("sag", identity_of(scene), at_end)
-    return store.stored(key, lambda: _sag_of_run(scene, at_end=at_end), _SAG)
 
+    def measured() -> Sag:
+        try:
+            run = simulated(without_estimate(scene))
+        except SceneError as error:
+            return Sag(np.inf, (), str(error))
+        names, midpoint = tuple(run.summary["effects"]), run.fields["midpoint"]
+        if not run.outcome.is_success:
+            return Sag(np.inf, names, run.outcome.name)
+        return Sag(abs(float(_extreme(midpoint, at_end=at_end) @ midpoint)), names, "")
 
-def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
-    try:
-        run = simulated(without_estimate(scene))
-    except SceneError as error:
-        return Sag(np.inf, (), str(error))
-    names = tuple(run.summary["effects"])
-    if not run.outcome.is_success:
-        return Sag(np.inf, names, run.outcome.name)
-    return Sag(abs(float(_extreme(run.data.midpoint.values, at_end=at_end) @ run.data.midpoint.values)), names, "")
+    return store.stored(store.key_of("sag", identity_of(scene), at_end), measured, _SAG)
 
 
 class FrozenSag:
@@ -126,16 +125,15 @@ class FrozenSag:
     def _by_runs(self, span: float) -> tuple[float, dict[str, float]]:
         """The same by central differences of runs, for a row of equilibria, which has no forward model."""
         scene = with_span(self._scene, span)
-        free = free_parameters(scene, [SPAN, *self._paths])
-        logs = [self._log_sag(scene, one) for one in free]
-        slopes = [(log(_STEP) - log(-_STEP)) / (2 * _STEP) for log in logs]
-        return slopes[0], dict(zip(self._paths, slopes[1:], strict=True))
 
-    def _log_sag(self, scene: Scene, one: FreeParameter) -> Callable[[float], float]:
-        def of(step: float) -> float:
+        def log_sag(one: FreeParameter, step: float) -> float:
             return float(np.log(sag_of_run(with_values(scene, [one], [one.value(step)]), at_end=self._at_end).value))
 
-        return of
+        by_span, *slopes = (
+            (log_sag(one, _STEP) - log_sag(one, -_STEP)) / (2 * _STEP)
+            for one in free_parameters(scene, [SPAN, *self._paths])
+        )
+        return by_span, dict(zip(self._paths, slopes, strict=True))
 
 
 def _unknowns(model: ForwardModel, span: float) -> Floats:

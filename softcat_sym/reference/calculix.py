@@ -114,9 +114,11 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     held = _held(strip, layers, clamp)
+    # On one line that CalculiX reads whole and takes for no keyword.
+    title = "".join(letter if letter.isascii() and letter.isprintable() else "?" for letter in scene.title)
     lines = [
         "*HEADING",
-        _title(scene),
+        f"softcat_sym: {title}"[:80],
         *layers.lines(),
         *material_lines(scene),
         *held,
@@ -167,12 +169,6 @@ class _Layers:
             yield ",\n".join(_rows([element, *np.concatenate(parts)]))
         yield "*NSET, NSET=CENTRE"
         yield from _rows(self.bottom[self._strip.centreline])
-
-
-def _title(scene: Scene) -> str:
-    """The title on one line that CalculiX reads whole and takes for no keyword."""
-    plain = "".join(letter if letter.isascii() and letter.isprintable() else "?" for letter in scene.title)
-    return f"softcat_sym: {plain}"[:80]
 
 
 def _real(value: float) -> str:

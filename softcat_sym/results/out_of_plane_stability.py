@@ -126,17 +126,14 @@ def out_of_plane_instability(scene: Scene, fields: Mapping[str, Floats]) -> OutO
     viscosity = solid_viscosity(scene)
     if scene.material.spec.viscous_stress:
         viscosity += float(scene.material.viscosity or 0.0)
-    frames = zip(banded(carried + modulus * elastic, held), banded(viscosity * elastic, held), strict=True)
-    rates = np.array([_growth_rate(*frame, mass, float(time[-1])) for frame in frames])
+    matrices = zip(banded(carried + modulus * elastic, held), banded(viscosity * elastic, held), strict=True)
+    rates = np.array([_growth_rate(stiff, damped, mass, float(time[-1])) for stiff, damped in matrices])
     if not np.any(rates):
         return None
     # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
     growth = float(np.sum(np.minimum(rates[1:], rates[:-1]) * np.diff(time)))
-    return (
-        None
-        if growth < GROWN
-        else OutOfPlaneInstability(float(time[np.flatnonzero(rates)[0]]), growth, float(rates.max()))
-    )
+    begins = float(time[np.flatnonzero(rates)[0]])
+    return None if growth < GROWN else OutOfPlaneInstability(begins, growth, float(rates.max()))
 
 
 @dataclass(frozen=True)

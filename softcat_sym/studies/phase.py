@@ -77,31 +77,34 @@ def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[Phas
     places = [place_at(scene, plane, 1.0, float(value)) for value in other]
     section, beam = section_of(scene), beam_of(scene)
 
+    def line(name: str, kind: Kind, source: Source, equation: str, G: Callable[[Place], float]) -> PhaseLine:
+        return PhaseLine(name, kind, source, equation, other, np.array([G(place) for place in places]))
+
     static, exact = beams.first_yield(section, beam, 1.0), beams.ARREST_THRESHOLD_EXACT
     sudden = static / beam.overshoot_bound
     # An arrested filament may still flow at this rate: its stress exceeds the yield stress by the same share.
     at_rate = 1 + ARREST_RATE
-    found: list[tuple[str, Kind, Source, str, Callable[[Place], float]]] = [
-        ("first yield of a beam", "first yield", "paper", "(3.11)", lambda place: static * place.delta),
-        ("arrest of a shallow catenary", "arrest", "paper", "(3.12)", lambda _: math.sqrt(2)),
-        (
+    found = [
+        line("first yield of a beam", "first yield", "paper", "(3.11)", lambda place: static * place.delta),
+        line("arrest of a shallow catenary", "arrest", "paper", "(3.12)", lambda _: math.sqrt(2)),
+        line(
             "sudden load, undamped beam",
             "first yield",
             "exact",
             "(3.11) over the bound",
             lambda place: sudden * place.delta,
         ),
-        ("arrest of the exact catenary", "arrest", "exact", "(3.12), exact", lambda _: exact),
-        ("the same, of rate 0.5", "arrest of the span", "exact", "(3.12) at 1.5 σʏ", lambda _: exact * at_rate),
-        ("spring-back of 5 %", "overdamping", "estimate", "one-mode fall", _overdamped(scene)),
+        line("arrest of the exact catenary", "arrest", "exact", "(3.12), exact", lambda _: exact),
+        line("the same, of rate 0.5", "arrest of the span", "exact", "(3.12) at 1.5 σʏ", lambda _: exact * at_rate),
+        line("spring-back of 5 %", "overdamping", "estimate", "one-mode fall", _overdamped(scene)),
     ]
     if beam is beams.CLAMPED:
         slow = _slow_yield(scene, section)
         found += [
-            ("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow),
-            ("this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, static, slow)),
+            line("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow),
+            line("this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, static, slow)),
         ]
-    return tuple(PhaseLine(*about, other, np.array([G(place) for place in places])) for *about, G in found)
+    return tuple(found)
 
 
 def modulus_number(scene: Scene) -> float:
@@ -210,6 +213,12 @@ class Distance(NamedTuple):
     least: float
     most: float
 
+    def to_dict(self) -> dict[str, Any]:
+        """Entry in ``phase.json``."""
+        line = {"boundary": self.kind, "line": self.line.name, "source": self.line.source}
+        line |= {"equation": self.line.equation}
+        return line | {"rows": self.rows, "median": self.median, "least": self.least, "most": self.most}
+
 
 def crossings(G: Floats, other: Floats, marks: npt.NDArray[np.str_]) -> tuple[Crossing, ...]:
     """Every crossing of a lattice."""
@@ -304,14 +313,7 @@ class PhaseSheet:
             "wall_s": self.wall,
             "processor_s": self.processor,
             "marks": self.counts,
-            "boundaries": [
-                {
-                    **{"boundary": one.kind, "line": one.line.name, "source": one.line.source},
-                    **{"equation": one.line.equation, "rows": one.rows},
-                    **{"median": one.median, "least": one.least, "most": one.most},
-                }
-                for one in self.distances
-            ],
+            "boundaries": [one.to_dict() for one in self.distances],
         }
 
 

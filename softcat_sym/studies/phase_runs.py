@@ -254,10 +254,12 @@ def run_places(
 ) -> list[PhaseRun]:
     """Run one filament for each place, finished ones from the store."""
     rows: list[Row] = [
-        ({} if place.delta == groups_of(scene).delta else {"groups.delta": place.delta})
-        | {"groups.G": place.G, "groups.V": place.V, "run.duration": duration or duration_at(scene, place)}
+        {"groups.G": place.G, "groups.V": place.V, "run.duration": duration or duration_at(scene, place)}
         for place in places
     ]
+    for row, place in zip(rows, places, strict=True):
+        if place.delta != groups_of(scene).delta:
+            row["groups.delta"] = place.delta
     identity = identity_of(scene)
     batch = Batch(
         len(rows), 1, lambda number: rows[number : number + 1], lambda row: key_of("phase", identity, row), _COLUMNS, {}

@@ -16,10 +16,10 @@ from softcat_sym.codegen.compiler import build_identity
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
-from softcat_sym.studies.published import elastic, glass, viscous, yielding
+from softcat_sym.studies.published import elastic, glass, viscous, yield_stress
 from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
 
-_RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yielding.RUNS
+_RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yield_stress.RUNS
 
 
 def _published_cases() -> tuple[Case, ...]:

@@ -336,9 +336,12 @@ def study(
     lengths = choose_grid(asked.replace({"numerics.cells": _FIRST}), effects).cell_length
     fibres = choose_fibres(asked) if effects.terms().resolved else 0
     scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
+    # Fibres are doubled with the cells, as both errors are quadratic; not in three dimensions.
+    sections = [max(4, fibres * n // _FIRST) if fibres and not is_spatial(asked) else fibres for n in CELLS]
+    loosest = max(settings.rtol, _LOOSEST)
     ladder = [
-        Task(own.key, n, float(lengths[0] / lengths[-1]), _matched(fibres, n, asked), _tolerance(settings.rtol, n))
-        for n in CELLS
+        Task(own.key, n, float(lengths[0] / lengths[-1]), section, min(settings.rtol * (_FIRST / n) ** 2, loosest))
+        for n, section in zip(CELLS, sections, strict=True)
     ]
     budget = Budget(limit, on_progress)
     with closing(Worker(scene, budget)) as worker:
@@ -354,15 +357,6 @@ def study(
     ]
     confirmed, table = reference.confirmed(answers), pd.DataFrame(rows, dtype=object)
     return WorkPrecision(name, asked, effects.names, limit, confirmed, table)
-
-
-def _matched(fibres: int, cells: int, scene: Scene) -> int:
-    """Number of fibres, which is doubled with the cells as both errors are quadratic; not in three dimensions."""
-    return fibres if is_spatial(scene) or not fibres else max(4, fibres * cells // _FIRST)
-
-
-def _tolerance(rtol: float, cells: int) -> float:
-    return min(rtol * (_FIRST / cells) ** 2, max(rtol, _LOOSEST))
 
 
 def _from_coarse_to_fine(own: Method, ladder: Sequence[Task], worker: Worker, budget: Budget) -> Answers:
