@@ -50,7 +50,7 @@ REFUSED = [
         HEADER + ROWS.replace("20", "-20").replace("40", "0"),
         r"2 of 4 rows without a positive number \(line 3, line 4\)",
     ),
-    (HEADER + ROWS.replace("20", "2e20"), "outside of the range of a rheometer"),
+    (HEADER + ROWS.replace("20", "2e20"), "2e.20 is beyond anything measured"),
     (HEADER + ROWS.replace("1000,", "100.00000001,") + "1,15\n10,21\n", "3 distinct shear rates"),
 ]
 
