@@ -37,20 +37,16 @@ ROWS = "1,14\n10,20\n100,40\n1000,90\n"
 HEADER = "shear_rate_1_s,shear_stress_Pa\n"
 
 REFUSED = [
-    ("", "holds no data"),
-    (HEADER, "line 1: no rows below the header"),
     ("shear_rate_1_s,sheer_stress_Pa\n" + ROWS, r"no column shear stress .*called 'sheer_stress_Pa'"),
-    ("shear_rate_1_s,shear_stress_Pa,Stress (Pa)\n" + ROWS, r"2 columns for one quantity: shear_stress_Pa, Stress"),
     ("shear_rate_rpm,shear_stress_Pa\n" + ROWS, "rpm is a rotational speed"),
     ("Sample,shear_rate_1_s,shear_stress_Pa\nink,1,2\nclay,1,3\n", "2 samples; accepted: --sample with .* ink, clay"),
     ("shear_rate_s,shear_stress\n" + ROWS, "2 faults.*'s' is a time, not a shear rate.*no unit in its name"),
-    (HEADER + ROWS.replace("20", "twenty"), "line 3, shear_stress_Pa: 'twenty' is not a number"),
     (HEADER + ROWS.replace("20", "").replace("40", "n/a"), r"2 of 4 rows without a positive number \(line 3, line 4\)"),
     (
         HEADER + ROWS.replace("20", "-20").replace("40", "0"),
         r"2 of 4 rows without a positive number \(line 3, line 4\)",
     ),
-    (HEADER + ROWS.replace("20", "2e20"), "outside of the range of a rheometer"),
+    (HEADER + ROWS.replace("20", "2e20"), "2e.20 is beyond anything measured"),
     (HEADER + ROWS.replace("1000,", "100.00000001,") + "1,15\n10,21\n", "3 distinct shear rates"),
 ]
 

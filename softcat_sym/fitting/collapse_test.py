@@ -29,7 +29,6 @@ from softcat_sym.fitting.measurements import (
     Shapes,
     camera_of,
     comments_in,
-    implausible,
 )
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import laws_with
@@ -174,7 +173,7 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     columns, wrong = cells.chosen(cells.columns(("x", "y"), camera_of(values).scale), ("x", "y"))
     if faults or wrong:
         raise refusal(_KIND, file, faults + wrong)
-    table, faults = cells.numbers([*columns.values()], implausible)
+    table, faults = cells.numbers([*columns.values()])
     table, said, more = without(table, table.isna().any(axis=1), "number")
     x, y = table["x"].to_numpy(), table["y"].to_numpy()
     gaps = list[tuple[float, float]]()

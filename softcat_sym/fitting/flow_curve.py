@@ -24,7 +24,7 @@ from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
 from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import Cells, counted, read_cells, refusal, sentence, without
+from softcat_sym.scene.table_reader import Cells, counted, implausible, read_cells, refusal, sentence, without
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import did_you_mean
 
@@ -41,9 +41,6 @@ _SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
 FEWEST = 4
 """Smallest number of distinct rates: one more than Herschel-Bulkley has constants."""
 
-# Range of rheometers, in 1/s or Pa: numbers outside of it have a wrong unit.
-_LEAST, _MOST = 1e-12, 1e12
-
 
 @dataclass(frozen=True, eq=False)
 class FlowCurve:
@@ -57,7 +54,7 @@ class FlowCurve:
 
     def __post_init__(self) -> None:
         names = ("shear_rate", "shear_stress", *(() if self.std is None else ("std",)))
-        arrays, faults = arrays_of({name: getattr(self, name) for name in names}, _implausible)
+        arrays, faults = arrays_of({name: getattr(self, name) for name in names}, _wrong)
         for name, values in arrays.items():
             object.__setattr__(self, name, values)
         # Rates that agree to six digits are repetitions of one rate.
@@ -112,12 +109,12 @@ def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> 
     if faults:
         raise refusal(_KIND, file, faults)
     cells = _of_sample(cells, sample, file)
-    table, faults = cells.numbers([*chosen.values()], lambda _, value: _implausible("", value) if value > 0 else None)
+    table, faults = cells.numbers([*chosen.values()])
     table, said, too_many = without(table, ~(table > 0).all(axis=1), "positive number")
     if faults or too_many:
         raise refusal(_KIND, file, faults + too_many)
     if by_viscosity:
-        table["shear_stress"] = table["shear_rate"] * table["viscosity"]
+        table = table.assign(shear_stress=table["shear_rate"] * table["viscosity"])
         cells.said.append("computed stresses, rate times viscosity")
     std = table["shear_stress_std"].to_numpy() if "shear_stress_std" in table else None
     rate, stress = (table[name].to_numpy() for name in ("shear_rate", "shear_stress"))
@@ -138,14 +135,9 @@ def _of_sample(cells: Cells, sample: str | None, file: Path) -> Cells:
     return replace(cells, rows=[row for row, name in zip(cells.rows, of, strict=True) if name == sample])
 
 
-def _implausible(_: str, value: float) -> tuple[str, str] | None:
-    if not math.isfinite(value):
-        return f"{value} is not finite", "a positive number"
-    if value <= 0:
-        return f"{value:g} is not positive", "a positive number: magnitudes, the fit is of relative residuals"
-    if not _LEAST <= value <= _MOST:
-        return f"{value:g} is outside of the range of a rheometer", f"a number from {_LEAST:g} to {_MOST:g}"
-    return None
+def _wrong(name: str, value: float) -> tuple[str, str] | None:
+    is_positive = "a positive number: magnitudes, the fit is of relative residuals"
+    return implausible(name, value) or (None if value > 0 else (f"{value:g} is not positive", is_positive))
 
 
 def shear_stress(law: LawSpec, tau_Y: float, k: float, n: float, shear_rate: Floats) -> Floats:

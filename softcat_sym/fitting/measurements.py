@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -21,6 +20,7 @@ from softcat_sym.scene.table_reader import (
     NOTHING,
     Cells,
     counted,
+    implausible,
     is_pixels,
     known,
     listed,
@@ -44,8 +44,6 @@ SAME_TIME = 1e-9
 FEWEST = 5
 """Smallest number of distinct times, or points of shapes: with fewer, trend and noise cannot be separated."""
 
-# Largest magnitude of a number, and smallest standard error, in SI units.
-_MOST, _FINEST = 1e12, 1e-15
 # Largest range of heights that is rounding error, as a share of the largest height.
 _ROUNDING = 1e-12
 # Shares of the range of heights: motion before the release, and difference of two readings at one time, at most.
@@ -248,19 +246,6 @@ def _adopt_in_time(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> l
         return [Fault(f"time[{int(time.argmin())}]", f"{time.min():g} s, before the release", "times from 0 s on")]
     back, accepted = np.flatnonzero(np.diff(time) < 0)[:1], "times in increasing order (Measurements.of sorts)"
     return [Fault(f"time[{k + 1}]", f"{time[k + 1]:g} s after {time[k]:g} s", accepted) for k in back]
-
-
-def implausible(quantity: str, value: float) -> tuple[str, str] | None:
-    """Why a number in SI units cannot be measured, and what would be accepted; None if it can."""
-    is_std = quantity.endswith("std")
-    accepted = "a positive number" if is_std else "a finite number"
-    if not math.isfinite(value):
-        return f"{value} is not finite", accepted
-    if is_std and value <= 0:
-        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
-    if abs(value) > _MOST or (is_std and value < _FINEST):
-        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
-    return None
 
 
 def _is_constant(values: Floats) -> bool:
@@ -539,7 +524,7 @@ def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], list[
         faults.append(Fault(f"line {cells.line}", found, "two files for both"))
     if faults:
         return {}, faults
-    table, faults = cells.numbers([*chosen.values()], implausible)
+    table, faults = cells.numbers([*chosen.values()])
     table = table.rename(columns={clock: "time"})
     doubtful = table.pop("likelihood") < _LIKELY if "likelihood" in table else None
     if doubtful is not None and doubtful.any():

@@ -29,6 +29,8 @@ MISSING = 1 / 3
 NOTHING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "none", "-", "---"})
 """How trackers, rheometers and spreadsheets write that there is nothing."""
 
+# Largest magnitude of a number, and smallest standard error, in SI units.
+_MOST, _FINEST = 1e12, 1e-15
 _LONGEST = 1 << 24
 _FAULTS_SHOWN, _NAMES_SHOWN, _ROWS_SHOWN = 8, 8, 5
 _SEPARATORS = ("\t", ";", ",", " ")
@@ -219,21 +221,19 @@ class Cells:
 
         Faults are two of them for one, none that can be read, unknown units in brackets, and what is needed and absent.
         """
-        read, faults = dict[str, Column](), list[Fault | None]()
-        for one in columns:
-            if one.fault is None:
-                read.setdefault(one.quantity, one)
-            elif one.in_brackets and not is_pixels(one.unit_name):
-                faults.append(one.fault)
-        for quantity in read:
-            names = [one.name for one in columns if one.quantity == quantity and one.fault is None]
-            if len(names) > 1:
-                what = f"{len(names)} columns for one quantity: {', '.join(names)}"
-                faults.append(Fault(f"line {self.line}", what, "one of them"))
+        read, faults, where = dict[str, Column](), list[Fault](), f"line {self.line}"
         for quantity in dict.fromkeys((*needed, *(one.quantity for one in columns))):
-            wrong = [one.fault for one in columns if one.quantity == quantity]
-            faults += [] if quantity in read else wrong or [self.absent(quantity)]
-        return read, [fault for fault in dict.fromkeys(faults) if fault] or self.no_rows()
+            there = [one for one in columns if one.quantity == quantity]
+            readable = [one for one in there if one.fault is None]
+            if len(readable) > 1:
+                names = ", ".join(one.name for one in readable)
+                faults.append(Fault(where, f"{len(readable)} columns for one quantity: {names}", "one of them"))
+            # A name that goes on (time_stamp) is no matter where another column is read, a unit in brackets is.
+            surely = [one for one in there if one.in_brackets and not is_pixels(one.unit_name)]
+            faults += [one.fault for one in (surely if readable else there) if one.fault]
+            faults += [] if there else [self.absent(quantity)]
+            read |= {quantity: readable[0]} if readable else {}
+        return read, faults or self.no_rows()
 
     def no_rows(self) -> list[Fault]:
         """The fault of a table that has none."""
@@ -249,10 +249,8 @@ class Cells:
         what = f"no column {quantity.replace('_', ' ')} among {found}{near}"
         return Fault(f"line {self.line}", what, accepted + hint)
 
-    def numbers(
-        self, columns: Sequence[Column], wrong: Callable[[str, float], tuple[str, str] | None]
-    ) -> tuple[pd.DataFrame, list[Fault]]:
-        """Numbers of some columns in SI, by line; `wrong` says what is wrong with one, and what would be accepted."""
+    def numbers(self, columns: Sequence[Column]) -> tuple[pd.DataFrame, list[Fault]]:
+        """Numbers of some columns in SI, by line."""
         import pandas as pd  # not needed by a run
 
         faults, lines, values, width = list[Fault](), list[str](), list[list[float]](), len(self.header)
@@ -267,13 +265,26 @@ class Cells:
                 text = cells[one.place] if one.place < len(cells) else ""
                 number = math.nan if text.lower() in NOTHING else number_in(text)
                 row.append(math.nan if number is None else one.to_si(number))
-                fault = None if math.isnan(row[-1]) else wrong(one.quantity, row[-1])
+                fault = None if math.isnan(row[-1]) else implausible(one.quantity, row[-1])
                 if number is None:
                     fault = f"{shown(text)} is not a number", "a number such as 0.5, or nothing"
                 faults += [Fault(f"line {line}, {one.name}", *fault)] if fault else []
             lines.append(f"line {line}")
             values.append(row)
         return pd.DataFrame(values, lines, [one.quantity for one in columns], dtype=float), faults
+
+
+def implausible(quantity: str, value: float) -> tuple[str, str] | None:
+    """Why a number in SI units cannot be measured, and what would be accepted; None if it can."""
+    is_std = quantity.endswith("std")
+    accepted = "a positive number" if is_std else "a finite number"
+    if not math.isfinite(value):
+        return f"{value} is not finite", accepted
+    if is_std and value <= 0:
+        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
+    if abs(value) > _MOST or (is_std and value < _FINEST):
+        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
+    return None
 
 
 def cells_of(line: str, separator: str) -> list[str]:
@@ -400,10 +411,7 @@ def points_in(file: Path, accepted: str) -> tuple[tuple[float, ...], ...]:
     _, cells = read_cells(file, kind, f"a CSV file with {accepted}", axes)
     columns, faults = cells.chosen(cells.columns(axes), axes)
     if not faults:
-        table, faults = cells.numbers(
-            [columns[axis] for axis in axes],
-            lambda _, value: None if math.isfinite(value) else (f"{value} is not finite", "a finite number"),
-        )
+        table, faults = cells.numbers([columns[axis] for axis in axes])
         missing = table.index[table.isna().any(axis=1)]
         faults = faults or [Fault(line, "not a number", "a finite number in every cell") for line in missing]
     if faults:
