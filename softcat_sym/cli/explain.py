@@ -40,10 +40,7 @@ def explain(
         asked = cli.scene_of(scene, changes)
     else:
         asked, output = cli.scene_and_directory(scene, changes, output, "explain")
-    from rich.console import Console
-
     from softcat_sym.files import write_results
-    from softcat_sym.plotting.terminal import print_rows
     from softcat_sym.studies.explanation import explain as explained
 
     explanation = explained(asked)
@@ -54,9 +51,9 @@ def explain(
     }
     written = [] if output is None else write_results(output, contents)
     if not quiet:
-        print_explanation(explanation, verbose=verbose)
-        assumed = [("assumed", asked.material.assumed)] if asked.material.assumed else []
-        print_rows([*(("converted", note) for note in asked.notes), *assumed], Console())
+        assumed = filter(None, [asked.material.assumed])
+        notes = [*(("converted", note) for note in asked.notes), *(("assumed", note) for note in assumed)]
+        print_explanation(explanation, notes=notes, verbose=verbose)
         if output is not None:
             cli.print_written(written, output)
 
@@ -96,8 +93,14 @@ def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> 
     return "\n".join([*lines, r"\end{document}", ""])
 
 
-def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
-    """Print an explanation in short; with `verbose`, print all of it in tables."""
+def print_explanation(
+    explanation: Explanation,
+    console: Console | None = None,
+    *,
+    notes: Sequence[tuple[str, str]] = (),
+    verbose: bool = False,
+) -> None:
+    """Print an explanation in short, with notes on the scene; with `verbose`, print all of it in tables."""
     from rich.console import Console
     from rich.text import Text
 
@@ -107,7 +110,7 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
     out = console or Console()
     out.print(Text(explanation.title or "Filament", style="bold"))
     if not verbose:
-        print_rows(_short_rows(explanation), out)
+        print_rows([*_short_rows(explanation), *notes, ("more", "-v for groups, equations, formulas and limits")], out)
         return
     groups: Rows = [
         (group["name"], "infinite" if group["value"] is None else significant(group["value"]), group["meaning"])
@@ -130,6 +133,7 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
     for title, heads, rows, whole in tables:
         styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
         out.print(text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+    print_rows([*notes], out)
     for warning in explanation.warnings:
         out.print(Text(f"warning: {warning}", style="yellow"))
 
@@ -155,7 +159,6 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
-        ("more", "-v for groups, equations, formulas and limits"),
     ]
     return [row for row in rows if row[1]]
 
