@@ -106,7 +106,8 @@ def _asked() -> dict[str, str]:
 
     while waiting := [path for path in example_values(answers) if path not in answers]:
         path = waiting[0]
-        typer.echo(" ".join(filter(None, [meaning[path], REASONS.get(path)])))
+        other = "Or G'' itself, with its unit: 10 kPa." if path == LOSS else ""
+        typer.echo(" ".join(filter(None, [meaning[path], REASONS.get(path), other])))
         key, text = typer.prompt(path, default=example_values(answers)[path], value_proc=accepted)
         answers[key] = text
     return answers
