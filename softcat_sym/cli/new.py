@@ -107,7 +107,8 @@ def _asked() -> dict[str, str]:
 
     while waiting := [path for path in scene_keys.example_values(answers) if path not in answers]:
         path = waiting[0]
-        typer.echo(" ".join(filter(None, [meaning[path], scene_keys.REASONS.get(path)])))
+        other = "Or G'' itself, with its unit: 10 kPa." if path == scene_keys.LOSS else ""
+        typer.echo(" ".join(filter(None, [meaning[path], scene_keys.REASONS.get(path), other])))
         key, text = typer.prompt(path, default=scene_keys.example_values(answers)[path], value_proc=accepted)
         answers[key] = text
     return answers

@@ -418,15 +418,9 @@ def _fitted(films: Measurements, scene: Scene, also_free: Sequence[str], options
     """Fit all constants of the scene's own law, with their bounds and priors among those of all laws."""
     names = [*constants_of(scene.material.law), *also_free]
     leaves = {name.rpartition(".")[2] for name in names}
-
-    def of_law(given: Mapping[str, Any] | None) -> dict[str, Any]:
-        return {name: one for name, one in (given or {}).items() if name.rpartition(".")[2] in leaves}
-
-    own: FitOptions = {
-        **options,
-        "bounds": of_law(options.get("bounds")),
-        "priors": of_law(options.get("priors")),
-    }
+    bounds = {name: one for name, one in (options.get("bounds") or {}).items() if name.rpartition(".")[2] in leaves}
+    priors = {name: one for name, one in (options.get("priors") or {}).items() if name.rpartition(".")[2] in leaves}
+    own: FitOptions = {**options, "bounds": bounds, "priors": priors}
     # Films without corrections: a fit makes and notes its own.
     return fit(films, scene, names, **own)
 

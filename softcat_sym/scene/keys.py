@@ -94,7 +94,7 @@ TEMPLATES = tuple(
 """Laws whose constants a template asks for: each has some, with values here, and nothing besides."""
 LOSS, LOSS_MODULUS = "material.loss_tangent", "material.loss_modulus"
 REASONS = {
-    LOSS: "Without it a strand that is let go rings for long. A modulus, such as 10 kPa, is taken as G''.",
+    LOSS: "Without it a strand that is let go rings for long.",
     "surroundings.surface_tension": "Without it a thin strand of ink sags several times as far; water has 72 mN/m.",
 }
 """Why a first scene states what it could leave out."""

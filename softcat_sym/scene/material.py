@@ -647,7 +647,7 @@ class Material(Part):
         names = {rule.constant: rule.shear for rule in reversed(stated) if rule.constant not in sheared}
         if not names:
             return ""
-        return f"{', '.join(names)} taken as extensional; a rheometer's are {', '.join(names.values())}, in shear"
+        return f"{', '.join(names)} taken as extensional; in shear, as of a rheometer: {', '.join(names.values())}"
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -910,3 +910,105 @@ def test_a_fit_writes_no_empty_picture(says: Says, softcat: Softcat, tmp_path: P
     pictures = sorted(path.name for path in (tmp_path / "out").glob("*.png"))
     assert pictures == ["features.png", "fit.png"]
     says("C8", "starts.png of one start, an empty correlation.png", f"written: {', '.join(pictures)}")
+
+
+# --- What strangers met, second part
+
+
+def refused(says: Says, point: str, met: str, *words: str) -> None:
+    """A row of a command that is refused with one message and status 2."""
+    done = timed(*words, "-q")
+    assert (done.status, done.out) == (2, "") and "Traceback" not in done.err, done.err
+    told = done.err.removeprefix("softcat: ").strip().splitlines()
+    says(point, met, told[1].strip() if told[0].endswith("fault") else told[0])
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can be another user")
+def test_a_user_without_a_home_has_every_command(says: Says) -> None:
+    bare = {name: value for name, value in os.environ.items() if name in ("PATH", "PYTHONPATH")}
+    try:
+        done = subprocess.run(
+            [PROGRAM, "keys", "span"], env=bare, user=12345, cwd="/", capture_output=True, text=True, check=False
+        )
+    except PermissionError:
+        pytest.skip("another user may not run this installation")
+    assert (done.returncode, done.stderr) == (0, "")
+    says("second B1", "without a home (docker --user 1234): a traceback", f"status 0, {done.stdout.splitlines()[0]}")
+
+
+def test_damaged_and_nonsensical_files_are_one_line(says: Says, tmp_path: Path) -> None:
+    contour = tmp_path / "contour.csv"
+    contour.write_text("# pillars.gap = 0, 6\nx_mm,y_mm\n" + "".join(f"3.0,{-0.1 * k}\n" for k in range(20)))
+    collapse = ("fit", str(contour), "--test", "collapse", "--scene", "ink-bridge", "-o", str(tmp_path / "fit"))
+    refused(says, "second B3", "a contour whose x are all the same: LinAlgError", *collapse)
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    whole = tmp_path / "whole"
+    assert timed("run", "ink-bridge", "-q", "--no-pictures", *brief, "-o", str(whole)).status == 0
+    for name in ("summary.json", "scene.toml"):
+        shutil.copytree(whole, tmp_path / name)
+        (tmp_path / name / name).write_text((whole / name).read_text()[:100])
+        drawn = ("draw", str(tmp_path / name), "-o", str(tmp_path / "drawn"))
+        refused(says, "second B4", f"draw of a damaged {name}: drawn without it", *drawn)
+    hot = sets("temperature.initial=1e300 K")
+    refused(says, "second B6", "temperature.initial = 1e300 K: a traceback", "explain", "glass-fibre", *hot)
+    soft = ("run", "ink-bridge", *brief, *sets("material.breaking_strain=1e-300"), "-o", str(tmp_path / "soft"))
+    refused(says, "second B10", "breaking_strain = 1e-300 blames run.duration", *soft)
+    named = ("generate", "ink-bridge", "--web", "--name", "..", "-o", str(tmp_path / "page"))
+    refused(says, "second B10", "--name ..: a page of this name", *named)
+    unknown = ("explain", "ink-bridge", *sets("material.temperature=20 degC"))
+    refused(says, "second C4", "material.temperature: (did you mean 'temperature'?)", *unknown)
+
+
+def test_a_prior_is_judged_before_the_fit(says: Says, tmp_path: Path) -> None:
+    pytest.importorskip("nutpie")
+    samples = Path(sc.__file__).parent / "samples"
+    words = ("fit", str(samples / "film.csv"), "--scene", str(samples / "my-ink.toml"), "--free", "viscosity")
+    prior = ("--posterior", "--prior", "viscosity=lognrom(s=0.5, scale=30 Pa*s)", "-o", str(tmp_path / "out"))
+    refused(says, "second B5", "--prior: read after the fit, in minutes", *words, *prior)
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_a_full_cache_is_told_by_a_sweep(says: Says, tmp_path: Path) -> None:
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    with tiny_disk(tmp_path / "cache", 48) as disk:
+        words = ("sweep", "ink-bridge", "--vary", "filament.span=4:5 mm:3", "-q", *brief, "-o", str(tmp_path / "out"))
+        done = command(*words, SOFTCAT_CACHE=str(disk))
+    assert (done.returncode, done.stdout, (tmp_path / "out").exists()) == (2, "", False)
+    assert "No space left on device; free some space, or set SOFTCAT_CACHE" in done.stderr
+    told = done.stderr.strip().removeprefix("softcat: ").replace(str(tmp_path), "")
+    says("second B9", "a sweep with a full cache: 'no member is an answer', nothing else", told)
+
+
+def test_what_a_newcomer_expects(says: Says, tmp_path: Path) -> None:
+    run = sc.simulate("cold-honey", {"filament.span": "6 cm", "run.frames": 21, "numerics.estimate": False})
+    picture = run.plot("shapes")._repr_png_()  # type: ignore[attr-defined]
+    says("second C1", "run.plot('shapes') in a notebook: <Figure>", f"a PNG of {len(picture) // 1000} kB")
+    says("second C1", "simulate takes no changes", f"span {run.scene.filament.span:g} m")
+    explained = repr(sc.explain("cold-honey")).splitlines()
+    says("second C1", "explain's repr: pages", f"{len(explained)} lines: {explained[0]}")
+    timed("new", str(tmp_path / "ink.toml"), "-q")
+    lines = (tmp_path / "ink.toml").read_text().splitlines()
+    reasons = [line for line in lines if line.startswith("# Without it")]
+    assert len(reasons) == 2
+    for reason in reasons:
+        says("second C2", "softcat new asks neither for a loss nor why it matters", reason)
+    said = timed("explain", "arrested-overdamped", *sets("numerics.cells=6")).out
+    taken = re.search(r"assumed\s+(.*)", said)
+    assert taken is not None and "taken as" in taken[1]
+    says("second C5", "viscosity of a data sheet: a factor of 3 off in silence", taken[1])
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    words = ("run", "cold-honey", "-q", "--no-pictures", "-o", str(tmp_path / "out"), *brief)
+    again = [timed(*words, *more).err for more in ((), sets("filament.span=6 cm"))]
+    assert again[0] == "" and "filament.span" in again[1]
+    told = again[1].strip().removeprefix("softcat: ").replace(f"{tmp_path}/", "")
+    says("second C6", "--set into another scene's folder: replaced in silence", told)
+
+
+def test_pla_cools_from_the_nozzle_to_the_room(says: Says) -> None:
+    """Below its WLF: what it sags by has stopped long before the end."""
+    run = sc.simulate(FOLDER / "pla-from-the-nozzle.toml")
+    (note,) = (text for text in run.scene.notes if "frozen" in text)
+    heights, T = run.fields["midpoint"], run.fields["temperature"]
+    assert run.outcome is sc.Outcome.solved and np.ptp(heights[len(heights) // 2 :]) < 1e-6 * abs(heights[-1])
+    assert T[0].min() == pytest.approx(483.15) and T[-1].max() < 300
+    says("second C4", "PLA from 210 C: temperature.C2, coldest below the reference", f"solved; {note}")
