@@ -52,6 +52,12 @@ _FEWEST = 4
 _OWN: Final = ("too thick for a filament", "it never stops")
 """Warnings that the page gives by itself, with the numbers of its state."""
 
+_THRESHOLDS: Final = {
+    verdict: ("SHARE_OF_ONE_CELL", "DRAWN_OUT", "SMOOTH", "RUPTURED", "COMPRESSION", "GAIN", "NOISE", "BEADED"),
+    motion: ("ARREST_RATE", "ARREST_TIME", "FRAMES_A_PERIOD", "PERIODS", "SEEN"),
+}
+"""Limits by which a run is judged, as the page names them but for the case."""
+
 _EFFECT = "\t"
 
 _ENOUGH = 3.0
@@ -390,21 +396,9 @@ def _limits(base: Fixed, sliders: Sliders, usual: set[str], scene_rtol: float | 
         "of_a_step_too_long": [outcome.name for outcome in OF_A_STEP_TOO_LONG],
         "thread": thread_of(terms),
         "largest_stretch": verdict.largest_stretch(scene),
-        "share_of_one_cell": verdict.SHARE_OF_ONE_CELL,
         "beyond_neighbours": 1.0 if terms.yields else verdict.BEYOND_A_LIQUID,
-        "drawn_out": verdict.DRAWN_OUT,
-        "smooth": verdict.SMOOTH,
-        "ruptured": verdict.RUPTURED,
-        "compression": verdict.COMPRESSION,
-        "gain": verdict.GAIN,
-        "noise": verdict.NOISE,
-        "beaded": verdict.BEADED,
-        "arrest_rate": motion.ARREST_RATE,
-        "arrest_time": motion.ARREST_TIME,
         "turns_back": TURNS_BACK,
-        "frames_a_period": motion.FRAMES_A_PERIOD,
-        "periods": motion.PERIODS,
-        "seen": motion.SEEN,
+        **{name.lower(): getattr(where, name) for where, names in _THRESHOLDS.items() for name in names},
         "turn": motion.NOISE * scene.run.accuracy,
         "no_sag": motion.NO_SAG * scene.filament.span,
         "thick": theory_limits.THICK,
