@@ -65,13 +65,13 @@ def test_files_table_and_page(softcat: Softcat, tmp_path: Path) -> None:
 def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Softcat, tmp_path: Path) -> None:
     film = write_film(tmp_path / "film.csv", std=True)
     (tmp_path / "out").mkdir()
-    for name in ("profiles.png", "features_2.png", "mine.png"):
+    for name in ("profiles.png", "starts.png", "features_2.png", "mine.png"):
         (tmp_path / "out" / name).write_bytes(b"old")
     words = ("--starts", "0", "--no-profile-likelihood", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
     done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
     assert (done.status, done.out, done.err) == (0, "", "")
     left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png"}
+    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png", "starts.png"}
     found = json.loads((tmp_path / "out" / "fit.json").read_text())
     assert found["profiles"] == {} and found["noise_known"] is True
     assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([5e3, 50e3])
