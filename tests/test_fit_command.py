@@ -20,7 +20,7 @@ from softcat_sym.fitting.result import FitOutcome
 from tests.common.filmed import CHEAP, TRUTH, write_film
 from tests.common.in_process import Softcat, sets
 
-PICTURES = {"fit.png", "profiles.png", "correlation.png", "starts.png", "features.png"}
+PICTURES = {"fit.png", "profiles.png", "correlation.png", "features.png"}
 FILES = {"fit.json", "scene.toml", "fit.csv", "fit.html", *PICTURES}
 FREE = ("--free", "yield_stress", "--free", "viscosity")
 SCENE = ("--scene", "continual-descent", *sets(*CHEAP))
@@ -71,7 +71,7 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
     done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
     assert (done.status, done.out, done.err) == (0, "", "")
     left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png", "starts.png"}
+    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png"}
     found = json.loads((tmp_path / "out" / "fit.json").read_text())
     assert found["profiles"] == {} and found["noise_known"] is True
     assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([5e3, 50e3])
