@@ -210,7 +210,7 @@ class Pictures(ABC):
         axes.plot(*self._curve, color="#d0d4d8", linewidth=1.6)
         _plain(axes, 7, 4)
         self._sheet.axis.dress(axes, 7)
-        axes.xaxis.label.set_size(_FONT)
+        axes.set_xlabel(self._sheet.axis.label, fontsize=_FONT)
         axes.set_ylabel(f"midpoint [{ruler.symbol}]", fontsize=_FONT)
         axes.margins(y=0.12)
         (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2)

@@ -201,7 +201,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     scene, span = sheet.scene, sheet.scene.filament.span
     share = share_unit(largest / span)
     factor = ruler.size / span / share.size
-    right = axes.secondary_yaxis("right", functions=(lambda height: height * factor, lambda part: part / factor))
+    right = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     right.spines["right"].set_visible(True)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
@@ -379,7 +379,8 @@ def draw_shape(axes: Axes, shape: Shape, ruler: Unit, ever: Floats | None = None
     """Body, zones that have `ever` yielded and those that yield, outline, the line between the ends."""
     body = ruler.of(shape.outline)
     # As artists: limits are set before, and looking for those of each patch takes as long as drawing it.
-    inside = axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
+    inside = Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2)
+    axes.add_artist(inside)
     for colour, quads in ((style.ORANGE, ever), (style.VERMILLION, shape.yielded)):
         if quads is not None and len(quads):
             # Anti-aliasing would leave hairlines between neighbouring quads.

@@ -66,7 +66,7 @@ class TimeAxis:
             np.asarray(one if self.is_even else np.arcsinh(np.divide(one, self.even)), dtype=float)
             for one in (time, self.start, self.end)
         )
-        return (at - start) / ((end - start) or 1.0)
+        return np.asarray((at - start) / ((end - start) or 1.0))
 
     def times(self, places: Floats) -> Floats:
         """Times [s] at places along the axis."""
