@@ -36,10 +36,13 @@ def bend(cells: int, force: float, thickness: float = 1.0) -> Floats:
 
 
 def test_thin_rods_do_not_lock() -> None:
-    """The error of eight elements does not grow as the rod becomes thinner at the same stiffness."""
+    """The error of eight elements does not grow as the rod becomes ten times thinner at the same stiffness.
+
+    One that locks is stiffer by (L/h0)^2: a hundred times further off.
+    """
     rows, errors = [], []
-    for share in (2e-2, 2e-3, 2e-4):
-        coarse, fine, finest = (bend(cells, 300.0, share * ARC) for cells in (4, 16, 32))
+    for share in (2e-2, 2e-3):
+        coarse, fine, finest = (bend(cells, 300.0, share * ARC) for cells in (4, 8, 16))
         limit = finest + (finest - fine) / 3
         errors.append(float(np.linalg.norm(coarse - limit)) / 100)
         rows.append([f"{share:g}", *(f"{one:.3f}" for one in coarse), f"{errors[-1]:.2e}"])
