@@ -164,7 +164,8 @@ class _Cells:
         else:
             bending = np.full_like(h, filament.width**2 / 12)
             points = warping_rule(4, 4, filament.width / filament.thickness)
-            torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
+            sheared = points.tables["W_2"] ** 2 + points.tables["W_3"] ** 2
+            torsion = h**2 / 4 * float(points.weight @ sheared)
         shear = size / (2 * (1 + scene.material.poisson))
         correction = float(section_of(scene).shear_correction)
         # n_1 of the tension (THEORY3D 4), in the plane.
