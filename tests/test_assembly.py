@@ -392,7 +392,7 @@ def test_the_page_from_sympy_to_an_integrator_agrees_with_the_package(capsys: py
     page = Path(__file__).parents[1] / ".docs" / "manual" / "small-deflection.md"
     (text,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     exec(text, {})
-    changes = {"model": "small-deflection", "numerics.cells": 40, "numerics.estimate": False, "run.frames": 401}
+    changes = {"model": "small-deflection", "numerics.cells": 20, "numerics.estimate": False, "run.frames": 201}
     run = sc.simulate(sc.load_scene("maxwell-slow", changes))
     assert float(capsys.readouterr().out) == pytest.approx(run.summary["midpoint_final_m"] / 0.2, rel=0.01)
 

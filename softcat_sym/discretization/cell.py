@@ -14,7 +14,7 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
+from softcat_sym.discretization.catalogue import CATALOGUE, symbols_of
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
@@ -51,7 +51,6 @@ from softcat_sym.physics import symbols
 from softcat_sym.physics.conformation import Direction
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.heat import initial, temperature
-from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
@@ -146,9 +145,11 @@ class Builder:
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
         self.leaves, self.fields = Leaves(), list[Field]()
         self.named = _Parameters(self.leaves)
-        rows: list[Parameter | Constant] = [*CATALOGUE, *equations.constants]
         # Everything is per unit undeformed area.
-        self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
+        self.values: dict[Any, Any] = {
+            symbols.A0: 1.0,
+            **{symbol: self.named[name] for name, symbol in symbols_of(equations).items()},
+        }
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
         self.slots: dict[str, Slot] = {}

@@ -7,7 +7,7 @@ over the length (Crisfield & Jelenic 1999): a rigid motion strains nothing, and 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar, Protocol
+from typing import Any
 
 import casadi as ca
 
@@ -24,41 +24,10 @@ _ROUND = 1e-24
 """Square of the angle between two nodes below which it counts as none."""
 
 
-class Frame(Protocol):
-    """What a kind of frames does."""
-
-    ways: ClassVar[int]  # Coordinates of a node
-    names: ClassVar[tuple[str, ...]]  # Unknowns of a frame and of its spin
-    spins: ClassVar[tuple[str, ...]]
-
-    def clamps(self, b: Builder) -> tuple[Values, Values]:
-        """Frames that the supports hold."""
-        ...
-
-    def unknowns(self, b: Builder) -> tuple[list[Neighbours], list[Neighbours]]:
-        """Frames of all nodes and their spins."""
-        ...
-
-    def strains(self, slope: Values, first: Values, last: Values, length: ca.SX) -> list[ca.SX]:
-        """Strains of a cell, of r_X and the frames of its nodes."""
-        ...
-
-    def rate(self, frame: Values, spin: Values) -> list[ca.SX]:
-        """Rate of a frame that turns with a spin in its own axes."""
-        ...
-
-    def torque(self, frame: Values, slopes: Values) -> list[ca.SX]:
-        """What is conjugate to the spin, of the derivatives by the frame."""
-        ...
-
-    def natural(self, b: Builder) -> dict[Any, ca.SX]:
-        """Natural curvatures of a cell that is curved by nature [1/m], where the section asks for them."""
-        ...
-
-
 class Angle:
     """The angle of the section's normal from the horizontal."""
 
+    # Coordinates of a node, and the unknowns of a frame and of its spin
     ways, names, spins = 2, ("psi",), ("omega",)
 
     def clamps(self, b: Builder) -> tuple[Values, Values]:
@@ -171,3 +140,6 @@ class Quaternion:
         """Torque on the free end, in its own axes."""
         dead = tuple(b.named[name] for name in TIP_TORQUE)
         return list(spatial.unrotated(tuple(one[0] for one in turn), dead))  # type: ignore[arg-type]
+
+
+Frame = Angle | Quaternion

@@ -23,9 +23,9 @@ from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
 from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.clocks import State
+from softcat_sym.physics.clocks import Clock, State
 from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.reissner import FibreBranch, FibreHardening, SampledSection
+from softcat_sym.physics.reissner import FibreBranch, SampledSection
 from softcat_sym.physics.structure import speed
 
 _NO_STRESS = 1e-12
@@ -60,22 +60,22 @@ def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Valu
     points = [_Point(b, section, {**values, **place}) for place in places]
     plastic: dict[str, ca.SX] = {}
     profiles: dict[str, tuple[float, float]] = {}
-    clocks = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.clocks if clock.state]
-    for clock in clocks:
-        clock.set(b, rule, points)
+    followed = [(clock, clock.state) for clock in b.equations.clocks if clock.state is not None]
+    clocks = [(state, _follow_clock(b, rule, points, clock, state)) for clock, state in followed]
     for number, branch in enumerate(section.branches):
         plastic |= _add_branch(b, section, branch, rule, points, number)
         if branch.flow is not None:
             profiles |= _profiles(rule, _names(rule, "axial", number))
-    for clock in clocks:
-        plastic |= clock.rates(rule, points)
+    for state, names in clocks:
+        rates = [printed(state.rate, {**point.values, speed: point.speed}) for point in points]
+        plastic |= _projected(rule, names, rates)
     if b.equations.chains is not None:
         plastic |= _add_chains(b, section, b.equations.chains, rule, points)
         for one in b.equations.chains.states:
             profiles |= _profiles(rule, [f"{chain_state(one)}_{label}" for label in rule.labels], one.power)
     for point in points:
         point.resist()
-    return _summed(b, section, rule, points, plastic, profiles, clocks)
+    return _summed(b, section, rule, points, plastic, profiles, [state for state, _ in clocks])
 
 
 _PLACES = {symbol.name: symbol for symbol in (symbols.zeta, *spatial.POINT)}
@@ -89,7 +89,7 @@ def _summed(
     points: Sequence[_Point],
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
-    clocks: Sequence[_Followed],
+    states: Sequence[State],
 ) -> Sampled:
     weights = [place["weight"] for place in rule.places]
 
@@ -103,7 +103,7 @@ def _summed(
     for label, point in zip(rule.point_labels, points, strict=True):
         found = {"yields": point.yields, "speed": point.speed, **shown_chains(point.conformation)}
         found |= {} if rule.is_spatial else {"axial": point.stress[0]}
-        found |= {clock.state.name: point.values[clock.state.shown] for clock in clocks}
+        found |= {state.name: point.values[state.shown] for state in states}
         if any(branch.hardening is not None for branch in section.branches):
             found["backstress"] = point.backstress
         shown |= {f"{POINT}{name}_{label}": value for name, value in found.items()}
@@ -152,28 +152,14 @@ def _profiles(rule: SectionRule, names: Sequence[str], power: float = 1.0) -> di
     return {name: (power * float(m), power * float(z)) for name, m, z in zip(names, mean, linear, strict=True)}
 
 
-@dataclass(frozen=True)
-class _Followed:
-    """A clock with a state at every point of a section."""
-
-    name: str
-    replaces: tuple[tuple[Any, Any], ...]
-    state: State
-
-    def _names(self, rule: SectionRule) -> list[str]:
-        return [f"{self.name}_{label}" for label in rule.labels]
-
-    def set(self, b: Builder, rule: SectionRule, points: Sequence[_Point]) -> None:
-        """What it makes of the constants at every point, by its state there."""
-        for point, state in zip(points, _recalled(b, rule, self._names(rule)), strict=True):
-            stated = {**point.values, self.state.symbol: state}
-            point.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
-            point.values[self.state.shown] = printed(self.state.value, stated)
-
-    def rates(self, rule: SectionRule, points: Sequence[_Point]) -> dict[str, ca.SX]:
-        """Rates of its states, of the flow at every point."""
-        rates = [printed(self.state.rate, {**point.values, speed: point.speed}) for point in points]
-        return _projected(rule, self._names(rule), rates)
+def _follow_clock(b: Builder, rule: SectionRule, points: Sequence[_Point], clock: Clock, state: State) -> list[str]:
+    """What a clock makes of the constants at every point, by its state there; the names of its states."""
+    names = [f"{clock.name}_{label}" for label in rule.labels]
+    for point, here in zip(points, _recalled(b, rule, names), strict=True):
+        stated = {**point.values, state.symbol: here}
+        point.values |= {symbol: printed(value, stated) for symbol, value in clock.replaces}
+        point.values[state.shown] = printed(state.value, stated)
+    return names
 
 
 def _add_chains(
@@ -281,7 +267,10 @@ class _Point:
         sheared = [ca.SX(flow[f"shear_rate_{k}"]) for k in range(len(kinds))]
         self.rates.append([ca.SX(flow["axial_rate"]), *sheared])
         if branch.hardening is not None:
-            self._harden(branch.hardening, values)
+            # The backstress stores energy, and follows the flow.
+            self.back_rates = [printed(rate, values) for rate in branch.hardening.rates]
+            self.backstress = printed(branch.hardening.stress, values)
+            self.energy += printed(branch.hardening.stored, values)
         self.dissipation += flow["dissipation"]
         self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
         self.yields = ca.fmax(self.yields, flow["yields"]) if self.flows else ca.SX(flow["yields"])
@@ -289,12 +278,6 @@ class _Point:
 
     def _press(self, stress: Sequence[ca.SX]) -> None:
         self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
-
-    def _harden(self, hardening: FibreHardening, values: Values) -> None:
-        """The backstress of what flows: it stores energy, and follows the flow."""
-        self.back_rates = [printed(rate, values) for rate in hardening.rates]
-        self.backstress = printed(hardening.stress, values)
-        self.energy += printed(hardening.stored, values)
 
     def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""

@@ -20,7 +20,7 @@ from softcat_sym.discretization.cell import (
     surface_force,
     velocities,
 )
-from softcat_sym.discretization.frames import Angle, Quaternion
+from softcat_sym.discretization.frames import Angle, Frame, Quaternion
 from softcat_sym.discretization.section_points import Sampled, sampled
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
@@ -31,7 +31,7 @@ from softcat_sym.physics.reissner import SampledSection
 
 def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanics:
     """A filament whose sections turn by themselves, resolved point by point."""
-    frame, terms = Quaternion() if rule.is_spatial else Angle(), b.equations.terms
+    frame: Frame = Quaternion() if rule.is_spatial else Angle()
     places, (speeds, moved) = positions(b, frame.ways), velocities(b, frame.ways)
     turn, spin = frame.unknowns(b)
     length, size = b.length[0] * b.span, len(turn)
@@ -50,7 +50,9 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
         strains = [b.stage(f"strain_{n}", CELLS, one)[0] for n, one in enumerate(strains)]
         rates = [b.stage(f"strain_{n}_t", CELLS, one)[0] for n, one in enumerate(rates)]
     values = {**b.values, symbols.h0: b.h_cell, **dict(zip(section.strains, strains, strict=True))}
-    values |= dict(zip(section.strain_rates, rates, strict=True)) | (frame.natural(b) if terms.curved else {})
+    values |= dict(zip(section.strain_rates, rates, strict=True)) | (
+        frame.natural(b) if b.equations.terms.curved else {}
+    )
     points = sampled(b, section, rule, values)
     conjugate = [b.area_cell * one for one in derivatives(section.power, section.strains, values | points.means)]
     held = ca.SX.sym("conjugate", len(conjugate))

@@ -16,14 +16,14 @@ import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
+from softcat_sym.discretization.catalogue import symbols_of
 from softcat_sym.discretization.parameters import AREA, REST_LENGTH, TIME_SCALE, energy_scale
 from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Signature, Slot
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import FilamentEquations
-from softcat_sym.physics.laws import Constant, growth_of
+from softcat_sym.physics.laws import growth_of
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import Support
 
@@ -48,11 +48,6 @@ class SmallDeflection:
     body: Body
     support: tuple[()] = ()  # Nothing balances along x: the force of a support is not known
 
-    @property
-    def rows(self) -> tuple[Parameter | Constant, ...]:
-        """Numbers that equations may hold."""
-        return (*CATALOGUE, *self.equations.constants)
-
     @cached_property
     def signature(self) -> Signature:
         """Unknowns, numbers that a run is given, and what is integrated beside the unknowns."""
@@ -65,7 +60,7 @@ class SmallDeflection:
             slots += [Slot("a_0", "whole", (False, False), True, "", section=False)]
             slots += [Slot("a_1", "node", turns, True, "", section=False)] * terms.bending
         unused = {sy.sigma_Y} if terms.flows else {sy.sigma_Y, sy.eta}
-        rows = [row.name for row in self.rows if row.symbol not in unused]
+        rows = [name for name, symbol in symbols_of(equations).items() if symbol not in unused]
         powers = ["plastic", "load", "gradient", *(one.label for one in equations.densities if one.dissipation != 0)]
         powers += [WORK_OF_AGEING] * bool(equations.clocks)
         parameters, profiles = (*rows, AREA, *self.body.parameters, TIME_SCALE), {"a_0": (1.0, 0.0), "a_1": (0.0, 1.0)}
@@ -78,7 +73,7 @@ class SmallDeflection:
         equations, terms, (left, right) = self.equations, self.equations.terms, self.ends
         node, X, cell, nodes = places["node"], places["X"], places["cell"][:-1], len(places["node"])
         span, scale, rho = named[REST_LENGTH], named[TIME_SCALE], named["density"]
-        given: dict[Any, Any] = {row.symbol: named[row.name] for row in self.rows if row.name in named}
+        given: dict[Any, Any] = {one: named[name] for name, one in symbols_of(equations).items() if name in named}
         given |= {sy.t: time * scale, sy.A0: 1.0}
         given |= dict.fromkeys((sy.n_0, sy.n_1, GROWTH), 0.0) | {zeta_squared: float(equations.shape.zeta_squared)}
         for clock in equations.clocks:
