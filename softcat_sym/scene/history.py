@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic_core import PydanticCustomError
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.formula import ACCEPTED, FUNCTIONS, Formula, dimension_of, parse_formula
 from softcat_sym.scene.units import (
     COMMON,
@@ -32,9 +33,12 @@ from softcat_sym.scene.units import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
-    from scipy.interpolate import PchipInterpolator
+
+# To complete a name on the command line takes no NumPy, and most scenes do without SciPy.
+with lazy_imports():
+    import numpy as np
+    from scipy import interpolate
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -85,11 +89,8 @@ class _Table:
 
 
 @lru_cache(maxsize=256)
-def _cubic(table: _Table) -> PchipInterpolator:
-    # Imported here: most scenes do without SciPy, which takes a while to load.
-    from scipy.interpolate import PchipInterpolator
-
-    return PchipInterpolator(table.times, table.values)
+def _cubic(table: _Table) -> interpolate.PchipInterpolator:
+    return interpolate.PchipInterpolator(table.times, table.values)
 
 
 @dataclass(frozen=True, slots=True)
@@ -259,10 +260,7 @@ def scaled(value: float, factor: float) -> float:
 
 def values_at(value: float, times: Iterable[float]) -> npt.NDArray[np.float64]:
     """Values of a constant at several times [s]."""
-    # Imported here: to complete a name on the command line takes no NumPy.
-    from numpy import array
-
-    return array([value_at(value, float(time)) for time in times])
+    return np.array([value_at(value, float(time)) for time in times])
 
 
 def extremes_of(value: float, duration: float) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic_core import PydanticCustomError
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.history import History, read_table, table_history
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
@@ -24,6 +25,9 @@ from softcat_sym.scene.units import (
     shown,
     split_quantity,
 )
+
+with lazy_imports():
+    from pint import errors as pint_errors
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -111,16 +115,14 @@ def _factor(unit: str, wanted: str) -> float:
         return 1.0
     if unit in (*_CELSIUS, *_FAHRENHEIT):
         raise NotAQuantity(f"'{unit}' is a unit of temperatures, not of their differences: K")
-    from pint.errors import PintError
-
     ureg = registry()
     try:
         found = ureg.Quantity(1.0, ureg.parse_units(unit))
-    except (PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
+    except (pint_errors.PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     try:
         factor = float(found.to(wanted).magnitude)
-    except PintError:
+    except pint_errors.PintError:
         raise NotAQuantity(f"'{unit}' is not a unit like {wanted}") from None
     short = float(f"{factor:.12g}")
     return short if math.isclose(short, factor, rel_tol=1e-15) else factor
