@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 from pydantic_core import PydanticCustomError
@@ -23,8 +23,8 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    read_each,
     refusal,
-    refusals,
     same_dimension,
     shown,
     si_unit,
@@ -346,23 +346,19 @@ def read_table(value: Mapping[Any, Any], item: Kind) -> History:
     if not 2 <= len(value) <= _MOST:
         raise refusal(f"a table of {len(value)} times", f"2 to {_MOST} times, such as {EXAMPLE.split(' or ')[0]}")
     rows: dict[float, float] = {}
-    faults = []
-    for key, given in value.items():
+
+    def read(key: Any, given: object) -> None:
         try:
-            try:
-                # A bare number is a key in Python only, and SI as all bare numbers there.
-                time = to_si(key if isinstance(key, str) else SI(key), "time")
-            except (NotAQuantity, TypeError, ValueError) as error:
-                found = f"the time {shown(key)}: {error}"
-                raise refusal(found, 'a time with its unit, such as "60 s"') from None
-            if time in rows:
-                raise refusal(f"the time {time:g} s twice", "each time once")
-            rows[time] = math.nan
-            rows[time] = item.read(given)
-        except PydanticCustomError as error:
-            faults.append(((str(key),), error))
-    if faults:
-        raise refusals("history", faults)
+            # A bare number is a key in Python only, and SI as all bare numbers there.
+            time = to_si(key if isinstance(key, str) else SI(key), "time")
+        except (NotAQuantity, TypeError, ValueError) as error:
+            raise refusal(f"the time {shown(key)}: {error}", 'a time with its unit, such as "60 s"') from None
+        if time in rows:
+            raise refusal(f"the time {time:g} s twice", "each time once")
+        rows[time] = math.nan
+        rows[time] = item.read(given)
+
+    read_each("history", {str(key): partial(read, key, given) for key, given in value.items()})
     return table_history(rows)
 
 

@@ -19,6 +19,7 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    Values,
     read_each,
     refusal,
     registry,
@@ -158,27 +159,20 @@ class ModulusTable(Kind):
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
 
 
-class HeatedPart(Kind):
+class HeatedPart(Values):
     """Two places along the rest length, from the left end."""
 
-    si = True
-    accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
-    _place = Quantity("length", "100 mm", "non-negative")
+    def __init__(self) -> None:
+        accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
+        super().__init__(Quantity("length", "100 mm", "non-negative"), accepted, 2)
 
     def read(self, value: object) -> tuple[float, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if not value:
-            return ()
-        if len(value) != 2:
-            raise self.refuse(f"a list of {len(value)}")
-        low, high = (self._place.read(one) for one in value)
-        if not low < high:
-            raise self.refuse(f"{shown(value[0])} is not below {shown(value[1])}")
-        return low, high
-
-    def write(self, value: tuple[float, ...]) -> object:
-        return [self._place.write(one) for one in value]
+        places = super().read(value)
+        if len(places) > 2:
+            raise self.refuse(f"a list of {len(places)}")
+        if places and not places[0] < places[1]:
+            raise self.refuse(f"{' is not below '.join(map(shown, self.listed(value, 'a list')))}")
+        return places
 
 
 Softened = Literal["constant", "vft", "wlf", "arrhenius"]
