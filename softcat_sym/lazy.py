@@ -23,16 +23,19 @@ class _LazyModule:
 
 @contextmanager
 def lazy_imports() -> Iterator[None]:
-    """Import the modules in this block, each a ``from package import module``, when one of their names is first used.
+    """Import the modules in this block when one of their names is first used.
 
-    Linters and type checkers see imports like any others.
+    Each is a ``from package import module`` or ``import package``; linters and type checkers see them like any others.
     """
     imports, here = builtins.__import__, get_ident()
 
-    def lazily(name: str, *scopes: Any) -> Any:
+    def lazily(name: str, *given: Any) -> Any:
         if get_ident() != here:
-            return imports(name, *scopes)
-        return SimpleNamespace(**{module: _LazyModule(f"{name}.{module}") for module in scopes[2]})
+            return imports(name, *given)
+        _, _, modules, _ = given
+        if not modules:
+            return _LazyModule(name)
+        return SimpleNamespace(**{module: _LazyModule(f"{name}.{module}") for module in modules})
 
     builtins.__import__ = lazily  # type: ignore[assignment]
     try:

@@ -73,6 +73,22 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"numerics.cells": 3}, "numerics.cells", "3 is out of range; accepted: a whole number from 4"),
     ({"numerics.rtol": -1e-3}, "numerics.rtol", "out of range"),
     ({"numerics.order": 2, "numerics.fibres": 8}, "numerics.order", "2, but numerics.fibres is 8"),
+    ({"filament.profile": [1.0]}, "filament.profile", "a list of 1; accepted: a list of positive numbers without un"),
+    ({"filament.profile": ["1 mm", "2 mm"]}, "filament.profile", "'1 mm' is not a number"),
+    ({"ends.left_angle": "180 deg"}, "ends.left_angle", "is half a turn or more; accepted: an angle between -180 deg"),
+    ({"ends.motion": "go"}, "ends.motion", "'go' is not a list of rows"),
+    ({"ends.motion": [["0 s", "0 m"]]}, "ends.motion", "is not a row [time, dx, dy]"),
+    ({"ends.motion": [["0 m", "0 m", "0 m"]]}, "ends.motion", "'m' is a length, not a time"),
+    ({"initial.relaxed": "no"}, "initial.relaxed", "is neither true nor false"),
+    ({"initial.P": [math.nan]}, "initial.P", "nan is not finite"),
+    ({"load.shake": "50 %"}, "load.shake", "is not a number"),
+    *(
+        ({"load.shake": 0.5, "load.shake_frequency": text}, "load.shake_frequency", says)
+        for text, says in (
+            ("9 s", "'s' is a time, not a frequency"),
+            ("540 rpm", "'rpm' measures an angle, not cycles"),
+        )
+    ),
 ]
 """What is changed in a sound scene, the key at fault, and what must be said."""
 

@@ -13,6 +13,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
@@ -23,6 +24,10 @@ from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
 from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
+
+# Most scenes do without SciPy, which takes a while to load.
+with lazy_imports():
+    from scipy import special
 
 _ROUNDING = 1e-12
 
@@ -61,13 +66,10 @@ def surface_stretch(scene: Scene) -> float:
     filament, material = scene.filament, scene.material
     if scene.initial.surface == "fresh" or not material.spec.is_solid or material.youngs_modulus is None:
         return 1.0
-    # Imported here: most scenes do without SciPy, which takes a while to load.
-    from scipy.special import lambertw
-
     pull = scene.surroundings.surface_tension / material.youngs_modulus
     if filament.section == "sheet":
-        return math.exp(-lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)
-    return math.exp(-2 * lambertw(pull * (1 / filament.thickness + 1 / filament.width) / 2).real)
+        return math.exp(-special.lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)
+    return math.exp(-2 * special.lambertw(pull * (1 / filament.thickness + 1 / filament.width) / 2).real)
 
 
 def is_held(scene: Scene) -> bool:

@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic_core import PydanticCustomError
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.history import History, read_table, table_history
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
@@ -18,12 +19,16 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    Values,
     read_each,
     refusal,
     registry,
     shown,
     split_quantity,
 )
+
+with lazy_imports():
+    from pint import errors as pint_errors
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -117,16 +122,14 @@ def _factor(unit: str, wanted: str) -> float:
         return 1.0
     if unit in (*_CELSIUS, *_FAHRENHEIT):
         raise NotAQuantity(f"'{unit}' is a unit of temperatures, not of their differences: K")
-    from pint.errors import PintError
-
     ureg = registry()
     try:
         found = ureg.Quantity(1.0, ureg.parse_units(unit))
-    except (PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
+    except (pint_errors.PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     try:
         factor = float(found.to(wanted).magnitude)
-    except PintError:
+    except pint_errors.PintError:
         raise NotAQuantity(f"'{unit}' is not a unit like {wanted}") from None
     short = float(f"{factor:.12g}")
     return short if math.isclose(short, factor, rel_tol=1e-15) else factor
@@ -162,27 +165,20 @@ class ModulusTable(Kind):
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
 
 
-class HeatedPart(Kind):
+class HeatedPart(Values):
     """Two places along the rest length, from the left end."""
 
-    si = True
-    accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
-    _place = Quantity("length", "100 mm", "non-negative")
+    def __init__(self) -> None:
+        accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
+        super().__init__(Quantity("length", "100 mm", "non-negative"), accepted, 2)
 
     def read(self, value: object) -> tuple[float, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if not value:
-            return ()
-        if len(value) != 2:
-            raise self.refuse(f"a list of {len(value)}")
-        low, high = (self._place.read(one) for one in value)
-        if not low < high:
-            raise self.refuse(f"{shown(value[0])} is not below {shown(value[1])}")
-        return low, high
-
-    def write(self, value: tuple[float, ...]) -> object:
-        return [self._place.write(one) for one in value]
+        places = super().read(value)
+        if len(places) > 2:
+            raise self.refuse(f"a list of {len(places)}")
+        if places and not places[0] < places[1]:
+            raise self.refuse(f"{' is not below '.join(map(shown, self.listed(value, 'a list')))}")
+        return places
 
 
 Softened = Literal["constant", "vft", "wlf", "arrhenius"]
