@@ -303,7 +303,7 @@ def test_ctrl_c_stops_a_long_run() -> None:
 
         threads = threading.active_count()
         with pytest.raises(KeyboardInterrupt):
-            sc.simulate(scene, Started())
+            sc.simulate(scene, progress=Started())
         # Of the processor, on a machine five times slower than one on which it is a second, or one frame.
         assert time.process_time() - sent[0] < (5 if scene is LONG else 25)
         assert threading.active_count() <= threads + 1, "the integration goes on"

@@ -22,7 +22,7 @@ from softcat_sym.physics.beams import CLAMPED
 from softcat_sym.physics.regimes import E_star
 from softcat_sym.physics.regimes import H as SAG
 from softcat_sym.physics.symbols import L as SPAN
-from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 from softcat_sym.solvers.initial_state import is_straight
 
@@ -99,7 +99,7 @@ class ClosedForm(Drawable):
         return "\n  ".join(lines)
 
 
-def closed_form(film: Films, scene: SceneLike) -> ClosedForm:
+def closed_form(film: Films, scene: SceneLike, changes: Changes = ()) -> ClosedForm:
     """Modulus and viscosity of a Maxwell filament from its film by formulas, without running the model.
 
     IPOPT weighs the frequency R, the decay rate d, the sag H, B and t_high by their errors of reading and of theory,
@@ -112,6 +112,8 @@ def closed_form(film: Films, scene: SceneLike) -> ClosedForm:
         One film, as :func:`softcat_sym.fit` takes it.
     scene : Scene, name, path or dict
         The filament; its modulus and viscosity are not used.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Raises
     ------
@@ -119,7 +121,7 @@ def closed_form(film: Films, scene: SceneLike) -> ClosedForm:
         If the scene is not of a straight Maxwell or Newtonian filament between level clamps, or the film shows neither
         an oscillation nor the 1/3 law.
     """
-    given = as_scene(scene)
+    given = as_scene(scene, changes)
     measured = taken(film, given).series
     if len(measured) > 1:
         raise SoftcatError(f"closed form: {len(measured)} films; accepted: one")
