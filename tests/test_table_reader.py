@@ -157,6 +157,7 @@ def tracks() -> dict[str, str]:
         "Tracker": "mass_A\nt\tx\ty\n" + track("{t!r}\t{x!r}\t{y!r}\n"),
         "Kinovea": kinovea("s") + '"Time","A/0/X","A/0/Y"\n' + track('"{t:.9f}","{mx}","{my}"\n', comma=True),
         "Kinovea, two points": kinovea("s") + '"Time","A/0/X","A/0/Y","B/0/X","B/0/Y"\n' + two,
+        "two points, units below": "time,a/x,a/y,b/x,b/y\ns,mm,mm,mm,mm\n" + two.replace('"', ""),
         "Kinovea, text": kinovea("ms") + "#Kinovea Trajectory data export\n#T X Y\n\n# Trajectory 1\n" + in_text,
         "Logger Pro": "Latest: Time (s),Latest: X (m),Latest: Y (m),Latest: X Velocity (m/s)\n"
         + track("{t!r},{x!r},{y!r},0\n"),

@@ -410,7 +410,7 @@ def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
         if match is None:
             faults.append(Fault(where, f"{shown(heading)} is no dotted key", _CSV_FORM))
             continue
-        key, unit = match[1], match[2] or (cells.units[place] if place < len(cells.units) else "")
+        key, unit = match[1], match[2] or (cells.units[place] if cells.units else "")
         if key in dict(header):
             faults.append(Fault(where, f"{key} stands there twice", "each key once"))
         if unit not in ("", "1") and not _is_quantity(f"1 {unit}"):

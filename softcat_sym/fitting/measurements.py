@@ -421,11 +421,10 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
     Parameters
     ----------
     paths : path or sequence of paths
-        Tables, one for each filament, with ``time_s`` and ``midpoint_m`` (and perhaps ``midpoint_std_m``), or
-        ``time_s``, ``x_m`` and ``y_m``, in any unit (``time_ms``, ``midpoint [mm]``; ``sag_mm`` counts downwards), or
-        as trackers write them. ``vertical_force_N`` (upwards) and ``horizontal_force_N`` (outwards) of the right
-        support stand beside the midpoint or alone; either may have rows in which the other is empty. Lines that start
-        with ``#`` are comments; ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
+        Tables, one for each filament, with ``time_s`` and ``midpoint_m``, or ``time_s``, ``x_m`` and ``y_m``, in any
+        unit (``time_ms``, ``midpoint [mm]``; ``sag_mm`` counts downwards), or as trackers write them; with perhaps
+        ``midpoint_std_m``, ``vertical_force_N`` (upwards) and ``horizontal_force_N`` (outwards, the right support's).
+        ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
 
     Returns
     -------
@@ -463,7 +462,7 @@ def _series(file: Path) -> Series:
     camera = camera_of(values)
     # The first line of an export of Tracker is the name of its track; times are in s, and lengths in m by default.
     above = text.splitlines()[cells.line - 2] if cells.line > 1 else ""
-    if camera == Camera() and re.fullmatch(r"\w+", above.strip()) and {"t", "x", "y"} <= {*cells.header}:
+    if camera == Camera() and re.fullmatch(r"[\w ]+", above) and {"t", "x", "y"} <= {*cells.header}:
         camera = Camera(unit=1.0, time=1.0)
         cells.said.append("took Tracker's t in s, x and y in m")
     parts, more = _parts(_one_point_a_row(cells, camera), camera)

@@ -206,7 +206,7 @@ class Cells:
             one = column_of(name, quantities)
             if one is None:
                 continue
-            unit_name = one.unit_name or (self.units[place] if place < len(self.units) else "")
+            unit_name = one.unit_name or (self.units[place] if self.units else "")
             try:
                 unit, zero = scale(one.quantity, unit_name)
                 found.append(replace(one, place=place, unit=one.sign * unit, zero=zero))
@@ -382,7 +382,8 @@ def _with_units(cells: Cells, places: Sequence[int]) -> Cells:
     ):
         return cells
     below = [row for _, row in cells.rows[:count]]
-    rows, units = [(k, row) for k, row in cells.rows if row not in below], tuple(cell.strip("[]()") for cell in last)
+    rows = [(k, row) for k, row in cells.rows if row not in below]
+    units = tuple(cell.strip("[]()") for cell in (*last, *[""] * (len(cells.header) - len(last))))
     return replace(cells, rows=rows, units=units, said=[*cells.said, f"took units from line {line}"])
 
 
