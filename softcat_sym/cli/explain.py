@@ -131,7 +131,8 @@ def print_explanation(
     for title, heads, rows, whole in tables:
         styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
         out.print(terminal.text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
-    terminal.print_rows([*notes], out)
+    for what, note in notes:
+        out.print(rich_text.Text(f"{what}: {note}"))
     for warning in explanation.warnings:
         out.print(rich_text.Text(f"warning: {warning}", style="yellow"))
 

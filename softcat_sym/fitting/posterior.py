@@ -174,10 +174,8 @@ def posterior_of(
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem = Marginal(fit.problem, fit.starts.best)
     fit.problem.deadline = math.inf
-    best, read = (
-        fit.starts.best.q[: fit.problem.asked],
-        read_priors(fit.priors if priors is None else priors, problem.free),
-    )
+    best = fit.starts.best.q[: fit.problem.asked]
+    read = read_priors(fit.priors if priors is None else priors, problem.free)
     seen = {film.name: film.measured for film in fit.films}
     how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
     noise = fit.information.spread
