@@ -800,6 +800,7 @@ def test_the_live_page_of_the_readme_has_its_sliders(says: Says, tmp_path: Path)
 
 FIRST = """
 import sys, time
+import softcat_sym.plotting.card
 from softcat_sym.cli import main
 
 begun, write = time.process_time(), sys.stdout.write
@@ -812,7 +813,7 @@ def heard(text):
 sys.argv[0], sys.stdout.write = "softcat", heard
 main()
 """
-"""Tells what passes from the start of the program to the first that it prints."""
+"""Tells what passes between the start-up, with all that the command loads, and the first that it prints."""
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
