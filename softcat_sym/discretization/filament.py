@@ -89,7 +89,9 @@ class _Balance:
         b, of = self.b, self.of
         rates = tuple(self._rate(slot) for slot in ordered(b.slots))
         shown = self._observables() | self.heat.shown
-        linear = {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if "a_" in name[:2]}
+        linear = {
+            name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")
+        }
         # Where only slopes are in motion nothing balances along x.
         known = b.equations.terms.stretches and len(of.places) == 2
         pulled = (Field(f"support_{way}", _AT_RIGHT, one) for way, one in zip("xy", self.support, strict=known))
