@@ -242,7 +242,7 @@ def test_as_many_digits_as_the_error_has_meaning(value: float, error: float, tex
 def test_units_have_prefixes_where_they_are_known() -> None:
     assert display_unit("Pa*s", 13.8e3).symbol == "kPa·s"
     assert display_unit("Pa", 1.6e8).text(1.6e8) == "160 MPa"
-    assert display_unit("kg/m^3", 1900).symbol == "kg/m^3"
+    assert display_unit("kg/m^3", 1900).symbol == "kg/m³"
     assert display_unit("s", 5e-3).symbol == "ms"
     assert display_unit("m", 0.0).symbol == "nm"
 
