@@ -187,7 +187,8 @@ def commands() -> str:
     group: Any = typer.main.get_command(app)
     parts = []
     with group.make_context("softcat", [], resilient_parsing=True) as above:
-        for name, command in group.commands.items():
+        for name in group.list_commands(above):
+            command = group.get_command(above, name)
             # A width of its own: the terminal of who builds must not show.
             context = command.context_class(command, info_name=name, parent=above, max_content_width=88)
             context.terminal_width = 88

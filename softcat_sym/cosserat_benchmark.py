@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects.lists import of_a_rod
+from softcat_sym.effects.effect_sets import of_a_rod
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import simulate

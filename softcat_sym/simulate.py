@@ -5,19 +5,31 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING
 
+from softcat_sym.lazy import lazy_imports
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from softcat_sym.results.run import Run
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
+
+# So that `import softcat_sym` stays light.
+with lazy_imports():
+    from softcat_sym import errors, store
+    from softcat_sym.codegen import compiler
+    from softcat_sym.effects import choosing
+    from softcat_sym.error_control import consistency
+    from softcat_sym.results import run as finished_runs
+    from softcat_sym.scene import reading
+    from softcat_sym.solvers import outcome, run_cost, solution
 
 _SOMETHING = 2
 """Frames from which an interrupted run shows something."""
 
 
-def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
+def simulate(scene: SceneLike, changes: Changes = (), *, progress: Progress | None = None) -> Run:
     """Run a filament.
 
     Where the program chooses the effects, it checks on the finished run whether an effect that was left out mattered;
@@ -29,6 +41,8 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     ----------
     scene : Scene, str, path or dict
         The scene, the name of a bundled one, the path of a TOML file, or nested tables as a file holds them.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
     progress : Progress, optional
         Told which stage begins, and the simulated time while an integration runs.
 
@@ -52,59 +66,47 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
         Before it begins, if it is going to take more than a minute of the processor; and of what speaks against the
         answer, as ``.summary["warnings"]`` has it.
     """
-    from softcat_sym.errors import SoftcatWarning
-    from softcat_sym.scene.reading import as_scene
 
     def warn(text: str) -> None:
-        warnings.warn(text, SoftcatWarning, stacklevel=3)
+        warnings.warn(text, errors.SoftcatWarning, stacklevel=3)
 
-    run = simulated(as_scene(scene), progress, warn)
+    run = simulated(reading.as_scene(scene, changes), progress, warn)
     for text in run.summary["warnings"]:
-        warnings.warn(text, SoftcatWarning, stacklevel=2)
+        warnings.warn(text, errors.SoftcatWarning, stacklevel=2)
     return run
 
 
 def simulated(scene: Scene, progress: Progress | None = None, announce: Callable[[str], None] | None = None) -> Run:
     """Run a filament as :func:`simulate` does, with warnings in the summary only; `announce` is told a high price."""
-    # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.error_control.consistency import run_until_consistent
-    from softcat_sym.solvers.outcome import Outcome
-    from softcat_sym.solvers.run_cost import run_cost
-    from softcat_sym.solvers.solution import Interrupted, Silence, watched
-
     finished = list["Run"]()
     try:
-        with watched():
-            if announce is not None and (price := run_cost(scene, choose_effects(scene))).is_announced:
-                announce(f"this run takes long: it {price.text}")
-            return run_until_consistent(scene, progress or Silence(), finished)
+        with solution.watched():
+            if announce is not None:
+                price = run_cost.run_cost(scene, choosing.choose_effects(scene))
+                if price.is_announced:
+                    announce(f"this run takes long: it {price.text}")
+            return consistency.run_until_consistent(scene, progress or solution.Silence(), finished)
     except KeyboardInterrupt as stopped:
-        if not finished and not isinstance(stopped, Interrupted):
+        if not finished and not isinstance(stopped, solution.Interrupted):
             raise
         # Judged here, where no interrupt is noted any more.
         run = finished[-1] if finished else stopped.part()  # type: ignore[attr-defined]
         if len(run.fields["time"]) < _SOMETHING:
             raise
         message = "it was interrupted before its error was known"
-        raise Interrupted(lambda: run.revised({}, Outcome.interrupted, message, scene)) from None
+        raise solution.Interrupted(lambda: run.revised({}, outcome.Outcome.interrupted, message, scene)) from None
 
 
 def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:
     """Return what decides a run, for the key of its result: the scene as resolved (no title), and who compiles it."""
-    from softcat_sym.codegen.compiler import build_identity
-
-    compiled_by = [] if scene.numerics.backend == "interpreted" else build_identity()
+    compiled_by = [] if scene.numerics.backend == "interpreted" else compiler.build_identity()
     return scene.model_copy(update={"title": ""}).to_toml(), list(scene.notes), compiled_by
 
 
 def recalled(scene: Scene, progress: Progress | None = None) -> Run:
     """Run a filament for a study: as :func:`simulated`, but taken from the store if it was run before."""
-    from softcat_sym import store
-    from softcat_sym.results.run import run_form
-
     key = store.key_of("run", identity_of(scene))
-    return store.stored(key, lambda: simulated(scene, progress), run_form(scene))
+    return store.stored(key, lambda: simulated(scene, progress), finished_runs.run_form(scene))
 
 
 def without_estimate(scene: Scene) -> Scene:

@@ -37,7 +37,7 @@ def test_where_all_is_well_it_says_so_and_is_quiet_if_asked(softcat: Softcat, mo
     extras = set(metadata.metadata("softcat_sym").get_all("Provides-Extra", ()))
     assert {f"[{name}]" for name in extras} <= set(heads(done.out))
     assert "everything works" in done.out.splitlines()[-1]
-    monkeypatch.setattr(doctor, "_tested", lambda backend, quiet: doctor.Finding("self-test", backend))
+    monkeypatch.setattr(doctor, "_tested", lambda backend, quiet: doctor.Check("self-test", backend))
     assert softcat("doctor", "-q") == type(done)(0, "", "")
 
 
@@ -66,7 +66,7 @@ def test_what_is_named_and_does_not_work_is_a_fault_with_its_remedy(
 ) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv(variable, text.format(file=tmp_path / "file"))
-    monkeypatch.setattr(doctor, "_tested", lambda backend, quiet: doctor.Finding("self-test", backend))
+    monkeypatch.setattr(doctor, "_tested", lambda backend, quiet: doctor.Check("self-test", backend))
     with warnings.catch_warnings():
         warnings.simplefilter("default")
         done = softcat("doctor", "-q")

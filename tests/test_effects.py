@@ -12,8 +12,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.batch.phase_runs import refuse_scene
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
     damping,
@@ -26,8 +26,7 @@ from softcat_sym.effects.forecast import (
 )
 from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
-from softcat_sym.effects.lists import terms_of
-from softcat_sym.effects.quasi_static import flow_sag, quasi_static_history
+from softcat_sym.effects.quasi_static_sag import flow_sag, quasi_static_history
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     elastic_sag,
@@ -43,6 +42,7 @@ from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import length_text
+from softcat_sym.studies.phase_runs import refuse_scene
 from tests.common.scenes import scene_of
 
 # Effects are well formed, independent of one another, and leave nothing behind when absent.
@@ -418,18 +418,12 @@ def test_a_shaken_filament_is_foreseen_to_go_deeper() -> None:
     assert moved.missed >= steady.missed
 
 
-@pytest.mark.parametrize(
-    ("refuses", "scene"),
-    [
-        (problem_of, "arrested-overdamped"),
-        (calculix_deck, "arrested-overdamped"),
-        (refuse_scene, "arrested-overdamped"),
-    ],
-)
-def test_who_does_not_know_it_says_so(refuses: Callable[[Scene], object], scene: str) -> None:
-    refuses(load_scene(scene))
+@pytest.mark.parametrize("refuses", [problem_of, calculix_deck, refuse_scene])
+def test_who_does_not_know_it_says_so(refuses: Callable[[Scene], object]) -> None:
+    scene = load_scene("arrested-overdamped")
+    refuses(scene)
     with pytest.raises(SceneError) as caught:
-        refuses(shaken(load_scene(scene)))
+        refuses(shaken(scene))
     assert [fault.path for fault in caught.value.faults] == ["load.shake"]
 
 

@@ -23,7 +23,7 @@ from PIL import Image
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.animation import Animation, film_order, moments_of, write_film
-from softcat_sym.plotting.gallery import contact_sheet, exhibit_of
+from softcat_sym.plotting.gallery import contact_sheet
 from softcat_sym.plotting.section import Floats
 from softcat_sym.plotting.style import first_frames, new_figure, png
 from softcat_sym.results.run import Run
@@ -314,12 +314,6 @@ def test_every_scene_teaches_something_of_its_own_in_a_line(softcat: Softcat) ->
     lines = done.out.splitlines()
     assert [line.split()[0] for line in lines[::2]] == list(sc.bundled_names())
     assert [line.strip() for line in lines[1::2]] == lessons
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", sc.bundled_names())
-def test_what_every_lesson_says_is_what_the_run_shows(name: str) -> None:
-    check_lesson(bundled_lesson(name), exhibit_of(name)[1])
 
 
 def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:

@@ -244,12 +244,3 @@ def test_figure_2() -> None:
         assert (groups.delta, groups.tau_star, groups.B) == pytest.approx((0.0025, tau, 3.3e-5))
         assert (scene.material.law, scene.load.ramp) == ("maxwell", 0.0)
         assert scene.run.duration / gravity_time(scene) == pytest.approx(20)
-
-
-def test_what_a_user_would_bring() -> None:
-    ink, oil, glass = (load_scene(name) for name in ("ink-bridge", "silicone-thread", "glass-rod"))
-    assert (ink.filament.span, ink.filament.thickness, ink.filament.section) == (5e-3, 4e-4, "circle")
-    assert (ink.material.law, ink.surroundings.surface_tension) == ("bingham", 0.072)
-    assert oil.material.viscosity == pytest.approx(3 * 0.1 * 970)
-    assert 1e-4 < groups_of(oil).tau_star * gravity_time(oil) < 1e-2  # type: ignore[operator]
-    assert (glass.ends.left, glass.ends.right, glass.material.youngs_modulus) == ("pinned", "pinned", 70e9)

@@ -592,7 +592,7 @@ def test_what_draws_loads_no_more_than_it_needs():
 
 
 def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):
-    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, Posterior"):
+    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, ClosedForm"):
         plotting.plot(descent)
     for module in plotting.DRAWN_IN.values():
         import_module(f"softcat_sym.plotting.{module}")

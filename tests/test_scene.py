@@ -327,23 +327,6 @@ def test_one_without_the_other_is_one_fault(missing: str) -> None:
     assert given in fault.accepted
 
 
-def test_a_wrong_value_is_named() -> None:
-    for changes, says in [
-        ({"load.shake": -0.5}, "out of range"),
-        ({"load.shake": "50 %"}, "is not a number"),
-        ({"load.shake_frequency": "-9 Hz"}, "is negative"),
-        ({"load.shake_frequency": 9}, "has no unit"),
-        ({"load.shake_frequency": "9 s"}, "'s' is a time, not a frequency"),
-        ({"load.shake_frequency": "9 rad/s"}, "'rad/s' measures an angle, not cycles"),
-        ({"load.shake_frequency": "540 rpm"}, "'rpm' measures an angle, not cycles"),
-    ]:
-        with pytest.raises(SceneError) as caught:
-            shaken(PAIR | changes)
-        (fault,) = caught.value.faults
-        assert fault.path == next(iter(changes))
-        assert says in fault.found
-
-
 def test_a_frequency_counts_cycles() -> None:
     for text in ["9 Hz", "0.009 kHz", "9 1/s", "540 1/min"]:
         assert shaken(PAIR | {"load.shake_frequency": text}).load.shake_frequency == pytest.approx(9, rel=1e-15)
@@ -418,37 +401,6 @@ def test_what_does_not_go_together_is_one_fault() -> None:
         assert fault.path == where
         assert says in str(fault)
         assert fault.accepted
-
-
-SINGLE: list[tuple[dict[str, Any], str, str]] = [
-    ({"filament__profile": [1.0]}, "filament.profile", "a list of 1; accepted: a list of positive numbers without un"),
-    ({"filament__profile": [1.0, 0.0]}, "filament.profile", "0.0 is out of range"),
-    ({"filament__profile": [1.0, -1.0]}, "filament.profile", "-1.0 is out of range"),
-    ({"filament__profile": ["1 mm", "2 mm"]}, "filament.profile", "'1 mm' is not a number"),
-    ({"filament__profile": 1.0}, "filament.profile", "1.0 is not a list"),
-    ({"filament__rest_length": "0 m"}, "filament.rest_length", "is zero"),
-    ({"filament__curvature": "1 m"}, "filament.curvature", "'m' is a length, not a curvature"),
-    ({"ends__left_angle": "180 deg"}, "ends.left_angle", "is half a turn or more"),
-    ({"ends__right_angle": "-4 rad"}, "ends.right_angle", "accepted: an angle between -180 deg and 180 deg"),
-    ({"ends__left_angle": 3}, "ends.left_angle", "3 has no unit"),
-    ({"ends__motion": "go"}, "ends.motion", "'go' is not a list of rows"),
-    ({"ends__motion": [3]}, "ends.motion", "3 is not a row [time, dx, dy]"),
-    ({"ends__motion": [["0 s", "0 m"]]}, "ends.motion", "is not a row"),
-    ({"ends__motion": [["0 m", "0 m", "0 m"]]}, "ends.motion", "'m' is a length, not a time"),
-    ({"ends__motion": [["0 s", 0, "0 m"]]}, "ends.motion", "0 has no unit"),
-    ({"initial__stretch": 0}, "initial.stretch", "0 is out of range"),
-    ({"initial__relaxed": "no"}, "initial.relaxed", "is neither true nor false"),
-    ({"initial__P": [math.nan]}, "initial.P", "nan is not finite"),
-    ({"load__point_mass": "-1 g"}, "load.point_mass", "is negative"),
-    ({"load__point_mass": "1 N"}, "load.point_mass", "not a mass"),
-]
-
-
-def test_one_bad_value_is_one_fault() -> None:
-    for changes, where, says in SINGLE:
-        (fault,) = faults_of(table(**changes))
-        assert fault.path == where
-        assert says in str(fault)
 
 
 GOOD: list[tuple[str, dict[str, Any]]] = [

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.scene.structure import Structure
+from softcat_sym.scene.thixotropy import Thixotropy
 
 L, RATE = 0.1, 2e-3
 EFFECTS = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow", "yielding"]
@@ -35,7 +35,7 @@ def bar(structure: dict[str, Any] | None = None, **changes: Any) -> sc.Scene:
     ).replace(changes)
 
 
-def stress_and_structure(structure: Structure, time: Any) -> tuple[Any, Any]:
+def stress_and_structure(structure: Thixotropy, time: Any) -> tuple[Any, Any]:
     """sigma and lambda of a bar pulled at a constant speed, integrated by another program."""
     E, eta, limit = 1e5, 5e4, 300.0
     high, low = structure.structured_yield_stress or limit, structure.destroyed_yield_stress

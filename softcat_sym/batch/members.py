@@ -14,9 +14,7 @@ from pydantic_core import to_json
 from softcat_sym.effects.choosing import (
     Effects,
     choose_effects,
-    refuse_closure,
-    refuse_unsound,
-    refuse_without,
+    refuse_together,
     why_not,
 )
 from softcat_sym.errors import Fault, SceneError
@@ -282,6 +280,4 @@ def _admit(scene: Scene, effects: Effects) -> None:
     ]
     if barred:
         raise SceneError(barred)
-    refuse_closure(scene, chosen)
-    refuse_without(scene, chosen)
-    refuse_unsound(scene, chosen)
+    refuse_together(scene, chosen)

@@ -16,12 +16,14 @@ import sys
 import unicodedata
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
 from softcat_sym.cli.overview import HELP, overview
+from softcat_sym.lazy import lazy_imports
 
-if TYPE_CHECKING:
-    from softcat_sym.interrupts import Ending
+with lazy_imports():
+    from softcat_sym import errors, interrupts
+    from softcat_sym.cli import application
 
 __all__ = ["main"]
 
@@ -37,8 +39,6 @@ def main() -> NoReturn:
         with contextlib.suppress(BrokenPipeError):
             print(overview(Path(sys.argv[0]).name), flush=True)
             sys.exit()
-    from softcat_sym.cli.application import INTERRUPTED
-    from softcat_sym.interrupts import ended_like_ctrl_c
 
     # Commands draw into files; the backend of a missing window system would prevent matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
@@ -47,9 +47,9 @@ def main() -> NoReturn:
     # The matrices of this package are too small for the threads of OpenBLAS, which would compete with a command's own.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.showwarning = _show_warning
-    with ended_like_ctrl_c() as ending:
+    with interrupts.ended_like_ctrl_c() as ending:
         status = _status(ending)
-    sys.exit(ending.status if status == INTERRUPTED else status)
+    sys.exit(ending.status if status == application.INTERRUPTED else status)
 
 
 def _show_warning(
@@ -61,40 +61,43 @@ def _show_warning(
     line: object = None,
 ) -> None:
     """Print a warning as one line; only of those that are not for users, where in the program it arose."""
-    from softcat_sym.cli.application import print_error
+    application.print_error(
+        str(message) if issubclass(category, UserWarning) else f"{message} ({filename}, line {lineno})"
+    )
 
-    print_error(str(message) if issubclass(category, UserWarning) else f"{message} ({filename}, line {lineno})")
 
-
-def _status(ending: Ending) -> int | str | None:
+def _status(ending: interrupts.Ending) -> int | str | None:
     """Run the command, and return its exit status."""
-    from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, print_error
-    from softcat_sym.errors import SoftcatError
-
     try:
-        app()
+        application.app()
     except SystemExit as left:
         # If a command does not handle Ctrl-C, typer exits without a message.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
-            print_error(f"{ending}; every file is whole, the old one or the new")
-            return INTERRUPTED
+            application.print_error(f"{ending}; every file is whole, the old one or the new")
+            return application.INTERRUPTED
         # Typer and rich exit with 1 if the output is no longer read.
         unread = isinstance(left.__context__, OSError) and left.__context__.errno == errno.EPIPE
         return _BROKEN_PIPE if unread else left.code
-    except SoftcatError as error:
-        print_error(str(error))
+    except errors.SoftcatError as error:
+        application.print_error(str(error))
     except OSError as error:
         # The message has neither error numbers nor names of temporary files.
         where = f" ({Path(error.filename).parent})" if isinstance(error.filename, str) and error.filename else ""
-        print_error(f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}")
+        results = f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}"
+        # A note says what else it was that could not be written.
+        application.print_error("; ".join(getattr(error, "__notes__", [results])))
     except MemoryError:
-        print_error("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
+        application.print_error(
+            "there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames"
+        )
     except ImportError as error:
         reason = str(error).strip().rpartition("\n")[2]  # NumPy has the reason in the last line
-        print_error(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
+        application.print_error(
+            f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again"
+        )
     else:
         return 0
-    return BAD_INPUT
+    return application.BAD_INPUT
 
 
 # Signs whose Unicode decomposition has no ASCII base, or a misleading one.

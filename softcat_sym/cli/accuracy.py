@@ -6,9 +6,13 @@ from typing import Annotated
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import Display
+
+with lazy_imports():
+    from softcat_sym.studies import integrators, work_precision
 
 
-@cli.commands.command()
 def accuracy(
     scene: cli.SceneArgument,
     output: cli.OutputOption = None,
@@ -34,16 +38,13 @@ def accuracy(
     confirmed by a rival. The programs share the time; measurements that are cut off are listed. Nothing comes from the
     store.
     """
-    from softcat_sym.progress import Display
-    from softcat_sym.studies.work_precision import LIMIT, LIMIT_OF_ALL, study
-    from softcat_sym.studies.work_precision_programs import PROGRAMS, RIVALS
-
     asked, output = cli.scene_and_directory(scene, changes, output, "accuracy")
-    programs, usual = (PROGRAMS, LIMIT_OF_ALL) if everything else (RIVALS, LIMIT)
+    methods = integrators.METHODS if everything else integrators.RIVALS
+    limit = limit or (work_precision.LIMIT_OF_ALL if everything else work_precision.LIMIT)
     try:
         with Display(quiet=quiet) as progress:
             progress.stage("accuracy")
-            found = study(scene, asked, programs, limit or usual, lambda what, share: progress.reach(share, what))
+            found = work_precision.study(scene, asked, methods, limit, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
     report = drawing.report(found)

@@ -6,7 +6,7 @@ import contextlib
 import os
 import re
 import threading
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -18,13 +18,23 @@ from typer.core import TyperGroup
 from softcat_sym.cli.completing import complete_change, complete_scene
 from softcat_sym.cli.overview import COMMANDS, HELP, INSTANT, SUMMARY, home_of, overview
 from softcat_sym.interrupts import ending
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
     from softcat_sym.drawing import Report
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
 
+with lazy_imports():
+    from importlib import metadata
+
+    from softcat_sym import files, store
+    from softcat_sym.effects import choosing
+    from softcat_sym.scene import reading
+
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
+
+_CHANGES_SHOWN = 4
 
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
@@ -35,49 +45,31 @@ _LOOK: dict[str, Any] = {
     "rich_markup_mode": None,
 }
 
-commands = typer.Typer(**_LOOK)
-"""Application with which every command registers."""
-
-
-class _LazyCommands(Mapping[str, Any]):
-    """Commands by name, each made on first use: loading one takes milliseconds, and a call needs one of twenty."""
-
-    def __init__(self) -> None:
-        self._names = [name for group in COMMANDS.values() for name in group]
-        self._made: dict[str, Any] = {}
-
-    def __getitem__(self, name: str) -> Any:
-        if name not in self._names:
-            raise KeyError(name)
-        if name not in self._made:
-            import_module(home_of(name))
-            alone = typer.Typer(add_completion=False, **_LOOK)
-            named = {info.name or getattr(info.callback, "__name__", ""): info for info in commands.registered_commands}
-            alone.registered_commands.append(named[name])
-            command = self._made[name] = typer.main.get_command(alone)
-            if name not in INSTANT and not any(one.name == "time_limit" for one in command.params):
-                command.params.extend(typer.main.get_command(_limit).params)
-        return self._made[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
-
-    def __len__(self) -> int:
-        return len(self._names)
-
 
 class _Softcat(TyperGroup):
     """Loads a command when it is called, and lists all commands under the names of their groups."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
-        self.commands: Any = _LazyCommands()
+        # The names alone; typer looks among them for the one that was meant.
+        self.commands: Any = dict.fromkeys(name for group in COMMANDS.values() for name in group)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Load the module of a command, and make its function a command, with a time limit if it computes."""
+        if cmd_name not in self.commands:
+            return None
+        alone = typer.Typer(add_completion=False, **_LOOK)
+        alone.command(cmd_name)(getattr(import_module(home_of(cmd_name)), cmd_name.replace("-", "_")))
+        command = typer.main.get_command(alone)
+        if cmd_name not in INSTANT and not any(one.name == "time_limit" for one in command.params):
+            command.params.extend(typer.main.get_command(_limit).params)
+        return command
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Answer a call for the help of a command early, as typer would load pydantic to read the option."""
         name, *others = args or [""]
         if name in self.commands and not ctx.resilient_parsing and not {*HELP}.isdisjoint(others):
-            command = self.commands[name]
+            command = self.get_command(ctx, name)
             typer.echo(command.get_help(type(ctx)(command, info_name=name, parent=ctx)))
             ctx.exit()
         return super().parse_args(ctx, args)
@@ -170,9 +162,7 @@ VerboseOption = Annotated[bool, switch("Print everything, with reasons and formu
 
 def _version(asked: bool) -> None:
     if asked:
-        import importlib.metadata
-
-        typer.echo(f"softcat {importlib.metadata.version('softcat_sym')}")
+        typer.echo(f"softcat {metadata.version('softcat_sym')}")
         raise typer.Exit
 
 
@@ -187,9 +177,7 @@ def _root(
 
 def scene_of(name: str, changes: list[str] | None) -> Scene:
     """Read the scene that a command names, with its changes."""
-    from softcat_sym.scene.reading import load_scene
-
-    return load_scene(name, changes or [])
+    return reading.load_scene(name, changes or [])
 
 
 def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
@@ -201,9 +189,7 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
         check_directory(output)
     except OSError:
         if asked is not None:
-            from softcat_sym.effects.choosing import choose_effects
-
-            choose_effects(asked)
+            choosing.choose_effects(asked)
         raise
     return output
 
@@ -213,7 +199,26 @@ def scene_and_directory(
 ) -> tuple[Scene, Path]:
     """Return the scene and the DIR of a command; faults of the scene and of its effects are reported first."""
     asked = scene_of(name, [*settings, *(changes or [])])
-    return asked, output_directory(output, command, name, asked)
+    output = output_directory(output, command, name, asked)
+    if (output / "scene.toml").is_file():
+        _tell_what_is_replaced(asked, output)
+    return asked, output
+
+
+def _tell_what_is_replaced(asked: Scene, output: Path) -> None:
+    """Print what is different in the scene whose results are in DIR, if it is another one."""
+    from softcat_sym.errors import SceneError
+    from softcat_sym.scene.reading import load_scene
+
+    try:
+        there = load_scene(output / "scene.toml")
+    except SceneError:
+        return
+    changed = [f"{path} {before} -> {now}" for path, (before, now) in there.differences(asked).items()]
+    if changed:
+        more = f" and {len(changed) - _CHANGES_SHOWN} more" if len(changed) > _CHANGES_SHOWN else ""
+        listed = ", ".join(changed[:_CHANGES_SHOWN])
+        print_error(f"{output} has results of another scene, which are replaced: {listed}{more}; -o DIR keeps them")
 
 
 def present(report: Report, written: Iterable[Path], output: Path, *, quiet: bool) -> None:
@@ -257,10 +262,7 @@ def interrupted(left: str) -> typer.Exit:
 @contextlib.contextmanager
 def study(output: Path, *, fresh: bool) -> Iterator[None]:
     """Make DIR, and use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
-    from softcat_sym import store
-    from softcat_sym.files import made
-
-    with store.fresh(fresh), made(output):
+    with store.fresh(fresh), files.made(output):
         try:
             yield
         except KeyboardInterrupt:

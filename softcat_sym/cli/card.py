@@ -10,17 +10,22 @@ import typer
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
-    from softcat_sym.studies.card import Card
+
+with lazy_imports():
+    from softcat_sym.plotting import card as drawn
+    from softcat_sym.plotting import terminal
+    from softcat_sym.studies import card as study
+    from softcat_sym.web import module, page
 
 
 def _value(help_text: str) -> Any:
     return cli.option("VALUE", help_text)
 
 
-@cli.commands.command()
 def card(
     context: typer.Context,
     scene: cli.OptionalScene = None,
@@ -80,43 +85,52 @@ def card(
         given = ", ".join(f"--{name}" for name in flags)
         text = f"a scene and {given}: change the scene with --set, or leave it out"
         raise typer.BadParameter(text, param_hint="SCENE")
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.card import card as make_card
-    from softcat_sym.studies.card import scene_from_flags
 
     notes: tuple[str, ...] = ()
     if scene is not None:
         asked, output = cli.scene_and_directory(scene, changes, output, "card")
     else:
-        asked, notes = scene_from_flags(flags, changes or [])
+        asked, notes = study.scene_from_flags(flags, changes or [])
         output = cli.output_directory(output, "card", asked=asked)
     words = ["softcat", "card", *([scene] if scene else [])]
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
-    with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-        found = make_card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
-        live, why = _live_page(found, progress)
+    command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
+    study.check_limit(study.LIMIT if sag is None else sag)
+    printer.foresee(asked)
+    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        try:
+            found = study.card(
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=printer.hear
+            )
+        except KeyboardInterrupt:
+            if printer.card is None:
+                raise
+            drawing.report(printer.card, command=command).write(output)
+            left = f"what was computed is in {output}, marked as incomplete; the same command goes on from there"
+            raise cli.interrupted(left) from None
         progress.stage("drawing")
-        report = drawing.report(found, command=shlex.join([*words, "-o", "DIR"]), live=live)
+        report = drawing.report(found, command=command)
         written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
-    if why and not quiet:
-        typer.echo(f"no live page: {why}")
+        live, why = _live_page(found, progress)
+        if live:
+            figure = report.files["card.png"]
+            written = drawing.report(found, command=command, live=live, figure=figure).write(output)
+    if not quiet:
+        cli.print_written(written, output)
+        typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 
-def _live_page(found: Card, progress: Progress) -> tuple[str, str]:
+def _live_page(found: study.Card, progress: Progress) -> tuple[str, str]:
     """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
-    from softcat_sym.web.module import find_wasm_compiler
-
-    if not found.run.outcome.is_success or find_wasm_compiler() is None:
+    if not found.run.outcome.is_success or module.find_wasm_compiler() is None:
         return "", ""
-    from softcat_sym.web.page import page_text
 
     progress.stage("making a live page")
     try:
-        return page_text(found.scene, name="live"), ""
+        return page.page_text(found.scene, name="live"), ""
     except SceneError as error:
         return "", "; ".join(map(str, error.faults))
     except SoftcatError as error:

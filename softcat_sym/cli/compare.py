@@ -11,11 +11,18 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.files import write_results
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.reference.element_loop import Clamp, Mesh
     from softcat_sym.scene.scene import Scene
-    from softcat_sym.studies.compare import Listening
+
+with lazy_imports():
+    from softcat_sym.plotting import terminal, vtk
+    from softcat_sym.reference import calculix
+    from softcat_sym.reference import element_loop as elements
+    from softcat_sym.studies import compare as study
+    from softcat_sym.studies import theory_end
 
 
 class Engine(StrEnum):
@@ -27,42 +34,35 @@ class Engine(StrEnum):
 
 
 def _compare_once(
-    scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, fresh: bool, quiet: bool
+    scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, engine: Engine, fresh: bool, quiet: bool
 ) -> None:
     """Run the elements, or resume them, and the filament; write, print and judge."""
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.plotting.vtk import vtk_available, write_vtk
-    from softcat_sym.studies.compare import compare as run_comparison
-
     checkpoint = output / "elements.npz" if engine is not Engine.CALCULIX else None
     if checkpoint is not None and fresh:
         checkpoint.unlink(missing_ok=True)
     if checkpoint is not None and checkpoint.is_file() and not quiet:
         typer.echo(f"the elements resume from {checkpoint}")
     with cli.study(output, fresh=fresh):
-        comparison = run_comparison(
+        comparison = study.compare(
             scene,
             mesh,
             engine=engine.value,
             clamp=clamp,
             checkpoint=checkpoint,
-            progress=lambda what: IntegrationProgress(scene.run.duration, what, quiet=quiet),
+            progress=lambda what: terminal.IntegrationProgress(scene.run.duration, what, quiet=quiet),
         )
         report = drawing.report(comparison)
         written = report.write(output)
-    if engine is Engine.ELEMENTS and vtk_available():
-        written.append(write_vtk(scene, comparison.elements, output / "vtk")[0])
+    if engine is Engine.ELEMENTS and vtk.vtk_available():
+        written.append(vtk.write_vtk(scene, comparison.elements, output / "vtk")[0])
     cli.present(report, written, output, quiet=quiet)
     own = comparison.filament.trajectory
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
-def _write_deck(scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
+def _write_deck(scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, quiet: bool) -> None:
     """Write the deck of CalculiX, which need not be installed."""
-    from softcat_sym.files import write_results
-    from softcat_sym.reference.calculix import calculix_deck
-
-    deck = calculix_deck(scene, mesh, clamp=clamp).text
+    deck = calculix.calculix_deck(scene, mesh, clamp=clamp).text
     written = write_results(output, {"calculix/deck.inp": deck, "scene.toml": scene.to_toml()})
     if not quiet:
         cli.print_written(written, output)
@@ -73,8 +73,8 @@ def _compare_varied(
     changes: list[str] | None,
     vary: str,
     output: Path | None,
-    mesh: Mesh,
-    clamp: Clamp,
+    mesh: elements.Mesh,
+    clamp: elements.Clamp,
     *,
     fresh: bool,
     quiet: bool,
@@ -83,14 +83,11 @@ def _compare_varied(
 
     The elements keep their states in DIR/elements; finished ones are not run again.
     """
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.theory_end import read_variation, where_theory_ends
-
     asked, output = cli.scene_and_directory(name, changes, output, "compare")
-    variation = read_variation(asked, vary)
+    variation = theory_end.read_variation(asked, vary)
 
-    def listening(value: str, scene: Scene) -> Listening:
-        return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
+    def listening(value: str, scene: Scene) -> study.Listening:
+        return lambda what: terminal.IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
 
     def scene_with(change: str) -> Scene:
         return cli.scene_of(name, [*(changes or []), change])
@@ -100,7 +97,7 @@ def _compare_varied(
         for path in folder.glob(64 * "[0-9a-f]" + ".npz"):
             path.unlink()
     with cli.study(output, fresh=fresh):
-        end = where_theory_ends(
+        end = theory_end.where_theory_ends(
             asked,
             variation,
             scene_with,
@@ -114,7 +111,6 @@ def _compare_varied(
     cli.present(report, report.write(output), output, quiet=quiet)
 
 
-@cli.commands.command()
 def compare(
     scene: cli.SceneArgument,
     output: cli.OutputOption = None,
@@ -158,9 +154,7 @@ def compare(
     With --vary the command gives the errors of the theories over one variable, the errors of half as many elements and
     the cost of each run; if the thickness varies, it extrapolates to the slender limit.
     """
-    from softcat_sym.reference.element_loop import Clamp
-
-    face = Clamp.FIXED if fixed_face else Clamp.THINNING
+    face = elements.Clamp.FIXED if fixed_face else elements.Clamp.THINNING
     if vary is not None:
         if deck_only or engine is not Engine.ELEMENTS:
             raise typer.BadParameter(
@@ -177,11 +171,9 @@ def compare(
         _compare_once(resolved, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
 
 
-def _mesh(text: str) -> Mesh:
+def _mesh(text: str) -> elements.Mesh:
     """Read ``64x4``; the mesh itself refuses unsuitable numbers."""
-    from softcat_sym.reference.element_loop import Mesh
-
     found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)
     if found is None:
         raise typer.BadParameter(f"{text!r} is no mesh: write two whole numbers, such as 64x4", param_hint="--mesh")
-    return Mesh(*map(int, found.groups()))
+    return elements.Mesh(*map(int, found.groups()))

@@ -7,21 +7,24 @@ from __future__ import annotations
 
 import os
 
+from softcat_sym.lazy import lazy_imports
+
+with lazy_imports():
+    from importlib import resources
+
+    from softcat_sym.scene import scene
+
 
 def complete_scene(incomplete: str) -> list[str]:
     """Offer bundled scenes by name, and TOML files and folders by path."""
-    from importlib.resources import files  # Only completion needs it
-
-    folder = files("softcat_sym") / "scene" / "bundled"
+    folder = resources.files("softcat_sym") / "scene" / "bundled"
     names = sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
     return [name for name in names if name.startswith(incomplete)] + _paths(incomplete)
 
 
 def complete_change(incomplete: str) -> list[str]:
     """Offer the dotted keys of a scene, each with its equals sign."""
-    from softcat_sym.scene.scene import known_keys
-
-    known = known_keys()
+    known = scene.known_keys()
     tables = set(known) - {""}
     # "title" and "model" stand outside every table.
     keys = [name for name in known[""] if name not in tables] + [f"{t}.{name}" for t in tables for name in known[t]]

@@ -3,27 +3,43 @@
 from __future__ import annotations
 
 import os
+import platform
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import metadata
 from shutil import get_terminal_size
 from textwrap import TextWrapper
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 import typer
 
+from softcat_sym import cache
 from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import StudyDisplay
+from softcat_sym.simulate import simulated
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
 
+with lazy_imports():
+    from packaging import requirements
+
+    from softcat_sym import store
+    from softcat_sym.batch import executor
+    from softcat_sym.codegen import compiler as compilers
+    from softcat_sym.codegen import library as libraries
+    from softcat_sym.scene import reading
+
 _SCENE, _CELLS, _TOLERANCE = "beam-viscometer", 20, 2e-3
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class Check:
     """Result of one check."""
 
     name: str
@@ -32,7 +48,6 @@ class Finding:
     is_fault: bool = False  # Whether the package does not work without the remedy
 
 
-@cli.commands.command()
 def doctor(quiet: cli.QuietOption = False) -> None:
     """Check the installation, the compiler and the cache, and run a test.
 
@@ -63,11 +78,11 @@ def _say(name: str, text: str) -> None:
     typer.echo(wrapper.fill(text))
 
 
-def _findings(*, quiet: bool) -> Iterator[Finding]:
+def _findings(*, quiet: bool) -> Iterator[Check]:
     packages = list(_packages())
     yield from (_python(), *packages)
     if any(finding.is_fault for finding in packages):
-        yield Finding("self-test", "not run, since required packages are missing or too old")
+        yield Check("self-test", "not run, since required packages are missing or too old")
         return
     compiler, cache = _compiler(), _cache()
     yield from (compiler, cache)
@@ -76,30 +91,23 @@ def _findings(*, quiet: bool) -> Iterator[Finding]:
     yield _terminal()
     yield _tested("interpreted", quiet=quiet)
     if compiler.remedy or cache.is_fault:
-        yield Finding("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")
+        yield Check("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")
     else:
         yield _tested("compiled", quiet=quiet)
 
 
-def _python() -> Finding:
-    import platform
+def _python() -> Check:
 
-    from softcat_sym.batch.executor import worker_count
-
-    cores = f"{worker_count(None)} of {os.cpu_count()} processors"
+    cores = f"{executor.worker_count(None)} of {os.cpu_count()} processors"
     system = f"{platform.system()} {platform.machine()}"
-    return Finding("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})")
+    return Check("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})")
 
 
-def _packages() -> Iterator[Finding]:
+def _packages() -> Iterator[Check]:
     """The package, its requirements, and each extra; missing or old packages have the command that installs them."""
-    from importlib import metadata
-
-    from packaging.requirements import Requirement
-
     about = metadata.metadata("softcat_sym")
-    required = [Requirement(text) for text in metadata.requires("softcat_sym") or ()]
-    yield Finding("softcat_sym", about["Version"])
+    required = [requirements.Requirement(text) for text in metadata.requires("softcat_sym") or ()]
+    yield Check("softcat_sym", about["Version"])
     for extra in ("", *about.get_all("Provides-Extra", ())):
         found, lacking = [], []
         for each in required:
@@ -115,88 +123,74 @@ def _packages() -> Iterator[Finding]:
             lacking += [] if fits else [f"{each.name}{each.specifier}"]
         line = f"pip install 'softcat_sym[{extra}]'" if extra else f"pip install {' '.join(map(repr, lacking))}"
         name, is_fault = f"[{extra}]" if extra else "required", bool(lacking) and not extra
-        yield Finding(name, ", ".join(found), line if lacking else "", is_fault)
+        yield Check(name, ", ".join(found), line if lacking else "", is_fault)
 
 
-def _compiler() -> Finding:
+def _compiler() -> Check:
     """The C compiler, tested on a short function with the flags of a run."""
-    from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
-    from softcat_sym.codegen.library import check_compiler
-
     try:
-        found = find_compiler()
+        found = compilers.find_compiler()
         if found is None:
             named = os.environ.get("CC", "")
             text = f"CC is {named!r}, which is no C compiler that runs" if named else "none: runs are interpreted"
-            return Finding("compiler", text, TO_INSTALL, bool(named))
-        check_compiler(found)
+            return Check("compiler", text, compilers.TO_INSTALL, bool(named))
+        libraries.check_compiler(found)
     except (SoftcatError, OSError) as error:
-        return Finding("compiler", str(error), "set CC to a compiler that works, or look at SOFTCAT_CFLAGS", True)
-    return Finding("compiler", f"{found.name}, which compiles ({' '.join(found.command)})")
+        return Check("compiler", str(error), "set CC to a compiler that works, or look at SOFTCAT_CFLAGS", True)
+    return Check("compiler", f"{found.name}, which compiles ({' '.join(found.command)})")
 
 
-def _cache() -> Finding:
+def _cache() -> Check:
     """The folder of the cache, whether it can be used, and how much compiled libraries take."""
-    from softcat_sym import cache
-    from softcat_sym.codegen.library import cache_limit, size_text
-
     try:
-        folder, limit = cache.cache_folder(), size_text(cache_limit())
+        folder, limit = cache.cache_folder(), libraries.size_text(libraries.cache_limit())
         for kind in cache.KINDS:
             if reason := cache.problem(kind):
-                return Finding("cache", f"{cache.folder(kind)} cannot be used: {reason}", cache.ADVICE, True)
+                return Check("cache", f"{cache.folder(kind)} cannot be used: {reason}", cache.ADVICE, True)
         with cache.passing(cache.folder(cache.LIBRARIES), 64 * "0") as passing:
             passing.touch()
-        size = size_text(sum(entry.size for entry in cache.entries(cache.LIBRARIES)))
+        size = libraries.size_text(sum(entry.size for entry in cache.entries(cache.LIBRARIES)))
     except SoftcatError as error:
-        return Finding("cache", str(error), "correct the variable", True)
+        return Check("cache", str(error), "correct the variable", True)
     except OSError as error:
-        return Finding("cache", f"{folder} cannot be written: {error.strerror or error}", cache.ADVICE, True)
-    return Finding("cache", f"{folder}, can be written; compiled libraries take {size} of at most {limit}")
+        return Check("cache", f"{folder} cannot be written: {error.strerror or error}", cache.ADVICE, True)
+    return Check("cache", f"{folder}, can be written; compiled libraries take {size} of at most {limit}")
 
 
-def _results() -> Finding:
-    from softcat_sym import cache, store
-    from softcat_sym.codegen.library import size_text
+def _results() -> Check:
 
     found = cache.entries(cache.RESULTS)
-    size, limit = size_text(sum(entry.size for entry in found)), size_text(store.LIMIT)
-    return Finding("results", f"{cache.folder(cache.RESULTS)}, {len(found)} of studies, {size} of at most {limit}")
+    size, limit = libraries.size_text(sum(entry.size for entry in found)), libraries.size_text(store.LIMIT)
+    return Check("results", f"{cache.folder(cache.RESULTS)}, {len(found)} of studies, {size} of at most {limit}")
 
 
-def _terminal() -> Finding:
+def _terminal() -> Check:
     encoding = sys.stdout.encoding or "unknown"
     try:
         "µ±²→".encode(encoding)
     except (UnicodeEncodeError, LookupError):
-        return Finding("terminal", f"{encoding}, which lacks signs such as µ: they are written as plain letters (um)")
-    return Finding("terminal", f"{encoding}, which has every sign that is printed")
+        return Check("terminal", f"{encoding}, which lacks signs such as µ: they are written as plain letters (um)")
+    return Check("terminal", f"{encoding}, which has every sign that is printed")
 
 
-def _tested(backend: str, *, quiet: bool) -> Finding:
+def _tested(backend: str, *, quiet: bool) -> Check:
     """A run of a bundled scene against the exact sag."""
-    from time import perf_counter
-
-    from softcat_sym.progress import StudyDisplay
-
     began, advice = perf_counter(), "install softcat_sym again; if that does not help, report it with these lines"
     try:
         with StudyDisplay(quiet=quiet) as progress:
             progress.stage(f"self-test, {backend}")
             found, exact = _sags(backend, progress)
     except (SoftcatError, ImportError, OSError, RuntimeError) as error:
-        return Finding("self-test", f"{backend}: {error}", advice, True)
+        return Check("self-test", f"{backend}: {error}", advice, True)
     text = f"{backend}: sag {1e6 * found:.3f} um, exact {1e6 * exact:.3f} um ({perf_counter() - began:.1f} s)"
     is_fault = not abs(found / exact - 1) < _TOLERANCE
-    return Finding("self-test", text, advice if is_fault else "", is_fault)
+    return Check("self-test", text, advice if is_fault else "", is_fault)
 
 
 def _sags(backend: str, progress: Progress) -> tuple[float, float]:
-    from softcat_sym.scene.reading import load_scene
-    from softcat_sym.simulate import simulated
 
     changes = {"numerics.cells": _CELLS, "numerics.estimate": False, "numerics.backend": backend}
-    scene = load_scene(_SCENE, changes)
+    scene = reading.load_scene(_SCENE, changes)
     return -float(simulated(scene, progress).data.midpoint.values[-1]), exact_sag(scene)
 
 

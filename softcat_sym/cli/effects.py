@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import write_results
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.bundled import bundled_names
 
-if TYPE_CHECKING:
-    from softcat_sym.studies.effect_importance import Pricing
+with lazy_imports():
+    from softcat_sym.effects import choosing
+    from softcat_sym.plotting import pricing as tables
+    from softcat_sym.plotting import terminal
+    from softcat_sym.studies import effect_importance
 
 
-@cli.commands.command()
 def effects(
     scene: cli.OptionalScene = None,
     output: cli.OutputOption = None,
@@ -36,11 +41,9 @@ def effects(
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
     asked, output = cli.scene_and_directory(scene, changes, output, "effects")
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.effect_importance import price_effects
 
-    with cli.study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-        pricing = price_effects(asked, progress, scene)
+    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        pricing = effect_importance.price_effects(asked, progress, scene)
         progress.stage("drawing")
         report = drawing.report(pricing)
         written = report.write(output)
@@ -50,18 +53,11 @@ def effects(
 
 def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
     """Price every bundled scene: ``effects_<scene>.json`` and ``.png`` of each, ``pricing.md`` over all so far."""
-    from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.files import write_results
-    from softcat_sym.plotting.pricing import pricing_table
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.scene.bundled import bundled_names
-    from softcat_sym.studies.effect_importance import price_effects
-
-    done: dict[str, Pricing | str] = {}
+    done: dict[str, effect_importance.Pricing | str] = {}
     errors: list[SoftcatError] = []
     for name in bundled_names():
         try:
-            choose_effects(cli.scene_of(name, changes))
+            choosing.choose_effects(cli.scene_of(name, changes))
         except SoftcatError as error:
             errors.append(error)
     if len(errors) == len(bundled_names()):
@@ -72,8 +68,8 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
             contents: dict[str, object] = {}
             try:
                 asked = cli.scene_of(name, changes)
-                with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-                    done[name] = pricing = price_effects(asked, progress, name)
+                with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+                    done[name] = pricing = effect_importance.price_effects(asked, progress, name)
                 contents = {
                     f"effects_{name}.json": pricing.to_dict(),
                     f"effects_{name}.png": pricing.plot(),
@@ -81,6 +77,6 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
             # CasADi raises RuntimeError for an integrator that cannot start.
             except (SoftcatError, RuntimeError) as error:
                 done[name] = " ".join(str(error).split())
-            write_results(output, {"pricing.md": pricing_table(done), **contents})
+            write_results(output, {"pricing.md": tables.pricing_table(done), **contents})
     if not quiet:
         typer.echo(f"wrote pricing.md and the files of {len(done)} scenes to {output}")

@@ -6,11 +6,16 @@ from typing import Annotated
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import StudyDisplay
+
+with lazy_imports():
+    from softcat_sym.design import critical_span
+    from softcat_sym.design import experiment as design
 
 _RANGE = "LOW:HIGH"
 
 
-@cli.commands.command()
 def experiment(
     scene: cli.SceneArgument,
     free: Annotated[list[str], cli.option("NAME", "Parameter that the film is to determine: viscosity. Repeatable.")],
@@ -52,26 +57,14 @@ def experiment(
     given = {"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration}
     # A text that is no pair is passed on, as one value or for the design to refuse.
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
-    from softcat_sym.design.critical_span import critical_span
-    from softcat_sym.design.experiment import design_experiment
-    from softcat_sym.progress import StudyDisplay
 
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
+        judge = design.judge_of(asked, free, noise, within, nuisance or [], max_frames, rough, max_sag)
         # The faster of the two comes first.
-        critical = None if sag is None else critical_span(asked, sag, progress=progress)
-        design = design_experiment(
-            asked,
-            free,
-            noise,
-            within,
-            nuisance=nuisance or [],
-            max_frames=max_frames,
-            rough=rough,
-            max_sag=max_sag,
-            progress=progress,
-        )
+        critical = None if sag is None else critical_span.critical_span(asked, sag, progress=progress)
+        found = design.best_experiment(judge, progress)
         progress.stage("drawing")
-        report = drawing.report(design, critical=critical)
+        report = drawing.report(found, critical=critical)
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)

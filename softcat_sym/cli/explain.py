@@ -7,18 +7,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from softcat_sym.effects.expected_regime import ExpectedRegime
     from softcat_sym.physics.equation import Stated
-    from softcat_sym.studies.explanation import Explanation
+
+with lazy_imports():
+    from rich import console as rich_console
+    from rich import text as rich_text
+
+    from softcat_sym import files
+    from softcat_sym.plotting import terminal, units
+    from softcat_sym.studies import explanation as study
 
 Rows = list[tuple[str, ...]]
 
 
-@cli.commands.command()
 def explain(
     scene: cli.SceneArgument,
     output: Annotated[
@@ -40,18 +45,18 @@ def explain(
         asked = cli.scene_of(scene, changes)
     else:
         asked, output = cli.scene_and_directory(scene, changes, output, "explain")
-    from softcat_sym.files import write_results
-    from softcat_sym.studies.explanation import explain as explained
 
-    explanation = explained(asked)
+    explanation = study.explain(asked)
     contents = {
         "explain.json": explanation.to_dict(),
         "equations.tex": article(explanation.title, explanation.in_force, explanation.equations),
         "scene.toml": asked.to_toml(),
     }
-    written = [] if output is None else write_results(output, contents)
+    written = [] if output is None else files.write_results(output, contents)
     if not quiet:
-        print_explanation(explanation, verbose=verbose)
+        assumed = filter(None, [asked.material.assumed])
+        notes = [*(("converted", note) for note in asked.notes), *(("assumed", note) for note in assumed)]
+        print_explanation(explanation, notes=notes, verbose=verbose)
         if output is not None:
             cli.print_written(written, output)
 
@@ -91,30 +96,31 @@ def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> 
     return "\n".join([*lines, r"\end{document}", ""])
 
 
-def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
-    """Print an explanation in short; with `verbose`, print all of it in tables."""
-    from rich.console import Console
-    from rich.text import Text
-
-    from softcat_sym.plotting.terminal import print_rows, text_table
-    from softcat_sym.plotting.units import significant
-
-    out = console or Console()
-    out.print(Text(explanation.title or "Filament", style="bold"))
+def print_explanation(
+    explanation: study.Explanation,
+    console: rich_console.Console | None = None,
+    *,
+    notes: Sequence[tuple[str, str]] = (),
+    verbose: bool = False,
+) -> None:
+    """Print an explanation in short, with notes on the scene; with `verbose`, print all of it in tables."""
+    out = console or rich_console.Console()
+    out.print(rich_text.Text(explanation.title or "Filament", style="bold"))
     if not verbose:
-        print_rows(_short_rows(explanation), out)
+        more = ("more", "-v for groups, equations, formulas and limits")
+        terminal.print_rows([*_short_rows(explanation), *notes, more], out)
         return
     groups: Rows = [
-        (group["name"], "infinite" if group["value"] is None else significant(group["value"]), group["meaning"])
+        (group["name"], "infinite" if group["value"] is None else units.significant(group["value"]), group["meaning"])
         for group in explanation.groups
     ]
     effects: Rows = []
     for each in explanation.effects:
-        estimate = "" if each["estimate"] is None else f"{significant(each['estimate'])}: {each['meaning']}"
+        estimate = "" if each["estimate"] is None else f"{units.significant(each['estimate'])}: {each['meaning']}"
         formula = f" [{each['formula']}]" if estimate and each["formula"] else ""
         effects.append((each["effect"], "on" if each["in_force"] else "off", each["reason"], estimate + formula))
     equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
-    accuracy = f"Effects; the requested accuracy is {significant(explanation.accuracy)}"
+    accuracy = f"Effects; the requested accuracy is {units.significant(explanation.accuracy)}"
     tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
         ("Groups", ("group", "value", "meaning"), groups, 1),
         ("Expected", ("", ""), _regime_rows(explanation), 1),
@@ -124,16 +130,14 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
     ]
     for title, heads, rows, whole in tables:
         styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
-        out.print(text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+        out.print(terminal.text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+    terminal.print_rows([*notes], out)
     for warning in explanation.warnings:
-        out.print(Text(f"warning: {warning}", style="yellow"))
+        out.print(rich_text.Text(f"warning: {warning}", style="yellow"))
 
 
-def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
+def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
     """The most important rows: expected behaviour, effects, cost, and limits of the theory."""
-    from softcat_sym.plotting.terminal import left_out_words
-    from softcat_sym.plotting.units import regime_words
-
     graph, integrator = explanation.graph, explanation.integrator
     inside = [f"{each['effect']}: on, {each['reason']}" for each in explanation.effects if each["in_force"]]
     outside = [each for each in explanation.effects if not each["in_force"] and each["estimate"] is not None]
@@ -141,26 +145,23 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
     unknowns = graph["differential"] + graph["algebraic"]
     rows = [
         ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
-        ("expected", ", ".join(filter(None, [regime_words(explanation.regime.name), explanation.regime.near]))),
+        ("expected", ", ".join(filter(None, [units.regime_words(explanation.regime.name), explanation.regime.near]))),
         ("because", explanation.regime.reason),
         ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
         ("effects", "\n".join(inside) or "none"),
-        ("left out", left_out_words([each["effect"] for each in outside], worth) if outside else ""),
+        ("left out", terminal.left_out_words([each["effect"] for each in outside], worth) if outside else ""),
         ("solver", f"{integrator['solver']}, {integrator['backend']}; {graph['cells']} cells, {unknowns} unknowns"),
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
-        ("more", "-v for groups, equations, formulas and limits"),
     ]
     return [row for row in rows if row[1]]
 
 
-def _regime_rows(explanation: Explanation) -> Rows:
+def _regime_rows(explanation: study.Explanation) -> Rows:
     """Regime with its reason, thresholds and stopping depths."""
-    from softcat_sym.plotting.units import regime_words, significant
-
     regime = explanation.regime
-    sag = f"about {significant(explanation.sag)} of the span, a mean strain of {significant(explanation.strain)}"
+    sag, strain = units.significant(explanation.sag), units.significant(explanation.strain)
     thresholds = {
         "first yield": regime.first_yield,
         "plastic collapse of the beam": regime.collapse,
@@ -168,13 +169,13 @@ def _regime_rows(explanation: Explanation) -> Rows:
         "arrest, exact": regime.arrest_exact,
     }
     depths = {"[3.13]": regime.stopping_depth_paper, "exact catenary": regime.stopping_depth_exact}
-    listed = [f"{significant(value)} L ({name})" for name, value in depths.items() if value is not None]
+    listed = [f"{units.significant(value)} L ({name})" for name, value in depths.items() if value is not None]
     yields = regime.gravity_number is not None
     rows: Rows = [
         ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
-        ("regime", ", ".join(filter(None, [regime_words(regime.name), regime.near]))),
+        ("regime", ", ".join(filter(None, [units.regime_words(regime.name), regime.near]))),
         ("because", regime.reason),
-        ("largest sag", sag),
+        ("largest sag", f"about {sag} of the span, a mean strain of {strain}"),
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         ("thresholds of G", "; ".join(f"{name} {G:.4g}" for name, G in thresholds.items() if yields and G is not None)),
@@ -185,8 +186,6 @@ def _regime_rows(explanation: Explanation) -> Rows:
 
 def _remarks(regime: ExpectedRegime) -> Iterator[str]:
     """Remarks on the stopping depths."""
-    from softcat_sym.plotting.units import significant
-
     if regime.stopping_depth_paper is None and regime.stopping_depth_exact is None:
         yield "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
     elif regime.name == "no-yield":
@@ -194,17 +193,16 @@ def _remarks(regime: ExpectedRegime) -> Iterator[str]:
     elif (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
         yield "the beam itself holds it"
     elif regime.overshoot and regime.stopping_depth_exact is not None:
-        yield f"first stop, after its fall, at about {significant(regime.overshoot * regime.stopping_depth_exact)} L"
+        depth = units.significant(regime.overshoot * regime.stopping_depth_exact)
+        yield f"first stop, after its fall, at about {depth} L"
 
 
-def _numeric_rows(explanation: Explanation) -> Rows:
+def _numeric_rows(explanation: study.Explanation) -> Rows:
     """Unknowns, graph and integrator."""
-    from softcat_sym.plotting.units import significant
-
     graph, integrator = explanation.graph, explanation.integrator
     over = "half the span, by symmetry" if graph["half"] else "the whole span"
     sizes = f"{graph['differential']} differential and {graph['algebraic']} algebraic unknowns"
-    parameters = ", ".join(f"{name} {significant(value)}" for name, value in graph["parameters"].items())
+    parameters = ", ".join(f"{name} {units.significant(value)}" for name, value in graph["parameters"].items())
     return [
         *(
             (
@@ -215,7 +213,7 @@ def _numeric_rows(explanation: Explanation) -> Rows:
         ),
         ("graph", f"{graph['cells']} cells over {over}; {sizes}, {graph['instructions']} instructions"),
         ("parameters", f"{parameters} (SI)"),
-        ("integrator", f"{integrator['solver']}, rtol {significant(integrator['rtol'])}: {integrator['reason']}"),
+        ("integrator", f"{integrator['solver']}, rtol {units.significant(integrator['rtol'])}: {integrator['reason']}"),
         ("backend", integrator["backend"]),
-        ("closure", f"{explanation.closure}; requested accuracy {significant(explanation.accuracy)}"),
+        ("closure", f"{explanation.closure}; requested accuracy {units.significant(explanation.accuracy)}"),
     ]

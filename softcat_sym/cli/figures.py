@@ -8,15 +8,24 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli import application as cli
+from softcat_sym.files import made
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import MembersBar
 
 if TYPE_CHECKING:
     from softcat_sym.drawing import Report
-    from softcat_sym.studies.paper_figures import FilmedScene
+
+with lazy_imports():
+    from softcat_sym import store
+    from softcat_sym.plotting import paper_figures as figure_reports
+    from softcat_sym.plotting import terminal
+    from softcat_sym.scene import reading
+    from softcat_sym.studies import paper_figures as study
+    from softcat_sym.studies import phase
 
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@cli.commands.command()
 def figures(
     output: cli.OutputOption = None,
     only: Annotated[
@@ -35,10 +44,8 @@ def figures(
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
     output = cli.output_directory(output, "figures")
-    from softcat_sym import store
-    from softcat_sym.files import made
 
-    filmed: dict[str, FilmedScene] = {}
+    filmed: dict[str, study.FilmedScene] = {}
     asked = [number for number in _NUMBERS if number in (only or _NUMBERS)]
     waiting = list(asked)
     try:
@@ -57,29 +64,22 @@ def figures(
         raise cli.interrupted(text) from None
 
 
-def _draw(number: str, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> Report:
+def _draw(number: str, output: Path, filmed: dict[str, study.FilmedScene], quiet: bool) -> Report:
     """A figure with its data and its caption; scenes are filmed once for all figures."""
-    from softcat_sym.plotting import paper_figures as drawing
-    from softcat_sym.plotting.terminal import IntegrationProgress, StepProgress
-    from softcat_sym.progress import MembersBar
-    from softcat_sym.scene.reading import load_scene
-    from softcat_sym.studies import paper_figures as study
-    from softcat_sym.studies.phase import SETTINGS, phase_diagram
-
     if number == "2":
         steps = 2 * len(study.RELAXATION) * len(study.SLENDERNESS)
-        with StepProgress(steps, "figure 2", quiet=quiet) as progress:
+        with terminal.StepProgress(steps, "figure 2", quiet=quiet) as progress:
             panels = study.maxwell_descents(progress.step)
-        return drawing.maxwell_descent_report(panels)
+        return figure_reports.maxwell_descent_report(panels)
     if number == "3a":
-        scene = load_scene("arrested-overdamped", list(SETTINGS))
+        scene = reading.load_scene("arrested-overdamped", list(phase.SETTINGS))
         with MembersBar("figure 3(a)", quiet=quiet) as members:
-            diagram = phase_diagram(scene, progress=members)
-        return drawing.phase_report(diagram)
+            diagram = phase.phase_diagram(scene, progress=members)
+        return figure_reports.phase_report(diagram)
     for scene_of in study.SCENES:
         if scene_of.name not in filmed and (number == "3b" or scene_of.name in study.SNAPSHOTS):
-            duration = load_scene(scene_of.name).run.duration
-            with IntegrationProgress(duration, quiet=quiet) as bar:
+            duration = reading.load_scene(scene_of.name).run.duration
+            with terminal.IntegrationProgress(duration, quiet=quiet) as bar:
                 filmed[scene_of.name] = study.film_scene(scene_of, output, bar)
     scenes = [filmed[each.name] for each in study.SCENES if each.name in filmed]
-    return drawing.midpoint_report(scenes) if number == "3b" else drawing.snapshot_report(scenes)
+    return figure_reports.midpoint_report(scenes) if number == "3b" else figure_reports.snapshot_report(scenes)

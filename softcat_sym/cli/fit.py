@@ -13,15 +13,17 @@ from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import StudyDisplay
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.collapse_test import CollapseTest, Contour
-    from softcat_sym.fitting.fit import FitOptions
-    from softcat_sym.fitting.least_squares import Loss
-    from softcat_sym.fitting.measurements import Measurements
-    from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.result import Fit
     from softcat_sym.scene.scene import Scene
+
+with lazy_imports():
+    from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
+    from softcat_sym.fitting import fit as fitting
+    from softcat_sym.fitting import posterior as bayes
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -29,7 +31,6 @@ _SCALE = 2.0
 """Default scale of a robust loss: standard errors beyond which a reading counts as an outlier."""
 
 
-@cli.commands.command()
 def fit(
     data: Annotated[
         list[Path],
@@ -99,6 +100,10 @@ def fit(
         cli.Number,
         cli.option("SECONDS", "Time after which the fit ends with the best result so far.", callback=cli.checked_limit),
     ] = None,
+    features_only: Annotated[
+        bool,
+        cli.switch("Read features and print E and eta by the closed form, without fitting.", "--features-only"),
+    ] = False,
     posterior: Annotated[
         bool, cli.switch("Also draw from the posterior; this needs the extra bayes.", "--posterior")
     ] = False,
@@ -121,21 +126,25 @@ def fit(
     status 0 if an optimum was found. A parameter that the data do not determine has a verdict instead of a value. After
     Ctrl-C the same command resumes from the finished evaluations, and gives the same numbers.
     """
-    _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
+    if features_only:
+        _check_features(data, free or [], law or [], test)
+    else:
+        _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
-    from softcat_sym.fitting.collapse_test import read_contour
-    from softcat_sym.fitting.measurements import read_measurements
-    from softcat_sym.fitting.posterior import packages, posterior_of
-    from softcat_sym.progress import StudyDisplay
 
+    command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
+    if features_only:
+        report = drawing.report(closed_form.closed_form(data[0], known), command=command)
+        cli.present(report, report.write(output), output, quiet=quiet)
+        return
     if posterior:
         # A missing package is reported before the fit.
-        packages()
-    films = read_contour(data[0]) if test else read_measurements(data)
+        bayes.packages()
+    films = collapse_test.read_contour(data[0]) if test else measurements.read_measurements(data)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
-        how: FitOptions = {
+        how: fitting.FitOptions = {
             "bounds": limits,
             "loss": robust,
             "starts": starts,
@@ -146,11 +155,11 @@ def fit(
             "discrepancy": not no_discrepancy,
             "time_limit": time_limit,
             "flow_curve": flow_curve,
+            "priors": before,
         }
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
-        drawn = posterior_of(found, before, seed=seed, progress=progress) if posterior else None
+        drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
-        command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
@@ -160,6 +169,15 @@ def fit(
         raise typer.Exit(cli.UNTRUSTED)
     if drawn is not None and not drawn.outcome.is_success:
         raise typer.Exit(cli.UNTRUSTED)
+
+
+def _check_features(data: list[Path], free: list[str], law: list[str], test: str | None) -> None:
+    """Refuse what is not of the closed form."""
+    given = {"--free": free, "--law": law, "--test": test, "DATA": data[1:]}
+    for name, value in given.items():
+        if value:
+            message = "features are of one film" if name == "DATA" else "the closed form fits nothing: leave it out"
+            raise typer.BadParameter(f"{message}; or leave --features-only out", param_hint=name)
 
 
 def _check(
@@ -189,30 +207,29 @@ def _check(
 
 
 def _fitted(
-    films: Measurements | Contour, known: Scene, also: list[str], law: list[str], how: FitOptions
-) -> tuple[Fit, LawComparison | None, CollapseTest | None]:
+    films: measurements.Measurements | collapse_test.Contour,
+    known: Scene,
+    also: list[str],
+    law: list[str],
+    how: fitting.FitOptions,
+) -> tuple[Fit, model_selection.LawComparison | None, collapse_test.CollapseTest | None]:
     """The fit, or, of several laws, the best fit with the comparison; of a contour with what its gaps show."""
-    from softcat_sym.fitting.collapse_test import Contour, collapse_test
-    from softcat_sym.fitting.fit import fit as fit_filament
-    from softcat_sym.fitting.model_selection import fit_law, fit_laws
-
-    if isinstance(films, Contour):
-        collapse = collapse_test(films, known, also, **how)
+    if isinstance(films, collapse_test.Contour):
+        collapse = collapse_test.collapse_test(films, known, also, **how)
         return collapse.fit, None, collapse
     if not law:
-        return fit_filament(films, known, also, **how), None, None
+        return fitting.fit(films, known, also, **how), None, None
     if len(law) == 1:
-        return fit_law(films, known, law[0], also_free=also, **how), None, None
-    compared = fit_laws(films, known, law, also_free=also, **how)
+        return model_selection.fit_law(films, known, law[0], also_free=also, **how), None, None
+    compared = model_selection.fit_laws(films, known, law, also_free=also, **how)
     return compared.best, compared, None
 
 
-def _loss(kind: str, scale: float | None) -> Loss:
-    from softcat_sym.fitting.least_squares import Loss
+def _loss(kind: str, scale: float | None) -> least_squares.Loss:
 
     if scale is not None and kind == "linear":
         raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
-    return Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
+    return least_squares.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 
 def _priors(texts: list[str]) -> dict[str, str]:

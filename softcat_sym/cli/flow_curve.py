@@ -9,9 +9,12 @@ import typer
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
+from softcat_sym.lazy import lazy_imports
+
+with lazy_imports():
+    from softcat_sym.fitting import flow_curve as curves
 
 
-@cli.commands.command("flow-curve")
 def flow_curve(
     curve: Annotated[
         str, typer.Argument(metavar="CSV", help="CSV file with columns shear_rate_1_s and shear_stress_Pa.")
@@ -31,10 +34,9 @@ def flow_curve(
     """
     if changes and scene is None:
         raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")
-    from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 
-    fit = fit_flow_curve(curve, sample)
-    handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
+    fit = curves.fit_flow_curve(curve, sample)
+    handed_on = None if scene is None else curves.fitted_scene(fit, scene, law, changes or [])
     output = cli.output_directory(output, "flow-curve", scene, handed_on)
     report = drawing.report(fit, law=law, scene=handed_on)
     cli.present(report, report.write(output), output, quiet=quiet)

@@ -9,14 +9,20 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.bundled import bundled_names
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
+with lazy_imports():
+    from softcat_sym import generation
+    from softcat_sym.plotting import terminal
+    from softcat_sym.web import page as pages
+
 _NAME = "filament"
 
 
-@cli.commands.command()
 def generate(
     scene: cli.OptionalScene = None,
     output: cli.OutputOption = None,
@@ -62,10 +68,7 @@ def generate(
                 page = name if name != _NAME else Path(scene).stem
                 written = _page(asked, output, sliders or (), page, quiet=quiet)
             else:
-                from softcat_sym import generation
-                from softcat_sym.plotting.terminal import IntegrationProgress
-
-                with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+                with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
                     written = generation.generate(asked, output, rhs, name, progress)
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written; finished C texts are kept in the cache") from None
@@ -92,23 +95,14 @@ def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, 
 
 def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:
     """Write sources or pages of all bundled scenes; return the files, and the reasons of scenes without any."""
-    from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.scene.bundled import bundled_names
-
-    with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
+    with terminal.StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
         if web:
-            from softcat_sym.web.page import bundled_pages
-
-            return bundled_pages(output, progress.step)
-        from softcat_sym import generation
+            return pages.bundled_pages(output, progress.step)
 
         return generation.write(output, progress.step), {}
 
 
 def _page(scene: Scene, output: Path, sliders: Sequence[str], name: str, *, quiet: bool) -> list[Path]:
     """Write the live page of a scene."""
-    from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.web.page import STEPS, live_page
-
-    with StepProgress(STEPS, "a live page", quiet=quiet) as progress:
-        return [live_page(scene, output, sliders, name, progress.step)]
+    with terminal.StepProgress(pages.STEPS, "a live page", quiet=quiet) as progress:
+        return [pages.live_page(scene, output, sliders, name, progress.step)]

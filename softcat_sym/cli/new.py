@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from importlib.resources import files
+from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,6 +12,11 @@ import typer
 
 from softcat_sym.cli import application as cli
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.lazy import lazy_imports
+
+with lazy_imports():
+    from softcat_sym import files
+    from softcat_sym.scene import keys as scene_keys
 
 
 def _value(help_text: str, *names: str) -> Any:
@@ -21,15 +26,17 @@ def _value(help_text: str, *names: str) -> Any:
 ForceOption = Annotated[bool, cli.switch("Replace an existing file.", "--force")]
 
 
-@cli.commands.command()
 def new(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="File to write: my-ink.toml.")],
     span: Annotated[cli.Text, _value("Distance of the supports: '5 mm'.")] = None,
     diameter: Annotated[cli.Text, _value("Diameter of the strand: '0.4 mm'.")] = None,
     density: Annotated[cli.Text, _value("Density: '2200 kg/m^3'.")] = None,
     law: Annotated[cli.Text, _value("Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    storage_modulus: Annotated[cli.Text, _value("Storage modulus G' below yield, from a rheometer: '103 kPa'.")] = None,
+    loss_modulus: Annotated[cli.Text, _value("Loss modulus G'' below yield, beside G': '10 kPa'.")] = None,
+    loss_tangent: Annotated[cli.Text, _value("G''/G' in place of G'': 0.1.")] = None,
     youngs_modulus: Annotated[
-        cli.Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its G'.")
+        cli.Text, _value("Young's modulus in place of G': '300 kPa'. That of an ink is three times its G'.")
     ] = None,
     yield_stress: Annotated[
         cli.Text, _value("Yield stress in shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
@@ -56,6 +63,9 @@ def new(
         "filament.thickness": diameter,
         "filament.density": density,
         "material.law": law,
+        "material.storage_modulus": storage_modulus,
+        "material.loss_modulus": loss_modulus,
+        "material.loss_tangent": loss_tangent,
         "material.youngs_modulus": youngs_modulus,
         "material.shear_yield_stress": yield_stress,
         "material.shear_viscosity": viscosity,
@@ -67,10 +77,9 @@ def new(
     given = {path: text for path, text in flags.items() if text is not None}
     if not given and sys.stdin.isatty() and sys.stdout.isatty():
         given = _asked()
-    from softcat_sym.scene.keys import scene_template
 
     try:
-        text, scene = scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
+        text, scene = scene_keys.scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
     except SceneError as error:
         raise SceneError(error.faults, str(file)) from None
     _write_new(file.parent, {file.name: text.encode()}, force=force)
@@ -82,29 +91,29 @@ def new(
 
 def _asked() -> dict[str, str]:
     """Ask for one value after the other, each until it is valid."""
-    from softcat_sym.scene.keys import example_values, scene_keys, scene_template
-
-    meaning = {key.path: key.meaning for key in scene_keys()}
+    meaning = {key.path: key.meaning for key in scene_keys.scene_keys()}
     answers: dict[str, str] = {}
 
-    def accepted(text: str) -> str:
+    def accepted(text: str) -> tuple[str, str]:
+        key = scene_keys.LOSS_MODULUS if path == scene_keys.LOSS and text.strip()[-1:].isalpha() else path
         try:
-            scene_template("", {**answers, path: text})
+            scene_keys.scene_template("", {**answers, key: text})
         except SceneError as error:
             # Faults of values that are asked for later do not count yet.
-            here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == path]
+            here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == key]
             if here:
                 raise typer.BadParameter("; ".join(here)) from None
-        return text
+        return key, text
 
-    while waiting := [path for path in example_values(answers) if path not in answers]:
+    while waiting := [path for path in scene_keys.example_values(answers) if path not in answers]:
         path = waiting[0]
-        typer.echo(meaning[path])
-        answers[path] = typer.prompt(path, default=example_values(answers)[path], value_proc=accepted)
+        other = "Or G'' itself, with its unit: 10 kPa." if path == scene_keys.LOSS else ""
+        typer.echo(" ".join(filter(None, [meaning[path], scene_keys.REASONS.get(path), other])))
+        key, text = typer.prompt(path, default=scene_keys.example_values(answers)[path], value_proc=accepted)
+        answers[key] = text
     return answers
 
 
-@cli.commands.command()
 def samples(
     output: cli.OutputOption = None,
     force: ForceOption = False,
@@ -116,7 +125,7 @@ def samples(
     computed film and curve, with added noise, as their first lines say.
     """
     output = cli.output_directory(output, "samples")
-    folder = files("softcat_sym") / "samples"
+    folder = resources.files("softcat_sym") / "samples"
     contents = {entry.name: entry.read_bytes() for entry in sorted(folder.iterdir(), key=lambda entry: entry.name)}
     _write_new(output, contents, force=force)
     if not quiet:
@@ -125,8 +134,6 @@ def samples(
 
 def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
     """Write all files, or none if some exist already with other content."""
-    from softcat_sym.files import write_results
-
     paths = {folder / name: content for name, content in contents.items()}
     there = [
         str(path)
@@ -135,4 +142,4 @@ def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> N
     ]
     if there and not force:
         raise SoftcatError(f"already exist, and not replaced without --force: {', '.join(there)}")
-    write_results(folder, contents)
+    files.write_results(folder, contents)

@@ -9,9 +9,14 @@ import typer
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.sweep import ClusterOption, SchedulerOption, WorkersOption
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import MembersBar
+
+with lazy_imports():
+    from softcat_sym.studies import phase as study
+    from softcat_sym.studies import phase_runs
 
 
-@cli.commands.command()
 def phase(
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")
@@ -35,15 +40,11 @@ def phase(
     row and a mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy is 1e-2 and the
     filament has 40 graded cells. After Ctrl-C the same command resumes from the finished runs.
     """
-    from softcat_sym.batch.phase_runs import PLANES
-    from softcat_sym.progress import MembersBar
-    from softcat_sym.studies.phase import SETTINGS, phase_diagram
-
-    asked, output = cli.scene_and_directory(scene, changes, output, "phase", SETTINGS)
-    planes = plane or list(PLANES)
+    asked, output = cli.scene_and_directory(scene, changes, output, "phase", study.SETTINGS)
+    planes = plane or list(phase_runs.PLANES)
     with cli.study(output, fresh=fresh):
         with MembersBar("phase diagram", quiet=quiet) as bar:
-            diagram = phase_diagram(
+            diagram = study.phase_diagram(
                 asked,
                 planes,
                 resolution,

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.files import made, write_results, written_together
 from softcat_sym.interrupts import ending
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.simulate import simulated
 
-if TYPE_CHECKING:
-    from softcat_sym.plotting.animation import FilmOrder
-    from softcat_sym.results.run import Run
+with lazy_imports():
+    from softcat_sym.plotting import animation, terminal
+    from softcat_sym.plotting import style as styles
+    from softcat_sym.plotting import vtk as paraview
+    from softcat_sym.results import run as runs
+    from softcat_sym.solvers import solution
 
 AnimateOption = Annotated[
     cli.Text, cli.option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
@@ -25,7 +31,6 @@ StyleOption = Annotated[
 RadiusOption = Annotated[float, cli.option("FACTOR", "Factor by which shapes are drawn thicker, to show beads.")]
 
 
-@cli.commands.command()
 def run(
     scene: cli.SceneArgument,
     output: Annotated[Path | None, cli.output_option("softcat-out/SCENE")] = None,
@@ -47,33 +52,30 @@ def run(
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = cli.scene_and_directory(scene, changes, output, "run")
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.simulate import simulated
-    from softcat_sym.solvers.solution import Interrupted
 
-    written = None
+    files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
     try:
-        with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             try:
                 trajectory = simulated(asked, progress, cli.print_error)
-            except Interrupted as stopped:
+            except solution.Interrupted as stopped:
                 # What there is, at once: pictures can be drawn of it later.
                 trajectory, no_pictures, order = stopped.part(), True, None
                 cli.print_error(f"{ending()}; what was computed is in {output}, its pictures are not: {again}")
             ending().no_limit()
             progress.stage("writing")
             # The numbers are written first, so that they remain after Ctrl-C during the drawing.
-            written = trajectory.written(output)
+            trajectory, files = trajectory.written(output, trajectory.files())
             if not no_pictures:
                 progress.stage("drawing pictures")
                 report = drawing.report(trajectory, name=drawn, radius=radius)
-                written = written.joined_by(output, report.files)
+                trajectory, pictures = trajectory.written(output, report.files)
+                files += pictures
     except KeyboardInterrupt:
-        left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
+        left = "nothing was written" if not files else f"the run is in {output}, its pictures are not: {again}"
         raise cli.interrupted(left) from None
-    films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
@@ -81,13 +83,10 @@ def run(
             left = f"the run is in {output}, its film is not: {again} --animate {order.name}"
             raise cli.interrupted(left) from None
     if not quiet:
-        from softcat_sym.plotting.terminal import print_summary
-
-        print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
+        terminal.print_summary(trajectory.summary, asked, (*films, *files), verbose=verbose)
     cli.judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
-@cli.commands.command()
 def draw(
     trajectory: Annotated[
         Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
@@ -109,48 +108,40 @@ def draw(
     """
     order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
     if vtk:
-        from softcat_sym.plotting.vtk import require_meshio, write_run_vtk
-
-        require_meshio()
+        paraview.require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = cli.output_directory(output, "draw", folder.resolve().name)
-    from softcat_sym.files import made, write_results, written_together
-    from softcat_sym.results.run import check_drawable, open_run
 
-    run = open_run(trajectory)
-    check_drawable(run)
+    finished = runs.open_run(trajectory)
+    runs.check_drawable(finished)
     try:
         with made(output), written_together():
-            beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
-            files = write_results(output, {**drawing.report(run, name=drawn, radius=radius).files, **beside})
-            files += [] if order is None else [_film(order, output, run, quiet=quiet)]
-            files += write_run_vtk(run, output / "vtk")[:1] if vtk else []
+            beside = {"summary.json": finished.summary, "scene.toml": finished.scene.to_toml()}
+            files = write_results(output, {**drawing.report(finished, name=drawn, radius=radius).files, **beside})
+            files += [] if order is None else [_film(order, output, finished, quiet=quiet)]
+            files += paraview.write_run_vtk(finished, output / "vtk")[:1] if vtk else []
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
     if not quiet:
         cli.print_written(files, output)
 
 
-def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
+def _requested_pictures(
+    animate: str | None, seconds: float, style: str, radius: float
+) -> tuple[animation.FilmOrder | None, str]:
     """Read the options of films and pictures; faults are refused before anything is computed."""
-    from softcat_sym.plotting.style import drawn_radius, picture_style
-
-    drawn_radius(radius)
-    drawn = picture_style(style)
+    styles.drawn_radius(radius)
+    drawn = styles.picture_style(style)
     if animate is None:
         return None, drawn
-    from softcat_sym.plotting.animation import film_order
 
-    return film_order(animate, seconds), drawn
+    return animation.film_order(animate, seconds), drawn
 
 
-def _film(order: FilmOrder, output: Path, run: Run, *, quiet: bool) -> Path:
+def _film(order: animation.FilmOrder, output: Path, run: runs.Run, *, quiet: bool) -> Path:
     """Draw a film, with a progress bar on the terminal."""
-    from softcat_sym.plotting.animation import write_film
-    from softcat_sym.plotting.terminal import StepProgress
-
-    with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
-        path, note = write_film(order, output, (run.fields, run.summary, run.scene), progress.step)
+    with terminal.StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
+        path, note = animation.write_film(order, output, (run.fields, run.summary, run.scene), progress.step)
     if note:
         cli.print_error(f"{path.name}: {note}")
     return path

@@ -11,9 +11,16 @@ import typer
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
+
+with lazy_imports():
+    from softcat_sym.plotting import gallery, terminal
+    from softcat_sym.scene import keys as scene_keys
+    from softcat_sym.scene import reading
+    from softcat_sym.scene import toml as scene_toml
 
 
-@cli.commands.command()
 def scenes(
     output: Annotated[
         Path | None, cli.output_option(None, "Run the scenes, and write a gallery into this folder.")
@@ -31,25 +38,20 @@ def scenes(
     Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command resumes
     from the finished scenes.
     """
-    from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
-
     if unknown := [name for name in only or () if name not in bundled_names()]:
         raise typer.BadParameter(f"no bundled scene {unknown[0]!r}: softcat scenes lists them", param_hint="--only")
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
         cli.check_directory(output)
-        from softcat_sym.plotting.gallery import exhibit_of, gallery_report
-        from softcat_sym.plotting.terminal import StepProgress
-        from softcat_sym.scene.reading import load_scene
 
         for name in names:
-            load_scene(name, changes or [])
+            reading.load_scene(name, changes or [])
         shown = []
-        with cli.study(output, fresh=False), StepProgress(len(names), "gallery", quiet=quiet) as progress:
+        with cli.study(output, fresh=False), terminal.StepProgress(len(names), "gallery", quiet=quiet) as progress:
             for name in names:
                 progress.step(name)
-                shown.append(exhibit_of(name, changes or []))
-            written = gallery_report(shown, changes or []).write(output)
+                shown.append(gallery.exhibit_of(name, changes or []))
+            written = gallery.gallery_report(shown, changes or []).write(output)
         if not quiet:
             files = ", ".join(path.name for path in written[:4])
             typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")
@@ -61,18 +63,14 @@ def scenes(
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
 
 
-@cli.commands.command()
 def show(scene: cli.SceneArgument, changes: cli.SetOption = None) -> None:
     """Print a scene as resolved, with every default.
 
     The output is TOML in SI units, and a valid scene itself: softcat show ink-bridge > my-ink.toml
     """
-    from softcat_sym.scene.toml import toml_of
-
-    typer.echo(toml_of(cli.scene_of(scene, changes), every_default=True), nl=False)
+    typer.echo(scene_toml.toml_of(cli.scene_of(scene, changes), every_default=True), nl=False)
 
 
-@cli.commands.command()
 def keys(
     part: Annotated[str, typer.Argument(metavar="[PART]", help="Part of a key's name: material, or stress.")] = "",
     markdown: Annotated[bool, cli.switch("Print the list as a page of the manual.", "--markdown")] = False,
@@ -81,14 +79,12 @@ def keys(
 
     With PART, the command lists the keys whose names contain it, and the values that each accepts.
     """
-    from softcat_sym.scene.keys import keys_in_markdown, scene_keys
-
     if markdown:
-        typer.echo(keys_in_markdown(), nl=False)
+        typer.echo(scene_keys.keys_in_markdown(), nl=False)
         return
-    found = scene_keys(part)
+    found = scene_keys.scene_keys(part)
     if not found:
-        tables = sorted({key.path.split(".")[0] for key in scene_keys()})
+        tables = sorted({key.path.split(".")[0] for key in scene_keys.scene_keys()})
         raise SoftcatError(f"no key has {part!r} in its name; tables and keys outside them: {', '.join(tables)}")
     for key in found:
         default = key.default if key.default in ("", "required") else f"default {key.default}"

@@ -11,13 +11,19 @@ from softcat_sym import drawing
 from softcat_sym.cli import application as cli
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import MembersBar
+
+with lazy_imports():
+    from softcat_sym.batch import executor
+    from softcat_sym.batch import plan as plans
+    from softcat_sym.batch import sweep as batch
 
 WorkersOption = Annotated[int | None, cli.option("THREADS", "Number of threads; by default one for each core.")]
 SchedulerOption = Annotated[cli.Text, cli.option("ADDRESS", "Run on this Dask cluster: tcp://host:8786.")]
 ClusterOption = Annotated[int | None, cli.option("N", "Start a Dask cluster of N processes, and run on it.")]
 
 
-@cli.commands.command()
 def sweep(
     scene: cli.SceneArgument,
     output: cli.OutputOption = None,
@@ -61,22 +67,19 @@ def sweep(
     others. The memory needed does not grow with the number of members. Fewer frames make a sweep faster: --set
     run.frames=41. After Ctrl-C the same command resumes from the finished members.
     """
-    from softcat_sym.batch.executor import Where
-    from softcat_sym.batch.plan import plan_sweep
-    from softcat_sym.batch.sweep import run_sweep
-    from softcat_sym.progress import MembersBar
-
-    where = Where(workers, scheduler, local_cluster)
+    where = executor.Where(workers, scheduler, local_cluster)
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     base, output = cli.scene_and_directory(scene, changes, output, "sweep")
-    plan = plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
+    plan = plans.plan_sweep(
+        base, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate
+    )
     with cli.study(output, fresh=fresh):
         with MembersBar("sweep", quiet=quiet) as bar:
-            done = run_sweep(plan, output, where, bar)
+            done = batch.run_sweep(plan, output, where, bar)
         report = drawing.report(done)
         written = [output / "sweep.nc", output / "sweep.csv", *report.write(output)]
     cli.present(report, written, output, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
-        cli.print_error("no member is an answer; sweep.csv has the reason of each")
+        cli.print_error(f"no member is an answer; sweep.csv has the reason of each, the first: {done.counts.refusal}")
         raise typer.Exit(cli.UNTRUSTED)

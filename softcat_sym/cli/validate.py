@@ -9,13 +9,17 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
+
+with lazy_imports():
+    from softcat_sym.plotting import terminal
+    from softcat_sym.studies import validate as study
 
 _NAMES = typer.Argument(
     metavar="CASE", help="Only these cases: mora, princeton, ...; a wrong name lists all.", show_default="all of them"
 )
 
 
-@cli.commands.command()
 def validate(
     cases: Annotated[list[str] | None, _NAMES] = None,
     output: cli.OutputOption = None,
@@ -29,16 +33,12 @@ def validate(
     TOML files that can be run.
     A case that cannot be run is in the table with the reason; flow curves need pip install softcat_sym[peers].
     """
-    from softcat_sym.studies.validate import chosen_cases
-    from softcat_sym.studies.validate import validate as compare_with_published
-
     names = list(cases or ())
-    chosen = chosen_cases(names)
+    chosen = study.chosen_cases(names)
     output = cli.output_directory(output, "validate")
-    from softcat_sym.plotting.terminal import StepProgress
 
-    with cli.study(output, fresh=fresh), StepProgress(len(chosen), "cases", quiet=quiet) as progress:
-        validation = compare_with_published(names, progress)
+    with cli.study(output, fresh=fresh), terminal.StepProgress(len(chosen), "cases", quiet=quiet) as progress:
+        validation = study.validate(names, progress)
         progress.stage("drawing")
         report = drawing.report(validation, command=shlex.join(["softcat", "validate", *names, "-o", "DIR"]))
         written = report.write(output)

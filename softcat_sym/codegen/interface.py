@@ -31,7 +31,7 @@ from softcat_sym.discretization.supports import (
 )
 from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.effects.initial_stress import initial_strain
 from softcat_sym.errors import PrintingError
 from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.parts import kinds_of

@@ -10,10 +10,6 @@ from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.filament.section != "sheet" and scene.surroundings.density > 0
-
-
 def mass_ratio(scene: Scene) -> float:
     """Added mass over the filament's own mass."""
     filament = scene.filament
@@ -38,7 +34,7 @@ ADDED_MASS = Effect(
     summary="inertia of the surrounding fluid, across the tangent of the filament",
     source="Lighthill 1960",
     contribute=partial(replace, added_mass=True),
-    applies=_applies,
+    applies=lambda scene: scene.filament.section != "sheet" and scene.surroundings.density > 0,
     without_it="surroundings.density is zero, or the section is a sheet, for which there is no local flow",
     estimate=_estimate,
     observable="change of every period, times the lag behind the balanced sag",

@@ -13,22 +13,11 @@ from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, he
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    given = scene.material.hardening_modulus is not None
-    return scene.model == "filament" and scene.run.closure == "material" and given
-
-
-def _hardened(scene: Scene, strain: float) -> float:
-    """Backstress after flow by this strain [Pa]."""
-    material = scene.material
-    decay = material.hardening_recovery * strain
-    return (material.hardening_modulus or 0.0) * strain * (-math.expm1(-decay) / decay if decay else 1.0)
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    stress = _hardened(scene, motion.strain)
-    limit = scene.material.threshold
-    change = stress / (stress + limit) if stress else 0.0
+    material = scene.material
+    decay = material.hardening_recovery * motion.strain
+    stress = (material.hardening_modulus or 0.0) * motion.strain * (-math.expm1(-decay) / decay if decay else 1.0)
+    change = stress / (stress + material.threshold) if stress else 0.0
     meaning = "backstress over backstress and yield stress, times the stress that flow relaxes"
     change *= motion.relaxed
     return Estimate(motion.amplified(change), meaning, "relaxed chi/(chi + sigma_Y)", held_up(change))
@@ -39,7 +28,9 @@ BACKSTRESS = Effect(
     summary="kinematic hardening with dynamic recovery, fibre by fibre: the stress minus C A drives the flow",
     source="Armstrong & Frederick 1966; Dimitriou & McKinley 2014",
     contribute=partial(replace, hardens=True),
-    applies=_applies,
+    applies=lambda scene: (
+        scene.model == "filament" and scene.run.closure == "material" and scene.material.hardening_modulus is not None
+    ),
     without_it=f"the scene has no material.hardening_modulus, asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="the same, from the strain and the share of flow in a run",

@@ -16,10 +16,6 @@ _MAX_DENSITY = 22_600.0
 """Density of osmium [kg/m^3]: a larger density has a wrong unit."""
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.surroundings.density > 0
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     share = scene.surroundings.density / scene.filament.density
     # The frequency of a string depends on the tension by its weight; that of a beam does not.
@@ -41,7 +37,7 @@ BUOYANCY = Effect(
     summary="weight minus that of the displaced fluid, g (1 - rho_b/rho)",
     source="Archimedes",
     contribute=partial(replace, buoyant=True),
-    applies=_applies,
+    applies=lambda scene: scene.surroundings.density > 0,
     without_it="surroundings.density is zero",
     estimate=_estimate,
     observable="share of the weight that the fluid carries, times the observed phase of the ringing",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -26,40 +26,54 @@ from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
 
+Chosen = tuple[Effect, ...]
 
-def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """Refuse the printed closure, a plastic state linear through the thickness, with effects beyond the paper."""
+
+def _of_closure(scene: Scene, chosen: Chosen) -> Iterator[Fault]:
+    """The printed closure, a plastic state linear through the thickness, has no effects beyond the paper."""
     beyond = [effect.name for effect in chosen if not effect.in_paper]
     if scene.run.closure == "printed" and beyond:
-        key = "fibres" if scene.numerics.fibres is not None else "order"
+        key = _fibre_key(scene)
         asked = getattr(scene.numerics, key)
         found = f"'printed' with numerics.{key} = {asked}" if asked else f"'printed' with {', '.join(beyond)}"
         accepted = "'material', or the published effects without numerics.fibres and with numerics.order = 1"
-        raise SceneError([Fault("run.closure", found, accepted)])
+        yield Fault("run.closure", found, accepted)
 
 
-def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """Refuse polymer chains without fibres in bending, as their stress is not linear through the thickness."""
+def _of_chains(scene: Scene, chosen: Chosen) -> Iterator[Fault]:
+    """Polymer chains need fibres in bending, as their stress is not linear through the thickness."""
+    law = f"the law {scene.material.law!r}"
     if not scene.material.spec.has_chains:
         return
-    law = f"the law {scene.material.law!r}"
     if scene.run.closure == "printed":
-        raise SceneError([Fault("run.closure", f"'printed', which has no polymer chains, with {law}", "'material'")])
-    if BENDING in chosen and FIBRES not in chosen:
+        yield Fault("run.closure", f"'printed', which has no polymer chains, with {law}", "'material'")
+    elif BENDING in chosen and FIBRES not in chosen:
         found = f"{BENDING.name!r} without {FIBRES.name!r}, but the stress of {law} is not linear through the thickness"
         accepted = f"'auto', or a list with {FIBRES.name!r} and what that needs, or one without {BENDING.name!r}"
-        raise SceneError([Fault("run.effects", found, accepted)])
+        yield Fault("run.effects", found, accepted)
 
 
-def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """Refuse a scene that leaves out indispensable effects: one fault for each reason."""
-    left_out, names = dict[str, list[str]](), {effect.name for effect in chosen}
+def _of_omissions(scene: Scene, chosen: Chosen) -> Iterator[Fault]:
+    """A scene that leaves out indispensable effects: one fault for each reason."""
+    left_out = dict[str, list[str]]()
     for effect in REGISTRY:
-        if effect.name not in names and effect.applies(scene) and (why := effect.indispensable(scene)):
+        if effect not in chosen and effect.applies(scene) and (why := effect.indispensable(scene)):
             left_out.setdefault(why, []).append(effect.name)
-    if left_out:
-        named = ((why, _joined(names)) for why, names in left_out.items())
-        raise SceneError([Fault("run.effects", f"without {names}, but {why}", f"add {names}") for why, names in named])
+    for why, names in left_out.items():
+        yield Fault("run.effects", f"without {_joined(names)}, but {why}", f"add {_joined(names)}")
+
+
+def refuse_together(scene: Scene, chosen: Chosen) -> None:
+    """Refuse effects that a scene cannot have together, or with which its filament is unstable."""
+    unstable = (fault for effect in chosen for fault in effect.faults(scene))
+    for kind in (_of_chains(scene, chosen), _of_closure(scene, chosen), _of_omissions(scene, chosen), unstable):
+        if faults := list(kind):
+            raise SceneError(faults)
+
+
+def _fibre_key(scene: Scene) -> str:
+    """Key of [numerics] that asks for fibres."""
+    return "fibres" if scene.numerics.fibres is not None else "order"
 
 
 def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
@@ -71,12 +85,6 @@ def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str
     if needed or any(name in effect.needs for effect in REGISTRY if effect.name in asked):
         return {name: needed or "needed by effects that are named"}
     return {} if BENDING.name in asked else {name: "without bending nothing else carries the load"}
-
-
-def refuse_unsound(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """Refuse scenes in which a filament with these effects is unstable."""
-    if faults := [fault for effect in chosen for fault in effect.faults(scene)]:
-        raise SceneError(faults)
 
 
 def refuse_tables(scene: Scene) -> None:
@@ -157,7 +165,7 @@ def _joined(names: list[str]) -> str:
 def _incomplete(scene: Scene, name: str, missing: str) -> Fault:
     if name in scene.run.effects:
         return Fault("run.effects", f"{name!r} without {missing}", f"add {missing}, or leave {name!r} out")
-    key = "fibres" if scene.numerics.fibres is not None else "order"
+    key = _fibre_key(scene)
     found = f"{getattr(scene.numerics, key)} resolves fibres, but without {missing}"
     return Fault(f"numerics.{key}", found, f"{missing} in run.effects too, or numerics.{key} left out")
 
@@ -256,10 +264,7 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     estimates = _estimates(scene)
     reasons = _reasons(scene, estimates, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
-    refuse_chains(scene, chosen)
-    refuse_closure(scene, chosen)
-    refuse_without(scene, chosen)
-    refuse_unsound(scene, chosen)
+    refuse_together(scene, chosen)
     decisions = tuple(_decision(effect, scene, estimates.get(effect.name), reasons) for effect in REGISTRY)
     return Effects(decisions, bare(scene), scene)
 
@@ -288,18 +293,15 @@ def _decision(effect: Effect, scene: Scene, estimate: Estimate | None, reasons: 
         return Decision(effect, False, None, f"cannot be had: {why_not(effect, scene)}")
     if effect.name in reasons:
         return Decision(effect, True, estimate, reasons[effect.name])
-    return Decision(effect, False, estimate, _why_not(effect, scene, estimate))
-
-
-def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
-    """Why an effect that applies is not in force."""
     if not isinstance(scene.run.effects, str):
-        return "not named in run.effects"
-    if _is_published(scene):
-        return "not in the paper's list"
-    if estimate.value <= SHARE * scene.run.accuracy:
-        return "worth less than a third of the requested accuracy"
-    return effect.saved(scene)
+        why = "not named in run.effects"
+    elif _is_published(scene):
+        why = "not in the paper's list"
+    elif estimate.value <= SHARE * scene.run.accuracy:
+        why = "worth less than a third of the requested accuracy"
+    else:
+        why = effect.saved(scene)
+    return Decision(effect, False, estimate, why)
 
 
 def _reasons(scene: Scene, estimates: Mapping[str, Estimate], shown: Mapping[str, str]) -> dict[str, str]:

@@ -12,17 +12,9 @@ from dataclasses import replace
 import numpy as np
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.quasi_static import followed_sag
-from softcat_sym.physics.terms import Course, Terms
+from softcat_sym.effects.quasi_static_sag import followed_sag
+from softcat_sym.physics.terms import Course
 from softcat_sym.scene.scene import Scene
-
-
-def _adapted(scene: Scene, terms: Terms) -> Terms:
-    return replace(terms, curing=tuple(Course.of(*one) for one in scene.material.histories().items()))
-
-
-def _applies(scene: Scene) -> bool:
-    return bool(scene.material.histories())
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -39,8 +31,10 @@ CURING = Effect(
     name="curing",
     summary="constants of the material that are tables or formulas of time",
     source="Castonguay et al. 2025",
-    adapt=_adapted,
-    applies=_applies,
+    adapt=lambda scene, terms: replace(
+        terms, curing=tuple(Course.of(*one) for one in scene.material.histories().items())
+    ),
+    applies=lambda scene: bool(scene.material.histories()),
     without_it="no constant of the material is a table or a formula of time",
     estimate=_estimate,
     observable="the same, from the sag and the ringing of a run",

@@ -37,13 +37,13 @@ _LONGER[1::3, 1::3] = _LONGER[2::3, 2::3] = np.array([[4.0, -1.0], [-1.0, 4.0]])
 
 
 @dataclass(frozen=True)
-class Shape:
+class Configuration:
     """Places of the nodes and turns of their sections."""
 
     places: Floats  # shape (nodes, 3); [m]
     turns: Floats  # shape (nodes, 3, 3); Columns are the tangent, the normal in the plane of bending, the binormal
 
-    def moved(self, step: Floats, closing: Floats) -> Shape:
+    def moved(self, step: Floats, closing: Floats) -> Configuration:
         """The shape after displacements and turns, shape (nodes, 6).
 
         What an element moves across itself turns it, as its nodes do about it, and does not lengthen it; by a share of
@@ -56,9 +56,9 @@ class Shape:
         longer = 1 + np.sum(chord * moved, axis=1, keepdims=True) / square
         places = np.vstack([self.places[:1] + step[:1, :3], longer * turned[..., 0]]).cumsum(axis=0)
         missed = self.places[-1] + step[-1, :3] - places[-1]
-        return Shape(places + closing[:, None] * missed, turns_by(step[:, 3:]) @ self.turns)
+        return Configuration(places + closing[:, None] * missed, turns_by(step[:, 3:]) @ self.turns)
 
-    def seen_from(self, other: Shape) -> Floats:
+    def seen_from(self, other: Configuration) -> Floats:
         """Displacements and turns that lead from another shape to this one, shape (nodes, 6)."""
         return np.hstack([self.places - other.places, _vectors(self.turns @ other.turns.swapaxes(1, 2))])
 
@@ -80,11 +80,11 @@ class Elements:
     attached: Floats  # shape (n + 1,); Masses on the nodes
     force: Floats  # shape (n + 1, 6); Dead forces and torques
     springs: Floats  # shape (n + 1, 6); Stiffness of what holds the nodes, which is without force in the first shape
-    first: Shape
-    closing: Floats  # shape (n + 1,); See :meth:`Shape.moved`
+    first: Configuration
+    closing: Floats  # shape (n + 1,); See :meth:`Configuration.moved`
     free: npt.NDArray[np.int_]  # Numbers of the displacements and turns that nothing holds
 
-    def at_rest(self, shape: Shape, load: float) -> Shape | None:
+    def at_rest(self, shape: Configuration, load: float) -> Configuration | None:
         """The stable equilibrium under a share of the load; None if there is none, or none is found.
 
         Newton's method, with a part of the mass matrix added where the stiffness is not positive. Forces that turn are
@@ -121,7 +121,7 @@ class Elements:
             shift = shift if shift > _LEAST * largest else 0.0
         return None
 
-    def is_strained(self, shape: Shape) -> bool:
+    def is_strained(self, shape: Configuration) -> bool:
         """Whether a shape would move without load."""
         forces = Cells.of(self, shape).forces
         return float(np.max(np.abs(self._assembled(forces)))) > _EXACT * float(np.max(np.abs(forces)))
@@ -193,7 +193,7 @@ class Cells:
     hardening: Floats  # shape (n, 12)
 
     @classmethod
-    def of(cls, own: Elements, shape: Shape, foreseen: Floats | None = None) -> Cells:
+    def of(cls, own: Elements, shape: Configuration, foreseen: Floats | None = None) -> Cells:
         """Derivatives of the stored energy, by length and angles of each element, and by what its nodes do."""
         frame, length, angles, normals = _frames(shape)
         longer = angles @ _LONGER
@@ -236,7 +236,7 @@ def _largest_ratio(stiffness: Floats, mass: Floats) -> float:
     return float(np.max(np.diag(stiffness) / np.diag(mass)))
 
 
-def angles_in(shape: Shape) -> tuple[Floats, Floats]:
+def angles_in(shape: Configuration) -> tuple[Floats, Floats]:
     """Lengths of the chords, and the angles between them and their nodes."""
     _, length, angles, _ = _frames(shape)
     return length, angles
@@ -258,7 +258,7 @@ def stiffness_of_angles(length: Floats, in_plane: Floats, across: Floats, torsio
     return found
 
 
-def _frames(shape: Shape) -> tuple[Floats, Floats, Floats, Floats]:
+def _frames(shape: Configuration) -> tuple[Floats, Floats, Floats, Floats]:
     """Frames, lengths, angles of both nodes, and both normals in the frame, shape (n, 3, 2)."""
     first, last, chord = shape.turns[:-1], shape.turns[1:], shape.places[1:] - shape.places[:-1]
     length = np.sqrt(np.sum(chord**2, axis=1))

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.scaling_estimates import weight_stress
-from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 
 _FASTEST = 2e5
@@ -25,10 +24,6 @@ def reynolds_number(scene: Scene, motion: Motion) -> float:
 
 def _diameter(scene: Scene) -> float:
     return (scene.filament.thickness + scene.filament.width) / 2
-
-
-def _adapted(scene: Scene, terms: Terms) -> Terms:
-    return replace(terms, drag="cross-flow" if scene.surroundings.density > 0 else "slender")
 
 
 def _applies(scene: Scene) -> bool:
@@ -73,7 +68,7 @@ DRAG = Effect(
     name="drag",
     summary="resistance of a slender body; in a bath with a density, of a cylinder in cross-flow",
     source="Cox 1970; White 1991",
-    adapt=_adapted,
+    adapt=lambda scene, terms: replace(terms, drag="cross-flow" if scene.surroundings.density > 0 else "slender"),
     applies=_applies,
     without_it="surroundings.viscosity is zero, or the section is a sheet, for which there is no slow flow",
     estimate=_estimate,

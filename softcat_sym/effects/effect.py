@@ -133,24 +133,6 @@ def let_down(share: float) -> float:
     return 1 / (1 + share)
 
 
-def dispensable(scene: Scene) -> str:
-    """Return an empty reason: the effect can be left out."""
-    del scene
-    return ""
-
-
-def sound(scene: Scene) -> list[Fault]:
-    """Return no faults."""
-    del scene
-    return []
-
-
-def silent(scene: Scene, motion: Motion) -> list[str]:
-    """Return no warnings."""
-    del scene, motion
-    return []
-
-
 @dataclass(frozen=True, slots=True)
 class EffectConstant:
     """A constant of an effect, stated in ``[effects.NAME]`` of the scene.
@@ -264,11 +246,11 @@ class Effect:
     derivation: str = ""
     needs: tuple[str, ...] = ()
     in_paper: bool = True
-    eases: Callable[[Scene], str] = dispensable
-    saved: Callable[[Scene], str] = dispensable
-    indispensable: Callable[[Scene], str] = dispensable
-    faults: Callable[[Scene], list[Fault]] = sound
-    warnings: Callable[[Scene, Motion], list[str]] = silent
+    eases: Callable[[Scene], str] = lambda _scene: ""
+    saved: Callable[[Scene], str] = lambda _scene: ""
+    indispensable: Callable[[Scene], str] = lambda _scene: ""
+    faults: Callable[[Scene], list[Fault]] = lambda _scene: []
+    warnings: Callable[[Scene, Motion], list[str]] = lambda _scene, _motion: []
     cures: str = ""
     dear: bool = False
     causes: tuple[str, ...] = ()

@@ -8,9 +8,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.effects.quasi_static import load_factor
+from softcat_sym.effects.initial_stress import initial_strain
+from softcat_sym.effects.quasi_static_sag import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (

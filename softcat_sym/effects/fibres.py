@@ -14,10 +14,6 @@ from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.model == "filament" and VISCOUS_FLOW.applies(scene)
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # A linear profile carries at most M_Y; fibres that yield one after another carry M_p = M_Y <|zeta|>/<zeta^2>.
     section = section_of(scene)
@@ -35,7 +31,7 @@ FIBRES = Effect(
     summary="plastic strain of any profile through the thickness",
     source="A 1, A 2",
     contribute=partial(replace, resolved=True),
-    applies=_applies,
+    applies=lambda scene: scene.model == "filament" and VISCOUS_FLOW.applies(scene),
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="share of the load in bending, times the share that flow has dissipated",

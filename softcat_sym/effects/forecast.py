@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import quasi_static as quasi_static
+from softcat_sym.effects import quasi_static_sag as quasi_static
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
@@ -229,7 +229,7 @@ def _forecast(scene: Scene) -> Motion:
     free, rings = quasi_static.quasi_static_history(scene), ringing(scene)
     history = free
     if scales.pull_of_surface(scene):
-        history = quasi_static.History(
+        history = quasi_static.SagHistory(
             free.time, np.array([sag * _left_by_surface(scene, float(sag)) for sag in free.sag])
         )
     first, lengths = float(history.time[1]), history.sag * scene.filament.span
@@ -262,7 +262,7 @@ def _forecast(scene: Scene) -> Motion:
     )
 
 
-def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float:
+def _speed(scene: Scene, history: quasi_static.SagHistory, rings: Ringing) -> float:
     """Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall."""
     span = scene.filament.span
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
@@ -380,7 +380,7 @@ def flowing_overstress(scene: Scene, sag: float) -> float:
     return max(0.0, min(weight * (sag + 1 / (8 * sag)) - pull, weight / (2 * delta))) / limit
 
 
-def _risen(scene: Scene, history: quasi_static.History, amplitude: float) -> float:
+def _risen(scene: Scene, history: quasi_static.SagHistory, amplitude: float) -> float:
     ramp = scene.load.ramp
     if ramp == 0:
         return 0.0

@@ -13,16 +13,16 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.added_mass import mass_ratio
 from softcat_sym.effects.discrete_filament import (
     Cells,
+    Configuration,
     Elements,
-    Shape,
     angles_in,
     stiffness_of_angles,
     turns_by,
     unstrained,
 )
-from softcat_sym.effects.first_stress import initial_strain
+from softcat_sym.effects.initial_stress import initial_strain
 from softcat_sym.effects.law import may_have
-from softcat_sym.effects.quasi_static import elastic_sag_under, retardation, slackness, solvent_lag
+from softcat_sym.effects.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
@@ -158,7 +158,7 @@ def _fibre_ratio(scene: Scene) -> float:
     return section.stiffness(PLANE_STRAIN**2, scene.material.poisson) if section.plane_strain else 1.0
 
 
-def _natural_shape(scene: Scene) -> Shape:
+def _natural_shape(scene: Scene) -> Configuration:
     """Without stress: its own curve, or straight along its supports, or from its only support in its direction."""
     filament, length = scene.filament, stress_free_length(scene)
     kappa = np.array([[filament.twist, 0.0, filament.curvature]])
@@ -168,14 +168,14 @@ def _natural_shape(scene: Scene) -> Shape:
         curve = natural_curve(scene)
         quaternions = curve.quaternions(share * length)
         half = np.arccos(np.clip(quaternions[:, :1], -1, 1))
-        return Shape(curve.places(share * length), turns_by(2 * quaternions[:, 1:] / np.sinc(half / np.pi)))
+        return Configuration(curve.places(share * length), turns_by(2 * quaternions[:, 1:] / np.sinc(half / np.pi)))
     at = (share[:, None] - float(scene.ends.supports[0].is_free)) * length
     first = _in_plane(np.array([straight_angle(scene)]))
     steps = np.diff(at, axis=0) * (first @ turns_by((at[1:] + at[:-1]) / 2 * kappa))[:, :, 0]
-    return Shape(np.vstack([np.zeros(3), np.cumsum(steps, axis=0)]), first @ turns_by(at * kappa))
+    return Configuration(np.vstack([np.zeros(3), np.cumsum(steps, axis=0)]), first @ turns_by(at * kappa))
 
 
-def _held_shape(scene: Scene, natural: Shape) -> Shape:
+def _held_shape(scene: Scene, natural: Configuration) -> Configuration:
     """Between two supports: straight, or as the catenary of its length; clamps turn its ends."""
     if has_shape(scene) or not is_held(scene):
         return natural
@@ -193,7 +193,7 @@ def _held_shape(scene: Scene, natural: Shape) -> Shape:
         angles = up * np.arctan(s / a)
     for node, (_, support, angle) in zip((0, -1), ends.sides, strict=True):
         angles[node] = angle if support.carries_moment else angles[node]
-    return Shape(places, _in_plane(angles))
+    return Configuration(places, _in_plane(angles))
 
 
 def _in_plane(angles: Floats) -> Floats:
@@ -208,7 +208,7 @@ def _half_catenary(ratio: float) -> float:
     return u
 
 
-def _elements(scene: Scene, modulus: float, natural: Shape, begin: Shape) -> Elements:
+def _elements(scene: Scene, modulus: float, natural: Configuration, begin: Configuration) -> Elements:
     filament, load, section = scene.filament, scene.load, scales.section_of(scene)
     chords, angles = angles_in(natural)
     length = unstrained(chords, angles) / force_free_stretch(scene)

@@ -10,14 +10,6 @@ from softcat_sym.effects.forecast import shaken_share
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.load.shake > 0
-
-
-def _indispensable(scene: Scene) -> str:
-    return f"gravity is shaken at {scene.load.shake_frequency:g} Hz" if scene.load.shake > 0 else ""
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del motion
     share, formula = shaken_share(scene), "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
@@ -29,7 +21,7 @@ GRAVITY_SHAKING = Effect(
     summary="g(t) oscillates about its steady value",
     source="Rayleigh 1877",
     contribute=partial(replace, shaken=True),
-    applies=_applies,
+    applies=lambda scene: scene.load.shake > 0,
     without_it="load.shake is zero: gravity is steady",
     estimate=_estimate,
     observable="oscillation of the midpoint at the frequency of the shaking, over the sag",
@@ -37,5 +29,7 @@ GRAVITY_SHAKING = Effect(
     derivation="01_balance",
     needs=("inertia",),
     in_paper=False,
-    indispensable=_indispensable,
+    indispensable=lambda scene: (
+        f"gravity is shaken at {scene.load.shake_frequency:g} Hz" if scene.load.shake > 0 else ""
+    ),
 )

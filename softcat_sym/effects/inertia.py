@@ -31,11 +31,6 @@ def outrunning_faults(scene: Scene) -> list[Fault]:
     return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
 
 
-def _indispensable(scene: Scene) -> str:
-    """Why a filament must be followed from its release; empty if it need not be."""
-    return "initial.centreline need not be an equilibrium" if scene.initial.centreline else ""
-
-
 INERTIA = Effect(
     name="inertia",
     summary="acceleration of the filament",
@@ -50,6 +45,6 @@ INERTIA = Effect(
     example="maxwell-slow",
     derivation="01_balance",
     causes=("inertia", "flow"),
-    indispensable=_indispensable,
+    indispensable=lambda scene: "initial.centreline need not be an equilibrium" if scene.initial.centreline else "",
     faults=outrunning_faults,
 )

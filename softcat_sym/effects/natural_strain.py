@@ -10,17 +10,9 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
-from softcat_sym.physics.terms import Course, Terms
+from softcat_sym.physics.terms import Course
 from softcat_sym.scene.history import extremes_of
 from softcat_sym.scene.scene import Scene, groups_of, is_held
-
-
-def _adapted(scene: Scene, terms: Terms) -> Terms:
-    return replace(terms, natural_strain=tuple(Course.of(*one) for one in scene.material.natural_strains().items()))
-
-
-def _applies(scene: Scene) -> bool:
-    return bool(scene.material.natural_strains())
 
 
 def largest_strains(scene: Scene) -> tuple[float, float]:
@@ -57,8 +49,10 @@ NATURAL_STRAIN = Effect(
     name="natural-strain",
     summary="stress-free strain of the material that changes in time, more at the top or at the bottom",
     source="Timoshenko 1925",
-    adapt=_adapted,
-    applies=_applies,
+    adapt=lambda scene, terms: replace(
+        terms, natural_strain=tuple(Course.of(*one) for one in scene.material.natural_strains().items())
+    ),
+    applies=lambda scene: bool(scene.material.natural_strains()),
     without_it="the scene states no material.natural_strain",
     estimate=_estimate,
     observable="tension by the natural strain over that by the weight at the sag, or curl of a free filament",

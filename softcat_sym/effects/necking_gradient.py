@@ -27,10 +27,6 @@ _BELOW = 0.5  # Largest fibre stress over the yield stress at which no section i
 _MANY_FOLDS = 30.0  # Limit of the e-folds, beyond which a neck has grown in any case
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.model == "filament" and VISCOUS_FLOW.applies(scene)
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     yields, held = motion.overstress > _BELOW, is_held(scene)
     # Below a free end the weight alone draws the filament out.
@@ -51,7 +47,7 @@ NECKING_GRADIENT = Effect(
     summary="axial force - d/dX (b s_X), b = beta h0^2 T/s^4, of a sheet T/s^5",
     source="Audoly & Hutchinson 2016",
     contribute=partial(replace, necking_gradient=True),
-    applies=_applies,
+    applies=lambda scene: scene.model == "filament" and VISCOUS_FLOW.applies(scene),
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="growth of a neck where the section flows, sigma/eta over time",

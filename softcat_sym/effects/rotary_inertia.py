@@ -29,20 +29,12 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     )
 
 
-def _spared(scene: Scene) -> str:
-    return "it makes runs with yielding hinges many times longer" if YIELDING.applies(scene) else ""
-
-
-def _applies(scene: Scene) -> bool:
-    return of_large_deflections(scene) and not is_spatial(scene)
-
-
 ROTARY_INERTIA = Effect(
     name="rotary-inertia",
     summary="angular momentum of the sections",
     source="Timoshenko 1921",
     contribute=partial(replace, rotary_inertia=True),
-    applies=_applies,
+    applies=lambda scene: of_large_deflections(scene) and not is_spatial(scene),
     without_it=f"in three dimensions sections have no rotary inertia, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="ringing of the midpoint, times (h0/L)^2",
@@ -52,5 +44,5 @@ ROTARY_INERTIA = Effect(
     dear=True,
     needs=("inertia", "shear"),
     in_paper=False,
-    saved=_spared,
+    saved=lambda scene: "it makes runs with yielding hinges many times longer" if YIELDING.applies(scene) else "",
 )

@@ -13,10 +13,6 @@ from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.model == "filament" and scene.run.closure == "material" and scene.material.structure is not None
-
-
 def _adapted(scene: Scene, terms: Terms) -> Terms:
     structure = scene.material.structure
     if structure is None:
@@ -62,7 +58,9 @@ STRUCTURE = Effect(
     summary="build-up at rest and breakdown in flow of yield stress and viscosity, fibre by fibre",
     source="Moore 1959; Roussel 2006; de Souza Mendes & Thompson 2013",
     adapt=_adapted,
-    applies=_applies,
+    applies=lambda scene: (
+        scene.model == "filament" and scene.run.closure == "material" and scene.material.structure is not None
+    ),
     without_it=f"the scene has no [material.structure], asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="the same, from the strain and the share of flow in a run",

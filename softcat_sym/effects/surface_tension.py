@@ -24,10 +24,6 @@ _SQUARE = 0.1
 """Relative difference of the sides of a rectangle above which surface tension would round it."""
 
 
-def _applies(scene: Scene) -> bool:
-    return scene.surroundings.surface_tension > 0
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     starts = "it acts at once" if scene.initial.surface == "fresh" else "it acted before t = 0"
     meaning = f"reduction of the sag by the pull of the surface, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
@@ -46,12 +42,19 @@ def unstable_faults(scene: Scene) -> list[Fault]:
     return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
 
 
-def _indispensable(scene: Scene) -> str:
-    return "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else ""
-
-
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
-    return [*filter(None, (neglected_surface(scene, motion.capillary), rounded_corners(scene)))]
+    """Surface tension that is left out although it matters, or that would round a rectangle."""
+    filament, pull, share, found = scene.filament, pull_of_surface(scene), motion.capillary, list[str]()
+    if not pull and share > scene.run.accuracy:
+        key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
+        found.append(f"surface tension is left out by {key}, but would take about {share:.0%} of the sag")
+    uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
+    if uneven and pull > (yield_stress_of(scene) or instant_modulus(scene) or 0.0):
+        found.append(
+            f"surface tension ({pull:.3g} Pa) would round the rectangle, whose sides are assumed to shrink alike; use "
+            "section = 'circle' if it does"
+        )
+    return found
 
 
 SURFACE_TENSION = Effect(
@@ -59,7 +62,7 @@ SURFACE_TENSION = Effect(
     summary="axial force gamma P_0/2 s^-1/2 (for a sheet 2 gamma D_0), and that of the outline's slope",
     source="Eggers & Dupont 1994",
     contribute=partial(replace, surface_tension=True),
-    applies=_applies,
+    applies=lambda scene: scene.surroundings.surface_tension > 0,
     without_it="the scene states no surface tension",
     estimate=_estimate,
     observable="share of the pull of the surface in the axial force, times that of the load carried in tension",
@@ -69,26 +72,6 @@ SURFACE_TENSION = Effect(
     causes=("surface",),
     needs=("extensibility",),
     in_paper=False,
-    indispensable=_indispensable,
+    indispensable=lambda scene: "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else "",
     faults=unstable_faults,
 )
-
-
-def neglected_surface(scene: Scene, share: float) -> str:
-    """Warning that a scene leaves out surface tension although it matters; empty otherwise."""
-    if pull_of_surface(scene) or share <= scene.run.accuracy:
-        return ""
-    key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
-    return f"surface tension is left out by {key}, but would take about {share:.0%} of the sag"
-
-
-def rounded_corners(scene: Scene) -> str:
-    """Warning that surface tension would round a rectangle; empty if it would not."""
-    filament, limit = scene.filament, yield_stress_of(scene) or instant_modulus(scene) or 0.0
-    uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
-    if not uneven or pull_of_surface(scene) <= limit:
-        return ""
-    return (
-        f"surface tension ({pull_of_surface(scene):.3g} Pa) would round the rectangle, whose sides are assumed to "
-        "shrink alike; use section = 'circle' if it does"
-    )

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, OfMotion
-from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor
+from softcat_sym.effects.quasi_static_sag import elastic_sag_under, load_factor
 from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
 from softcat_sym.scene.scene import Scene
 
@@ -16,10 +16,6 @@ def _indispensable(scene: Scene) -> str:
     plastic = bool(initial.P) or bool(initial.C) or (initial.stretch != 1 and initial.relaxed)
     plastic = plastic or initial.surface == "relaxed"
     return "the initial state is a plastic strain" if plastic else ""
-
-
-def _applies(scene: Scene) -> bool:
-    return scene.material.spec.flows
 
 
 _RELAXED = OfMotion(
@@ -40,7 +36,7 @@ VISCOUS_FLOW = Effect(
     summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the given rule; chains that relax",
     source="2.7, 2.12",
     contribute=partial(replace, flows=True),
-    applies=_applies,
+    applies=lambda scene: scene.material.spec.flows,
     without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
     estimate=_estimate,
     observable="largest fibre stress over the yield stress; without one, the forecast relaxation",

@@ -12,10 +12,6 @@ from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.scene.scene import Scene
 
 
-def _applies(scene: Scene) -> bool:
-    return law_in(scene).yields
-
-
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # In an initially plastic state the yield stress decides whether the material flows at once.
     flows = 1.0 if VISCOUS_FLOW.indispensable(scene) else VISCOUS_FLOW.estimate(scene, motion).value
@@ -45,7 +41,7 @@ YIELDING = Effect(
     summary="no flow below the yield stress",
     source="2.25-2.27",
     contribute=partial(replace, yields=True),
-    applies=_applies,
+    applies=lambda scene: law_in(scene).yields,
     without_it="the law has no yield stress",
     estimate=_estimate,
     observable="yield stress over the stress of beam or catenary at the largest sag",

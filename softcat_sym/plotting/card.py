@@ -6,6 +6,7 @@ import importlib.metadata
 import math
 from base64 import b64encode
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import cycle
 from typing import Any
@@ -15,10 +16,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
+from rich.console import Console, RenderableType
+from rich.table import Table
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
@@ -26,10 +32,12 @@ from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
 from softcat_sym.plotting.style import headed, png, printable
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
+from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies.card import Card
-from softcat_sym.studies.card_rules import Rule, percent, smay_modulus_needed, unusual
+from softcat_sym.solvers.run_cost import run_cost
+from softcat_sym.studies.card import CAUSES, SPAN, Card
+from softcat_sym.studies.card_rules import Rule, elastic_sags, percent, smay_modulus_needed, unusual
 
 RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)
@@ -42,6 +50,8 @@ _INCOMPRESSIBLE = 3.0
 def verdict(card: Card) -> tuple[bool, str]:
     """Whether the card may be trusted, and one sentence that stands on top of it."""
     outcome = card.run.outcome
+    if card.pending and outcome.is_success:
+        return False, card.incomplete
     if outcome is Outcome.broken:
         return True, f"It breaks: {card.summary['message'].removeprefix('it breaks ')}."
     if not outcome.is_success:
@@ -60,15 +70,13 @@ def facts(card: Card) -> list[tuple[str, str]]:
         if None not in numbers:
             limits = "G = {:.3g}; yields from {:.3g}, no catenary rests above {:.4g}; ".format(*numbers)
         rows.append(("arrest", limits + proof["text"]))
-    rows.append(("longest span", f"none found: {card.span_text}"))
+    if SPAN not in card.pending:
+        rows.append(("longest span", f"none found: {card.span_text}"))
     if card.span is not None:
         span, sag = card.span.span, card.span.sag
         sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
         sags += ", and a longer one breaks" if card.span.breaks else ""
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
-        if card.surface is not None and card.surface.span_added is not None:
-            added = length_unit(card.surface.span_added).text(card.surface.span_added)
-            sags += f", {added} of it by surface tension"
         rows[-1:] = [
             ("longest span", sags),
             *([] if card.span.breaks else [("it grows as", powers or "nothing that is known here")]),
@@ -102,6 +110,9 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
     yield "surface tension", f"pulls with {pull}{carried}; sag without it {bare}"
     if hold.span_text and hold.span_text != card.span_text:
         yield "span without it", f"none found: {hold.span_text}"
+    elif hold.span_without is not None:
+        added = "" if hold.span_added is None else f": it adds {length_unit(hold.span_added).text(hold.span_added)}"
+        yield "span without it", length_unit(hold.span_without).text(hold.span_without) + added
     if hold.rule_spans:
         names = {rule.key: rule.name for rule in card.rules}
         spans = (f"{names[key]} {length_unit(span).text(span)}" for key, span in hold.rule_spans.items())
@@ -157,35 +168,98 @@ def rule_texts(rule: Rule) -> tuple[str, str, str, str, str]:
     )
 
 
+_BARE: dict[str, Any] = {"box": None, "padding": (0, 1, 0, 0)}
+_LABEL, _RULE, _NUMBER = 18, 24, 9
+"""Characters of the first columns, so that rows printed one by one stand below each other."""
+
+
+def row_of(label: str, text: str, style: str = "") -> Table:
+    """A row for a terminal."""
+    return text_table(("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), **_BARE)
+
+
+def lines(card: Card) -> dict[str, RenderableType]:
+    """What a terminal shows of a card, line by line, of what is known; the key of a line is its words."""
+    sound, sentence = verdict(replace(card, pending=()))
+    found: dict[str, RenderableType] = {sentence: Text(sentence, style="bold green" if sound else "bold red")}
+    for label, text in facts(card):
+        if label != "note":
+            found[f"{label} {text}"] = row_of(label, text, "yellow" if label == "warning" else "")
+    idle, rows = dict[str, list[str]](), [RULE_HEADINGS]
+    for rule in card.rules:
+        if rule.predicted is None:
+            idle.setdefault(rule.text, []).append(rule.name)
+        elif rule.text or CAUSES not in card.pending:
+            rows.append((rule.name, *rule_texts(rule)[1:]))
+    for name, *numbers, text in rows if rows[1:] else []:
+        cells = (name.ljust(_RULE), *(one.rjust(_NUMBER) for one in numbers), text)
+        style = "green" if text == "holds" else "bold" if name == RULE_HEADINGS[0] else ""
+        found[" ".join(cells)] = text_table(("",) * len(cells), [cells], styles=[style], whole=range(4), **_BARE)
+    for why, names in idle.items():
+        listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
+        found[why] = Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim")
+    return found
+
+
+def foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Regime, sag, where it stops, and closed forms of the elastic sag: all that needs no run."""
+    effects, span = choose_effects(scene), scene.filament.span
+    regime, sag = expected_regime(scene, effects.names), expected_sag(scene)
+
+    def length(value: float) -> str:
+        return length_unit(value, span).text(value)
+
+    yield "expected", ", ".join(filter(None, [regime_words(regime.name), regime.near]))
+    yield "because", regime.reason
+    yield "expected sag", f"about {significant(100 * sag)} % of the span, {length(sag * span)}"
+    if regime.stopping_depth_exact is not None:
+        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
+    if sags := elastic_sags(scene):
+        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
+    if cost := run_cost(scene, effects).text:
+        yield "cost of a run", cost
+
+
+class CardPrinter:
+    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self.card: Card | None = None  # As far as it is
+        self._quiet, self._printed = quiet, set[str]()
+
+    def foresee(self, scene: Scene) -> None:
+        """Print the scene's title, and what can be said before anything is integrated."""
+        if not self._quiet:
+            self._print(Text(scene.title or "Filament", style="bold"), *(row_of(*row) for row in foreseen(scene)))
+
+    def hear(self, card: Card) -> None:
+        """Take note of what is known by now."""
+        self.card, known = card, lines(card)
+        if not self._quiet:
+            self._print(*(line for words, line in known.items() if words not in self._printed))
+        self._printed |= known.keys()
+
+    @staticmethod
+    def _print(*found: RenderableType) -> None:
+        console = Console()
+        for line in found:
+            with console.capture() as shown:
+                console.print(line, markup=False, highlight=False)
+            # By way of print, as bars on the same terminal replace its stream.
+            print(shown.get(), end="", flush=True)
+
+
 LIVE = "live.html"
 
 
 @drawing.report.register(Card)
-def card_report(card: Card, command: str = "", live: str = "") -> Report:
-    """Facts and rules, and a page with the picture; a live page beside it if there is its text.
+def card_report(card: Card, command: str = "", live: str = "", figure: Figure | None = None) -> Report:
+    """Facts and rules, and a page with the picture, if it is not drawn yet; a live page beside it if there is its text.
 
     Notes are on the page and in the scene; on a terminal they would take the room of the rules.
     """
-    sound, sentence = verdict(card)
-    rows = [row for row in facts(card) if row[0] != "note"]
-    styles = ["yellow" if name == "warning" else "" for name, _ in rows]
-    plain: dict[str, Any] = {"whole": (0,), "box": None, "padding": (0, 1, 0, 0)}
-    shown: list[Any] = [Text(sentence, style="bold green" if sound else "bold red")]
-    shown.append(text_table(("", ""), rows, styles=styles, **plain))
-    applied = [rule for rule in card.rules if rule.predicted is not None]
-    if applied:
-        cells = [(rule.name, *rule_texts(rule)[1:]) for rule in applied]
-        looks: dict[str, Any] = {"padding": (0, 1, 0, 0), "show_edge": False}
-        styles = ["green" if rule.holds else "" for rule in applied]
-        shown.append(text_table(RULE_HEADINGS, cells, right=_NUMBERS, whole=_NUMBERS, styles=styles, **looks))
-    idle: dict[str, list[str]] = {}
-    for rule in card.rules:
-        if rule.predicted is None:
-            idle.setdefault(rule.text, []).append(rule.name)
-    for why, names in idle.items():
-        listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
-        shown.append(Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim"))
-    figure = None if card.descent is None else card_figure(card)
+    if figure is None and card.descent is not None:
+        figure = card_figure(card)
     files = {
         "card.html": partial(card_page, card, figure, command, LIVE if live else ""),
         "card.json": card.to_dict,
@@ -194,7 +268,7 @@ def card_report(card: Card, command: str = "", live: str = "") -> Report:
         "card.png": figure,
         LIVE: live or None,
     }
-    return Report(files, shown, card.scene.title or "Filament")
+    return Report(files, list(lines(card).values()), card.scene.title or "Filament")
 
 
 _TALLEST, _FLATTEST, _LOW = 1.7, 0.55, 2.1

@@ -112,9 +112,8 @@ def _kept(dataset: xr.Dataset, *names: str) -> tuple[list[float], dict[str, Floa
         every *= 2
         if every > max(1, frames - 1):
             return None
-    return np.linspace(0.0, 1.0, frames)[::every].tolist(), {
-        name: values[:, ::every] for name, values in fields.items()
-    }
+    fewer = {name: values[:, ::every] for name, values in fields.items()}
+    return np.linspace(0.0, 1.0, frames)[::every].tolist(), fewer
 
 
 def _curves(dataset: xr.Dataset) -> dict[str, Any] | None:

@@ -206,9 +206,16 @@ _TITLE = 0.31
 """Height of its first line, the title."""
 
 
+class Picture(Figure):
+    """A figure that a notebook shows, pyplot or not: pyplot, where there is one, knows nothing of it."""
+
+    def _repr_png_(self) -> bytes:
+        return png(self)
+
+
 def new_figure(width: float, height: float) -> Figure:
     """Make an empty figure of the given size [inch] with a canvas of its own."""
-    figure = Figure(figsize=(width, height))
+    figure = Picture(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
 

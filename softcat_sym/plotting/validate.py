@@ -20,7 +20,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
 from softcat_sym.plotting.units import typeset
-from softcat_sym.scene.csv_reader import counted
+from softcat_sym.scene.table_reader import counted
 from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
 from softcat_sym.studies.validate import Result, Validation
 

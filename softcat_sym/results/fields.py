@@ -246,7 +246,9 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution, *, a
     for name, loss in zip(graph.powers[_OWN_POWERS:], lost, strict=True):
         observed[name if name in VARIABLES else f"{LOST}{name}"] = loss[:, None]
     if "heat_stored" in observed:
-        observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * _heat_unit(scene) * span / unit
+        heat = scene.temperature
+        lost_unit = heat_unit(scene.filament.density, heat.heat_capacity or 0.0, heat.initial or 0.0)  # [J/m^3]
+        observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * lost_unit * span / unit
     against_gradient = gradient
     if not graph.has_velocities:
         # Positions that are algebraic have no velocity that a quadrature could use: the work is summed over frames.
@@ -294,12 +296,6 @@ def _work_of_torque(scene: Scene, observed: Mapping[str, Floats]) -> Floats | fl
     steps = (turns[1:] * turns[:-1].inv()).as_rotvec()
     work = np.concatenate([[0.0], np.cumsum(steps @ np.array(scene.load.tip_torque))])
     return np.asarray(work / undeformed_area(scene))
-
-
-def _heat_unit(scene: Scene) -> float:
-    """What lost heat is integrated in [J/m^3]."""
-    heat = scene.temperature
-    return heat_unit(scene.filament.density, heat.heat_capacity or 0.0, heat.initial or 0.0)
 
 
 def node_positions(graph: Graph, span: float) -> tuple[Floats, Floats]:

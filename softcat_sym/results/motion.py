@@ -24,7 +24,7 @@ from softcat_sym.effects.forecast import (
     tension_share,
 )
 from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
-from softcat_sym.effects.quasi_static import load_factor, retardation, solvent_lag
+from softcat_sym.effects.quasi_static_sag import load_factor, retardation, solvent_lag
 from softcat_sym.effects.scaling_estimates import (
     effective_viscosity,
     effective_viscosity_at,

@@ -19,7 +19,7 @@ _OPPOSITE = 1e-14
 _FIRST = np.array([1.0, 0.0, 0.0])
 
 
-class Curve(ABC):
+class SpaceCurve(ABC):
     """Places and turns of sections by the length along a curve [m]; it begins at the origin."""
 
     length: float
@@ -39,7 +39,7 @@ class Curve(ABC):
         return found
 
 
-class SteadyCurve(Curve):
+class SteadyCurve(SpaceCurve):
     """An arc or a helix: twist and curvature, about the axes of the section, are the same everywhere.
 
     Parameters
@@ -75,7 +75,7 @@ class SteadyCurve(Curve):
         return self._start * Rotation.from_rotvec(along[:, None] * self._kappa)
 
 
-class SplineCurve(Curve):
+class SplineCurve(SpaceCurve):
     """A cubic spline through points over the distances between them; its sections do not turn about it.
 
     Parameters

@@ -6,11 +6,12 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 from pydantic_core import PydanticCustomError
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.formula import ACCEPTED, FUNCTIONS, Formula, dimension_of, parse_formula
 from softcat_sym.scene.units import (
     COMMON,
@@ -22,8 +23,8 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    read_each,
     refusal,
-    refusals,
     same_dimension,
     shown,
     si_unit,
@@ -32,9 +33,12 @@ from softcat_sym.scene.units import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
-    from scipy.interpolate import PchipInterpolator
+
+# To complete a name on the command line takes no NumPy, and most scenes do without SciPy.
+with lazy_imports():
+    import numpy as np
+    from scipy import interpolate
 
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
@@ -85,11 +89,8 @@ class _Table:
 
 
 @lru_cache(maxsize=256)
-def _cubic(table: _Table) -> PchipInterpolator:
-    # Imported here: most scenes do without SciPy, which takes a while to load.
-    from scipy.interpolate import PchipInterpolator
-
-    return PchipInterpolator(table.times, table.values)
+def _cubic(table: _Table) -> interpolate.PchipInterpolator:
+    return interpolate.PchipInterpolator(table.times, table.values)
 
 
 @dataclass(frozen=True, slots=True)
@@ -259,10 +260,7 @@ def scaled(value: float, factor: float) -> float:
 
 def values_at(value: float, times: Iterable[float]) -> npt.NDArray[np.float64]:
     """Values of a constant at several times [s]."""
-    # Imported here: to complete a name on the command line takes no NumPy.
-    from numpy import array
-
-    return array([value_at(value, float(time)) for time in times])
+    return np.array([value_at(value, float(time)) for time in times])
 
 
 def extremes_of(value: float, duration: float) -> tuple[float, float]:
@@ -348,23 +346,19 @@ def read_table(value: Mapping[Any, Any], item: Kind) -> History:
     if not 2 <= len(value) <= _MOST:
         raise refusal(f"a table of {len(value)} times", f"2 to {_MOST} times, such as {EXAMPLE.split(' or ')[0]}")
     rows: dict[float, float] = {}
-    faults = []
-    for key, given in value.items():
+
+    def read(key: Any, given: object) -> None:
         try:
-            try:
-                # A bare number is a key in Python only, and SI as all bare numbers there.
-                time = to_si(key if isinstance(key, str) else SI(key), "time")
-            except (NotAQuantity, TypeError, ValueError) as error:
-                found = f"the time {shown(key)}: {error}"
-                raise refusal(found, 'a time with its unit, such as "60 s"') from None
-            if time in rows:
-                raise refusal(f"the time {time:g} s twice", "each time once")
-            rows[time] = math.nan
-            rows[time] = item.read(given)
-        except PydanticCustomError as error:
-            faults.append(((str(key),), error))
-    if faults:
-        raise refusals("history", faults)
+            # A bare number is a key in Python only, and SI as all bare numbers there.
+            time = to_si(key if isinstance(key, str) else SI(key), "time")
+        except (NotAQuantity, TypeError, ValueError) as error:
+            raise refusal(f"the time {shown(key)}: {error}", 'a time with its unit, such as "60 s"') from None
+        if time in rows:
+            raise refusal(f"the time {time:g} s twice", "each time once")
+        rows[time] = math.nan
+        rows[time] = item.read(given)
+
+    read_each("history", {str(key): partial(read, key, given) for key, given in value.items()})
     return table_history(rows)
 
 

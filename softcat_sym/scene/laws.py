@@ -41,7 +41,7 @@ _GROUPED = {"youngs_modulus", "viscosity", "yield_stress"}
 
 
 @dataclass(frozen=True, slots=True)
-class Limit:
+class NarrowerLaw:
     """Constants with which a law behaves as a narrower one; an index starts at one."""
 
     factors: Mapping[str, float] = field(default_factory=dict)  # On rough constants that only the wider law has
@@ -69,7 +69,7 @@ class LawSpec:
     # Steady shear is tau^p = tau_Y^p + (k rate^n)^p, as that of the law `flow_curve`; empty without such a curve.
     flow_curve: str = ""
     shear_exponent: float = 1.0
-    limits: Mapping[str, Limit] = field(default_factory=dict)  # Narrower laws that it contains
+    limits: Mapping[str, NarrowerLaw] = field(default_factory=dict)  # Narrower laws that it contains
 
     @property
     def yields(self) -> bool:
@@ -153,10 +153,10 @@ def _chains(name: str, source: str, *constants: str) -> LawSpec:
 # stress or modulus so small that it carries no load. A fit's bounds are a thousand times wider either way. The elastic
 # law is no limit: a law that flows has a relaxation time that distinguishes it.
 _STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
-_FLUID = {"newtonian": Limit({"youngs_modulus": _STIFF})}
+_FLUID = {"newtonian": NarrowerLaw({"youngs_modulus": _STIFF})}
 _BELOW_YIELD = {
-    "newtonian": Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
-    "maxwell": Limit({"yield_stress": _WEAK}),
+    "newtonian": NarrowerLaw({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
+    "maxwell": NarrowerLaw({"yield_stress": _WEAK}),
 }
 _OVER = "max(abs(sigma) - yield_stress, 0)"
 
@@ -170,7 +170,7 @@ _SPECS = (
         _E_ETA,
         springs=_E,
         viscous_stress="viscosity",
-        limits={"newtonian": Limit({"youngs_modulus": _WEAK})},
+        limits={"newtonian": NarrowerLaw({"youngs_modulus": _WEAK})},
     ),
     LawSpec(
         "standard-linear",
@@ -180,8 +180,8 @@ _SPECS = (
         flowing=("second_modulus",),
         flow=LINEAR,
         limits={
-            "maxwell": Limit({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
-            "kelvin-voigt": Limit({"second_modulus": _STIFFER_THAN_WIDER}),
+            "maxwell": NarrowerLaw({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
+            "kelvin-voigt": NarrowerLaw({"second_modulus": _STIFFER_THAN_WIDER}),
         },
     ),
     LawSpec("multimode-maxwell", "Wiechert 1893", flow=LINEAR, lists=("modes",), flow_curve="newtonian"),
@@ -194,7 +194,7 @@ _SPECS = (
         flow=POWER,
         has_index=True,
         flow_curve="power-law",
-        limits={**_FLUID, "maxwell": Limit()},
+        limits={**_FLUID, "maxwell": NarrowerLaw()},
     ),
     LawSpec(
         "herschel-bulkley",
@@ -204,7 +204,7 @@ _SPECS = (
         flow=POWER,
         has_index=True,
         flow_curve="herschel-bulkley",
-        limits={**_BELOW_YIELD, "bingham": Limit(), "power-law": Limit({"yield_stress": _WEAK})},
+        limits={**_BELOW_YIELD, "bingham": NarrowerLaw(), "power-law": NarrowerLaw({"yield_stress": _WEAK})},
     ),
     # tau^1/2 = tau_Y^1/2 + (mu rate)^1/2 in shear. The difference of the roots is a quotient, whose slope is finite.
     LawSpec(

@@ -25,7 +25,7 @@ from softcat_sym.scene.formula import (
 from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec, kind_of_constant, laws_with, spec_of
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.structure import Structure, StructureTable
+from softcat_sym.scene.thixotropy import Thixotropy, ThixotropyTable
 from softcat_sym.scene.units import (
     STRESS,
     Choice,
@@ -265,7 +265,7 @@ def _named(has: str) -> str:
     return ", ".join(one.name for one in LAWS.values() if getattr(one, has))
 
 
-def structure_faults(structure: Structure, data: Mapping[str, Any]) -> Iterator[Refused]:
+def structure_faults(structure: Thixotropy, data: Mapping[str, Any]) -> Iterator[Refused]:
     """What of a structure the other constants of the material leave no room for."""
     law = data["law"]
     if not LAWS[law].has_structure:
@@ -286,7 +286,7 @@ def structure_faults(structure: Structure, data: Mapping[str, Any]) -> Iterator[
     yield from _ends_and_start(structure, limit if isinstance(limit, float) else None)
 
 
-def _ends_and_start(structure: Structure, limit: float | None) -> Iterator[Refused]:
+def _ends_and_start(structure: Thixotropy, limit: float | None) -> Iterator[Refused]:
     """Yield stresses on either side of that at the beginning, and where lambda begins."""
     high, low = structure.structured_yield_stress, structure.destroyed_yield_stress
     if limit is not None:
@@ -401,7 +401,7 @@ class Material(Part):
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
     solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
-    structure: Annotated[Structure | None, StructureTable()] = None
+    structure: Annotated[Thixotropy | None, ThixotropyTable()] = None
     """How the material builds up at rest and breaks down in flow: a table [material.structure]."""
     hardening_modulus: Annotated[float | None, Quantity("stress", "2 kPa")] = None
     """C of a backstress C A (kinematic hardening), tensile: three times that of a rheometer in shear."""
@@ -525,7 +525,7 @@ class Material(Part):
     @field_validator("structure", mode="wrap")
     @classmethod
     def _of_a_law_that_flows(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        structure: Structure | None = handler(value)
+        structure: Thixotropy | None = handler(value)
         if structure is None or "law" not in info.data:
             return structure
         faults = list(structure_faults(structure, info.data))
@@ -636,6 +636,18 @@ class Material(Part):
             Mode(value_at(mode.youngs_modulus, time), value_at(mode.viscosity, time)) for mode in self.modes
         )
         return self.model_copy(update={**update, "natural_strain": 0.0, "natural_strain_difference": 0.0})
+
+    @property
+    def assumed(self) -> str:
+        """Which constants of a flow are taken as those of extension, in words; empty if none is."""
+        stated = [rule for rule in FROM_SHEAR if rule.suits(self.law) and getattr(self, rule.constant)]
+        if {rule.constant for rule in stated} == {"youngs_modulus"}:
+            return ""
+        sheared = {rule.constant for rule in stated if getattr(self, rule.shear) is not None}
+        names = {rule.constant: rule.shear for rule in reversed(stated) if rule.constant not in sheared}
+        if not names:
+            return ""
+        return f"{', '.join(names)} taken as extensional; in shear, as of a rheometer: {', '.join(names.values())}"
 
     @property
     def notes(self) -> tuple[str, ...]:

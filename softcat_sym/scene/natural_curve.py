@@ -7,12 +7,19 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
 from softcat_sym.scene.tables import Tables
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.curve import Curve
     from softcat_sym.scene.parts import Filament, Point, Rule
+
+# Most scenes are read without NumPy and SciPy.
+with lazy_imports():
+    import numpy as np
+    from scipy import optimize
+
+    from softcat_sym.scene import curve as curves
 
 _STEP = 0.05
 """Part of a turn, over 2 pi, by which the end of a helix is sought."""
@@ -34,14 +41,10 @@ def is_curved(scene: Tables) -> bool:
 
 
 @lru_cache(maxsize=64)
-def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> Curve:
-    import numpy as np
-
-    from softcat_sym.scene.curve import SplineCurve, SteadyCurve
-
+def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> curves.SpaceCurve:
     distance = math.hypot(*chord)
     if isinstance(shape, tuple):
-        return SplineCurve(np.array(shape) - shape[0])
+        return curves.SplineCurve(np.array(shape) - shape[0])
     if shape == HELIX:
         length = _of_helix(distance, curvature, twist)
     elif rest_length is not None:
@@ -49,13 +52,11 @@ def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_len
         length, curvature = rest_length, 2 * half / rest_length
     else:
         length = 2 / abs(curvature) * math.asin(abs(curvature) * distance / 2)
-    return SteadyCurve(length, np.array([twist, 0.0, curvature]), np.array(chord))
+    return curves.SteadyCurve(length, np.array([twist, 0.0, curvature]), np.array(chord))
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    from scipy.optimize import brentq
-
-    return float(brentq(function, low, high, xtol=1e-15 * high))
+    return float(optimize.brentq(function, low, high, xtol=1e-15 * high))
 
 
 def _of_helix(distance: float, curvature: float, twist: float) -> float:
@@ -72,7 +73,7 @@ def _of_helix(distance: float, curvature: float, twist: float) -> float:
     return _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
 
 
-def natural_curve(scene: Tables) -> Curve:
+def natural_curve(scene: Tables) -> curves.SpaceCurve:
     """Return the curve of a filament that has a shape, from its first end to its last one."""
     filament = scene.filament
     chord = (filament.span, 0.0 - scene.ends.drop, 0.0)

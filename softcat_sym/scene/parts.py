@@ -26,12 +26,12 @@ from softcat_sym.scene.units import (
     NUMBERS,
     POINTS,
     Choice,
-    Direction,
     Flag,
     Kind,
     Names,
     Number,
     Quantity,
+    UnitVector,
     Values,
     Whole,
     refusal,
@@ -219,7 +219,7 @@ class Load(Part):
 
     gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
     """Acceleration g, downwards unless load.direction says otherwise."""
-    direction: Annotated[tuple[float, ...], Direction()] = DOWN
+    direction: Annotated[tuple[float, ...], UnitVector()] = DOWN
     """Where gravity points: right, up and towards the viewer; of any length."""
     ramp: Annotated[float, Quantity("time", "0.1 s", "non-negative")] = 0.0
     """Time in which gravity grows from nothing, by a quintic smooth step; 0: at once."""

@@ -11,7 +11,9 @@ from typing import Any
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
 
+from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
@@ -19,9 +21,13 @@ from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
-from softcat_sym.scene.toml import Override, apply, toml_of
+from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
+from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
+
+# Most scenes do without SciPy, which takes a while to load.
+with lazy_imports():
+    from scipy import special
 
 _ROUNDING = 1e-12
 
@@ -60,13 +66,10 @@ def surface_stretch(scene: Scene) -> float:
     filament, material = scene.filament, scene.material
     if scene.initial.surface == "fresh" or not material.spec.is_solid or material.youngs_modulus is None:
         return 1.0
-    # Imported here: most scenes do without SciPy, which takes a while to load.
-    from scipy.special import lambertw
-
     pull = scene.surroundings.surface_tension / material.youngs_modulus
     if filament.section == "sheet":
-        return math.exp(-lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)
-    return math.exp(-2 * lambertw(pull * (1 / filament.thickness + 1 / filament.width) / 2).real)
+        return math.exp(-special.lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)
+    return math.exp(-2 * special.lambertw(pull * (1 / filament.thickness + 1 / filament.width) / 2).real)
 
 
 def is_held(scene: Scene) -> bool:
@@ -309,6 +312,12 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
         yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
+def why_interpreted(scene: Scene) -> str | None:
+    """Why a model has no C; None where it has."""
+    one_tension = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+    return one_tension if scene.model == "small-deflection" else None
+
+
 LATE = "late overrides"
 
 
@@ -383,7 +392,7 @@ class Scene(Tables):
     @property
     def notes(self) -> tuple[str, ...]:
         """What was converted from other names or data, in all tables."""
-        return tuple(note for part in (self.filament, self.material) for note in part.notes)
+        return (*self.filament.notes, *self.material.notes, *filter(None, [frozen_note(self)]))
 
     def named_constants(self) -> dict[str, Parameter]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
@@ -452,10 +461,21 @@ class Scene(Tables):
             raise SceneError(faults)
         return Scene.model_validate(table)
 
-    def _repr_html_(self) -> str:
-        from html import escape  # notebooks only
+    def differences(self, other: Scene) -> dict[str, tuple[str, str]]:
+        """Values of this scene and of another one, as in a file, by the paths of those that differ."""
+        found = dict[str, tuple[str, str]]()
+        for table in parts_of_scene():
+            one, two = getattr(self, table), getattr(other, table)
+            kinds, values = one.kinds(), two.physics()
+            for name, value in one.physics().items():
+                if value != values[name] and name in kinds:
+                    pair = (value, values[name])
+                    before, now = ("none" if each is None else toml_value(kinds[name].write(each)) for each in pair)
+                    found[f"{table}.{name}"] = (before, now)
+        return found
 
-        return f"<pre>{escape(self.to_toml())}</pre>"
+    def _repr_html_(self) -> str:
+        return html(self.to_toml())
 
     def to_toml(self) -> str:
         """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""

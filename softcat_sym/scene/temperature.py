@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic_core import PydanticCustomError
 
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.history import History, read_table, table_history
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
@@ -18,6 +19,7 @@ from softcat_sym.scene.units import (
     NotAQuantity,
     Number,
     Quantity,
+    Values,
     read_each,
     refusal,
     registry,
@@ -25,11 +27,20 @@ from softcat_sym.scene.units import (
     split_quantity,
 )
 
+with lazy_imports():
+    from pint import errors as pint_errors
+
 # `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
 
 GAS_CONSTANT = 8.31446261815324
 """R [J/(mol K)], exact since 2019."""
+
+FROZEN = 1e15
+"""Viscosity [Pa s] at which that of a strand is capped which cools below where its law ends: it flows no more."""
+
+MOST = 1e25
+"""Viscosity over the stated one above which a law that ends at some temperature counts as ended."""
 
 PREFIX = "temperature_"
 """Of the names of the numbers of this table in a run."""
@@ -111,22 +122,20 @@ def _factor(unit: str, wanted: str) -> float:
         return 1.0
     if unit in (*_CELSIUS, *_FAHRENHEIT):
         raise NotAQuantity(f"'{unit}' is a unit of temperatures, not of their differences: K")
-    from pint.errors import PintError
-
     ureg = registry()
     try:
         found = ureg.Quantity(1.0, ureg.parse_units(unit))
-    except (PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
+    except (pint_errors.PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     try:
         factor = float(found.to(wanted).magnitude)
-    except PintError:
+    except pint_errors.PintError:
         raise NotAQuantity(f"'{unit}' is not a unit like {wanted}") from None
     short = float(f"{factor:.12g}")
     return short if math.isclose(short, factor, rel_tol=1e-15) else factor
 
 
-class Softening(Kind):
+class ModulusTable(Kind):
     """A table of temperatures and of moduli over those that the material states."""
 
     si = True
@@ -156,27 +165,20 @@ class Softening(Kind):
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
 
 
-class Stretch(Kind):
+class HeatedPart(Values):
     """Two places along the rest length, from the left end."""
 
-    si = True
-    accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
-    _place = Quantity("length", "100 mm", "non-negative")
+    def __init__(self) -> None:
+        accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
+        super().__init__(Quantity("length", "100 mm", "non-negative"), accepted, 2)
 
     def read(self, value: object) -> tuple[float, ...]:
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list")
-        if not value:
-            return ()
-        if len(value) != 2:
-            raise self.refuse(f"a list of {len(value)}")
-        low, high = (self._place.read(one) for one in value)
-        if not low < high:
-            raise self.refuse(f"{shown(value[0])} is not below {shown(value[1])}")
-        return low, high
-
-    def write(self, value: tuple[float, ...]) -> object:
-        return [self._place.write(one) for one in value]
+        places = super().read(value)
+        if len(places) > 2:
+            raise self.refuse(f"a list of {len(places)}")
+        if places and not places[0] < places[1]:
+            raise self.refuse(f"{' is not below '.join(map(shown, self.listed(value, 'a list')))}")
+        return places
 
 
 Softened = Literal["constant", "vft", "wlf", "arrhenius"]
@@ -192,7 +194,7 @@ class Temperature(Part):
     """Temperature of the filament at the start; with it the filament has a temperature at all."""
     ambient: Annotated[float | None, TimedTemperature("20 degC")] = None
     """Temperature of what surrounds the filament, or of the furnace."""
-    heated: Annotated[tuple[float, ...], Stretch()] = ()
+    heated: Annotated[tuple[float, ...], HeatedPart()] = ()
     """Part of the filament that is in the furnace, from the left end along the rest length; all of it unless given."""
     outside: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
     """Temperature around the part that is not in the furnace."""
@@ -224,7 +226,7 @@ class Temperature(Part):
     """WLF: C2 of the formula at C1."""
     activation_energy: Annotated[float | None, Thermal("molar energy", "J/mol", "50 kJ/mol")] = None
     """Arrhenius: log of the viscosity over that at the reference is E/R (1/T - 1/T_r)."""
-    modulus: Annotated[History | None, Softening()] = None
+    modulus: Annotated[History | None, ModulusTable()] = None
     """Moduli over those of [material], at temperatures; a monotone cubic between."""
 
     @property
@@ -261,6 +263,16 @@ class Temperature(Part):
             return math.pow(10.0, decades)
         except OverflowError:
             return math.inf
+
+    def frozen_below(self, factor: float) -> float:
+        """Temperature at which VFT or WLF have this viscosity over the stated one [K]."""
+        decades = math.log10(factor)
+        if self.law == "wlf" and self.C1 is not None and self.C2 is not None and self.reference is not None:
+            return self.reference - decades * self.C2 / (self.C1 + decades)
+        if self.B is None or self.T_0 is None:
+            return 0.0
+        least = -self.B / (self.reference - self.T_0) if self.reference is not None else self.A or 0.0
+        return self.T_0 + self.B / (decades - least) if decades > least else math.inf
 
     def modulus_factor(self, kelvin: float) -> float:
         """Modulus at a temperature over the one that [material] states."""

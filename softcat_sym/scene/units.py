@@ -12,16 +12,19 @@ from difflib import get_close_matches
 from functools import cache, lru_cache, partial
 from numbers import Integral, Real
 from tokenize import TokenError
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 from unicodedata import category
 
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, ErrorDetails, InitErrorDetails, PydanticCustomError, ValidationError, core_schema
 
 from softcat_sym.errors import Fault
+from softcat_sym.lazy import lazy_imports
 
-if TYPE_CHECKING:
-    from pint import UnitRegistry
+# The units of most scenes are known without pint.
+with lazy_imports():
+    import pint
+    from pint import errors as pint_errors
 
 # Exponents of kg, m and s.
 Dimension = tuple[float, float, float]
@@ -122,10 +125,8 @@ def _float(value: Any) -> float:
 
 
 @cache
-def registry() -> UnitRegistry[float]:
+def registry() -> pint.UnitRegistry[float]:
     """Build pint's registry on first use; an import of the package should not pay for it."""
-    import pint
-
     return pint.UnitRegistry()
 
 
@@ -138,13 +139,11 @@ def _measured(unit: str, wanted: str = _ANY_DIMENSION) -> tuple[float, Dimension
 def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:
     """SI value and dimension of any unit."""
     ureg = registry()
-    from pint.errors import PintError
-
     try:
         quantity = ureg.Quantity(1.0, ureg.parse_units(unit))
         exponents = {str(name): float(str(power)) for name, power in quantity.dimensionality.items()}
         factor = float(quantity.to_base_units().magnitude)
-    except (PintError, *_LEAKED):
+    except (pint_errors.PintError, *_LEAKED):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     dimension = (exponents.pop("[mass]", 0.0), exponents.pop("[length]", 0.0), exponents.pop("[time]", 0.0))
     if exponents:
@@ -276,6 +275,10 @@ def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
     """Build the fault for a key that does not exist."""
     table, _, key = path.rpartition(".")
     here = tables.get(table, ())
+    if table and tables.get(key):
+        return Fault(
+            path, f"unknown key (did you mean the table [{key}]?)", ", ".join(f"{key}.{one}" for one in tables[key])
+        )
     elsewhere = [f"{other}.{key}".lstrip(".") for other, keys in tables.items() if key in keys]
     hint = f" (did you mean '{elsewhere[0]}'?)" if elsewhere else did_you_mean(key, here)
     return Fault(path, f"unknown key{hint}", ", ".join(here))
@@ -526,7 +529,7 @@ NUMBERS = Values(Number(), "a list of numbers without units")
 _OF_LENGTH_ONE = 1e-12
 
 
-class Direction(Values):
+class UnitVector(Values):
     """A direction: three numbers of any size, stored with length one."""
 
     def __init__(self) -> None:

@@ -24,7 +24,8 @@ def texts() -> str:
     parts = []
     with group.make_context("softcat", [], **settings) as above:
         parts.append(("softcat --help", group.get_help(above)))
-        for name, command in group.commands.items():  # type: ignore[attr-defined]
+        for name in group.list_commands(above):  # type: ignore[attr-defined]
+            command = group.get_command(above, name)  # type: ignore[attr-defined]
             with command.make_context(name, [], parent=above, **settings) as context:
                 parts.append((f"softcat {name} --help", command.get_help(context)))
     parts.append(("softcat_sym.__all__", "\n".join(sc.__all__)))

@@ -15,8 +15,8 @@ from collections.abc import Mapping
 
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.forecast import forecast
-from softcat_sym.effects.lists import terms_of
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.reference.element_loop import Mesh

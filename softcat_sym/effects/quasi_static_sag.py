@@ -21,7 +21,7 @@ _SHALLOW, _DEEP, _POINTS = 1e-7, 10.0, 120
 
 
 @dataclass(frozen=True, slots=True)
-class History:
+class SagHistory:
     """Sag over span at output times."""
 
     time: Floats  # shape (n,); [s]
@@ -48,7 +48,7 @@ def slackness(scene: Scene) -> float:
     return stress_free_length(scene) * math.exp(sum(strains) / len(strains)) / distance(scene) - 1
 
 
-def quasi_static_history(scene: Scene) -> History:
+def quasi_static_history(scene: Scene) -> SagHistory:
     """Sag at the output times, with the scene's ramp of gravity."""
     run, ramp = scene.run, scene.load.ramp
     time = np.linspace(0.0, run.duration, min(run.frames, _MAX_TIMES))
@@ -59,7 +59,7 @@ def quasi_static_history(scene: Scene) -> History:
         sag = np.empty_like(time)
         for level in set(share.tolist()):
             sag[share == level] = _sag(scene, time[share == level], level)
-    return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
+    return SagHistory(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
 
 
 _LOOKS = 40

@@ -38,7 +38,7 @@ _UNITS = dict.fromkeys(_TIME, (0, 0, 1)) | {name: (1, -1, -2 if "stress" in name
 
 
 @dataclass(frozen=True, slots=True)
-class Structure:
+class Thixotropy:
     """How a structure parameter lambda, 0 destroyed to 1 built up, grows and is destroyed; SI, in tension."""
 
     build_up_time: float  # t_b of d lambda/dt = (1 - lambda - lambda (tau |rate|)^c)/t_b
@@ -55,7 +55,7 @@ class Structure:
     measured: Rheometer = "tension"
 
     @property
-    def in_tension(self) -> Structure:
+    def in_tension(self) -> Thixotropy:
         """The same with stresses, viscosities and rates of a rheometer in shear converted."""
         if self.measured == "tension":
             return self
@@ -85,33 +85,33 @@ class Structure:
         return 1 - (1 - start) * math.exp(-time / self.build_up_time)
 
 
-class StructureTable(Kind):
+class ThixotropyTable(Kind):
     """The table of a structure, or nothing."""
 
     accepted = 'a table such as {build_up_time = "60 s", structured_yield_stress = "900 Pa"}'
 
-    def read(self, value: object) -> Structure | None:
-        if value is None or isinstance(value, Structure):
+    def read(self, value: object) -> Thixotropy | None:
+        if value is None or isinstance(value, Thixotropy):
             return None if value is None else value.in_tension
         if not isinstance(value, Mapping):
             raise self.refuse(f"{shown(value)} is not a table")
-        structure = Structure(**read_fields("structure", value, _KINDS, ("build_up_time",)))
+        structure = Thixotropy(**read_fields("structure", value, _KINDS, ("build_up_time",)))
         if faults := _contradictions(structure):
             raise refusals("structure", faults)
         return structure.in_tension
 
-    def write(self, value: Structure | None) -> object:
+    def write(self, value: Thixotropy | None) -> object:
         if value is None:
             return None
         given = {name: getattr(value, name) for name in _KINDS}
         return {
             name: _KINDS[name].write(one)
             for name, one in given.items()
-            if one is not None and (name == "build_up_time" or one != getattr(Structure(1.0), name))
+            if one is not None and (name == "build_up_time" or one != getattr(Thixotropy(1.0), name))
         }
 
 
-def _contradictions(one: Structure) -> list[tuple[tuple[str, ...], PydanticCustomError]]:
+def _contradictions(one: Thixotropy) -> list[tuple[tuple[str, ...], PydanticCustomError]]:
     """What its numbers cannot be together."""
     faults = list[tuple[tuple[str, ...], PydanticCustomError]]()
     of_yield = one.structured_yield_stress is not None or one.destroyed_yield_stress is not None
