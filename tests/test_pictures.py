@@ -69,6 +69,7 @@ from softcat_sym.plotting.units import (
     significant,
     stress_unit,
     time_unit,
+    typeset,
 )
 from softcat_sym.results.fields import audit_of, energy_imbalance
 from softcat_sym.results.run import Run
@@ -691,6 +692,16 @@ def test_units_and_numbers_read_well():
     for choose, symbols in ((length_unit, lengths), (time_unit, times), (energy_unit, {2.5e-4: "µJ"})):
         assert {value: choose(value).symbol for value in symbols} == symbols
     assert length_unit(0.0, fallback=0.2).symbol == "mm"
+    units = {
+        "Pa*s": "Pa·s",
+        "m/s^2": "m/s²",
+        "mm^3": "mm³",
+        "1/s": "s⁻¹",
+        "1/m^2": "m⁻²",
+        "Pa*s^0.5": "Pa·s^0.5",
+        "m": "m",
+    }
+    assert {unit: typeset(unit) for unit in units} == units
     minus = "\N{MINUS SIGN}"
     for value, text in ((9.32e3, "9.32 kPa"), (4e6, "4.00 MPa"), (200.0, "200 Pa"), (-7e10, f"{minus}70.0 GPa")):
         assert stress_unit(value).text(value) == text

@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from softcat_sym.fitting.features import Features, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_words import display_unit, noise_text, reading_text, starts_text
+from softcat_sym.plotting.fit_words import display_unit, feature_texts, noise_text, starts_text
 from softcat_sym.plotting.style import legend, number_axis, plain, sheet
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
@@ -332,22 +332,15 @@ def collapse_figure(test: CollapseTest) -> Figure:
     return figure
 
 
-def features_figure(time: Floats, midpoint: Floats, features: Features, title: str = "Features") -> Figure:
+def features_figure(film: FittedFilm, features: Features) -> Figure:
     """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read."""
-    sag = -midpoint
+    part = film.part(film.of_midpoint)
+    time, sag = part.time, -part.measured
     clock, ruler = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))))
     below = f"{len(time)} frames of the midpoint · scatter {ruler.text(features.noise)}"
-    readings = [
-        ("t_low", features.t_low, clock),
-        ("t_high", features.t_high, clock),
-        ("frequency R", features.frequency, Unit("rad/s", 1.0)),
-        ("decay d", features.decay, Unit("s⁻¹", 1.0)),
-        ("sag H", features.sag, ruler),
-        ("B", features.prefactor, Unit("", 1.0)),
-    ]
-    notes = "\n".join(f"{name}: {reading_text(one, unit)}" for name, one, unit in readings)
+    notes = "\n".join(f"{name}: {text}" for name, text in feature_texts(film))
     with style.styled():
-        figure, body = sheet(title, below, height=3.1, notes=notes)
+        figure, body = sheet(film.name, below, height=3.1, notes=notes)
         left, right = body.subplots(1, 2)
         _draw_film(left, time, sag, features, clock, ruler)
         _draw_ringing(right, time, sag, features, clock, ruler)

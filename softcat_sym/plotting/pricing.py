@@ -73,6 +73,8 @@ def pricing_figure(pricing: Pricing) -> Figure:
             axes.set_xscale("log")
             for kind, mark in _MARKS.items():
                 picked = [k for k, each in enumerate(kinds) if each == kind]
+                if not picked:  # The legend would have it, too
+                    continue
                 axes.plot([values[k] for k in picked], places[picked], linestyle="none", label=kind, **mark)
             low, high = (accuracy / 3, 10 * accuracy) if axes is panels[0] else (0.8, 1.25)
             axes.update_datalim([(low, 0.0), (high, 1.0)])

@@ -422,9 +422,8 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             residual = imbalance / largest if largest > 0 else imbalance
             worst = float(np.abs(residual).max())
             share = share_unit(worst)
-            panels[1].plot(
-                sheet.axis.unit.of(sheet.time), share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker
-            )
+            look: dict[str, Any] = {"color": style.BLACK, "linewidth": 1.0, "marker": marker}
+            panels[1].plot(sheet.axis.unit.of(sheet.time), share.of(residual), **look)
             room = float(share.of(1.3 * worst)) or 1.0
             panels[1].set_ylim(-room, room)
             panels[1].set_ylabel(f"imbalance [{share.symbol}]")
@@ -438,13 +437,8 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
         panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
         if columns:
-            body.legend(
-                loc="upper center",
-                borderaxespad=0.0,
-                ncols=-(-len(columns) // rows),
-                handlelength=2.0,
-                columnspacing=1.1,
-            )
+            across = -(-len(columns) // rows)
+            body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
     return figure
 
 
@@ -537,7 +531,8 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
     # As an image, for which a colour is looked up once a pixel; a mesh of as many quads takes several times as long.
     # Its columns are as wide as each other whatever the scale.
     edges = np.linspace(*axes.get_xlim(), len(values) + 1)
-    axes.add_image(PcolorImage(axes, edges, places, values.T, norm=shown.norm, cmap=shown.colours))
+    image = PcolorImage(axes, edges, places, values.T, norm=shown.norm, cmap=shown.colours)
+    axes.add_image(image)
     axes.spines[:].set_visible(True)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100
@@ -550,9 +545,7 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
     axes.set_ylabel("X / L")
     axes.set_yticks((-0.5, 0.0, 0.5))
     beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))
-    bar = axes.figure.colorbar(
-        axes.images[0], cax=beside, label=shown.label, extend="max" if shown.beyond else "neither"
-    )
+    bar = axes.figure.colorbar(image, cax=beside, label=shown.label, extend="max" if shown.beyond else "neither")
     if isinstance(shown.norm, LogNorm):
         style.plain_log(bar.ax.yaxis, significant)
         bar.minorticks_off()

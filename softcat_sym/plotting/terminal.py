@@ -62,12 +62,6 @@ _SEEN = 1e-3
 Rows = list[tuple[str, str]]
 
 
-def headline(summary: Summary, scene: Scene) -> str:
-    """The title, behind a stamp if the answer is refused."""
-    title = scene.title or "Filament"
-    return title if summary["outcome"] in ANSWERS else f"{REFUSED} ({summary['outcome']}): {title}"
-
-
 def answer_rows(summary: Summary, scene: Scene) -> Rows:
     """What is asked of a run, in words."""
     refused = summary["outcome"] not in ANSWERS
@@ -136,7 +130,9 @@ def print_summary(
     from rich.text import Text
 
     out = console or Console()
-    out.print(Text(headline(summary, scene), style="bold" if summary["outcome"] in ANSWERS else "bold red"))
+    title, answers = scene.title or "Filament", summary["outcome"] in ANSWERS
+    stamped = title if answers else f"{REFUSED} ({summary['outcome']}): {title}"
+    out.print(Text(stamped, style="bold" if answers else "bold red"))
     rows = answer_rows(summary, scene)
     if verbose:
         rows = [row for row in rows if row[0] != "left out"] + detail_rows(summary)

@@ -60,20 +60,19 @@ class TimeAxis:
             "" if self.is_even else f", logarithmic after {self.even / self.unit.size:g} {symbol}"
         )
 
+    def _along(self, time: Any) -> Floats:
+        return np.asarray(time if self.is_even else np.arcsinh(np.divide(time, self.even)), dtype=float)
+
     def place(self, time: Any) -> Floats:
         """Where times stand along the axis, which goes from 0 to 1."""
-        at, start, end = (
-            np.asarray(one if self.is_even else np.arcsinh(np.divide(one, self.even)), dtype=float)
-            for one in (time, self.start, self.end)
-        )
-        return np.asarray((at - start) / ((end - start) or 1.0))
+        start, end = self._along([self.start, self.end])
+        return np.asarray((self._along(time) - start) / ((end - start) or 1.0))
 
     def times(self, places: Floats) -> Floats:
         """Times [s] at places along the axis."""
-        if self.is_even:
-            return self.start + (self.end - self.start) * places
-        start, end = np.arcsinh(self.start / self.even), np.arcsinh(self.end / self.even)
-        return np.asarray(self.even * np.sinh(start + (end - start) * places))
+        start, end = self._along([self.start, self.end])
+        at = start + (end - start) * places
+        return np.asarray(at if self.is_even else self.even * np.sinh(at))
 
     def dress(self, axes: Axes, ticks: int = 8, size: float | None = None, label: str | None = None) -> None:
         """Limits that are never empty, scale, a few round numbers, and the label; numbers of this size [s]."""
