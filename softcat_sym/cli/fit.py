@@ -125,7 +125,6 @@ def fit(
     _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
-
     if posterior:
         # A missing package is reported before the fit.
         bayes.packages()
