@@ -15,6 +15,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.reading import as_scene
 
 TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
@@ -59,6 +60,18 @@ def test_each_use_loads_no_more_than_it_needs(code: str, heavy: tuple[str, ...])
     )
     done = subprocess.run([sys.executable, "-c", check], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_a_lazy_import_is_done_at_its_first_use_and_fails_there() -> None:
+    with lazy_imports():
+        from xml.etree import ElementTree
+
+        import no_such_package
+    for _ in range(2):
+        with pytest.raises(ModuleNotFoundError, match="no_such_package"):
+            _ = no_such_package.name
+    assert ElementTree.fromstring("<a/>").tag == "a"
+    assert inspect.ismodule(sys.modules["xml.etree.ElementTree"])
 
 
 def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path: Path) -> None:

@@ -39,7 +39,6 @@ def main() -> NoReturn:
         with contextlib.suppress(BrokenPipeError):
             print(overview(Path(sys.argv[0]).name), flush=True)
             sys.exit()
-
     # Commands draw into files; the backend of a missing window system would prevent matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
     # Scenes need no plugins, and pydantic would search all installed packages for them.

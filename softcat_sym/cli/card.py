@@ -85,7 +85,6 @@ def card(
         given = ", ".join(f"--{name}" for name in flags)
         text = f"a scene and {given}: change the scene with --set, or leave it out"
         raise typer.BadParameter(text, param_hint="SCENE")
-
     notes: tuple[str, ...] = ()
     if scene is not None:
         asked, output = cli.scene_and_directory(scene, changes, output, "card")
@@ -127,7 +126,6 @@ def _live_page(found: study.Card, progress: Progress) -> tuple[str, str]:
     """Text of the card's live page, or the reason why there is none; both empty without a compiler for it."""
     if not found.run.outcome.is_success or module.find_wasm_compiler() is None:
         return "", ""
-
     progress.stage("making a live page")
     try:
         return page.page_text(found.scene, name="live"), ""

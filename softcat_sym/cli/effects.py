@@ -41,7 +41,6 @@ def effects(
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
     asked, output = cli.scene_and_directory(scene, changes, output, "effects")
-
     with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         pricing = effect_importance.price_effects(asked, progress, scene)
         progress.stage("drawing")

@@ -57,7 +57,6 @@ def experiment(
     given = {"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration}
     # A text that is no pair is passed on, as one value or for the design to refuse.
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
-
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
         judge = design.judge_of(asked, free, noise, within, nuisance or [], max_frames, rough, max_sag)

@@ -45,7 +45,6 @@ def explain(
         asked = cli.scene_of(scene, changes)
     else:
         asked, output = cli.scene_and_directory(scene, changes, output, "explain")
-
     explanation = study.explain(asked)
     contents = {
         "explain.json": explanation.to_dict(),

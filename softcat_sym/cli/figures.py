@@ -44,7 +44,6 @@ def figures(
     if unknown := [number for number in only or [] if number not in _NUMBERS]:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
     output = cli.output_directory(output, "figures")
-
     filmed: dict[str, study.FilmedScene] = {}
     asked = [number for number in _NUMBERS if number in (only or _NUMBERS)]
     waiting = list(asked)

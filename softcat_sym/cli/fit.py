@@ -132,7 +132,6 @@ def fit(
         _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
-
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
     if features_only:
         report = drawing.report(closed_form.closed_form(data[0], known), command=command)

@@ -34,7 +34,6 @@ def flow_curve(
     """
     if changes and scene is None:
         raise typer.BadParameter("--set changes a scene: name one with --scene", param_hint="--set")
-
     fit = curves.fit_flow_curve(curve, sample)
     handed_on = None if scene is None else curves.fitted_scene(fit, scene, law, changes or [])
     output = cli.output_directory(output, "flow-curve", scene, handed_on)

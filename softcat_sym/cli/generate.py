@@ -98,7 +98,6 @@ def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], d
     with terminal.StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
         if web:
             return pages.bundled_pages(output, progress.step)
-
         return generation.write(output, progress.step), {}
 
 

@@ -77,7 +77,6 @@ def new(
     given = {path: text for path, text in flags.items() if text is not None}
     if not given and sys.stdin.isatty() and sys.stdout.isatty():
         given = _asked()
-
     try:
         text, scene = scene_keys.scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
     except SceneError as error:

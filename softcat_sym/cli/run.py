@@ -52,7 +52,6 @@ def run(
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = cli.scene_and_directory(scene, changes, output, "run")
-
     files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
     try:
@@ -111,7 +110,6 @@ def draw(
         paraview.require_meshio()
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = cli.output_directory(output, "draw", folder.resolve().name)
-
     finished = runs.open_run(trajectory)
     runs.check_drawable(finished)
     try:
@@ -134,7 +132,6 @@ def _requested_pictures(
     drawn = styles.picture_style(style)
     if animate is None:
         return None, drawn
-
     return animation.film_order(animate, seconds), drawn
 
 

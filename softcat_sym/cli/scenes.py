@@ -43,7 +43,6 @@ def scenes(
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
         cli.check_directory(output)
-
         for name in names:
             reading.load_scene(name, changes or [])
         shown = []

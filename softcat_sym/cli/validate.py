@@ -36,7 +36,6 @@ def validate(
     names = list(cases or ())
     chosen = study.chosen_cases(names)
     output = cli.output_directory(output, "validate")
-
     with cli.study(output, fresh=fresh), terminal.StepProgress(len(chosen), "cases", quiet=quiet) as progress:
         validation = study.validate(names, progress)
         progress.stage("drawing")
