@@ -182,7 +182,7 @@ def features_report(found: ClosedForm, command: str = "") -> Report:
 
 @drawing.plot.register(ClosedForm)
 def _features_plot(found: ClosedForm) -> Figure:
-    return features_figure(found.film.time, found.film.midpoint, found.features)
+    return features_figure(found.film.time, found.film.midpoint, found.features, found)
 
 
 _CAPTIONS = {
@@ -209,7 +209,9 @@ def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     for number, film in enumerate(fit.films, start=1):
         if film.features is not None:
             name = "features" if number == 1 else f"features_{number}"
-            found[name] = (f"features read from {film.name}", features_figure(film, film.features))
+            part = film.part(film.of_midpoint)
+            figure = features_figure(part.time, part.measured, film.features, film.closed, film.name)
+            found[name] = (f"features read from {film.name}", figure)
     return found
 
 

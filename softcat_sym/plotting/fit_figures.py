@@ -21,6 +21,7 @@ from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.closed_form import ClosedForm
     from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.free_parameters import FreeParameter
     from softcat_sym.fitting.inference import Profile
@@ -332,15 +333,16 @@ def collapse_figure(test: CollapseTest) -> Figure:
     return figure
 
 
-def features_figure(film: FittedFilm, features: Features) -> Figure:
+def features_figure(
+    time: Floats, midpoint: Floats, features: Features, closed: ClosedForm | None = None, title: str = "Features"
+) -> Figure:
     """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read."""
-    part = film.part(film.of_midpoint)
-    time, sag = part.time, -part.measured
+    sag = -midpoint
     clock, ruler = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))))
     below = f"{len(time)} frames of the midpoint · scatter {ruler.text(features.noise)}"
-    notes = "\n".join(f"{name}: {text}" for name, text in feature_texts(film))
+    notes = "\n".join(f"{name}: {text}" for name, text in feature_texts(time, midpoint, features, closed))
     with style.styled():
-        figure, body = sheet(film.name, below, height=3.1, notes=notes)
+        figure, body = sheet(title, below, height=3.1, notes=notes)
         left, right = body.subplots(1, 2)
         _draw_film(left, time, sag, features, clock, ruler)
         _draw_ringing(right, time, sag, features, clock, ruler)
