@@ -208,7 +208,8 @@ def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     }
     for number, film in enumerate(fit.films, start=1):
         if film.features is not None:
-            name, part = "features" if number == 1 else f"features_{number}", film.part(film.of_midpoint)
+            name = "features" if number == 1 else f"features_{number}"
+            part = film.part(film.of_midpoint)
             figure = features_figure(part.time, part.measured, film.features, film.closed, film.name)
             found[name] = (f"features read from {film.name}", figure)
     return found

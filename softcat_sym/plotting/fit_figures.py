@@ -334,13 +334,13 @@ def collapse_figure(test: CollapseTest) -> Figure:
 
 
 def features_figure(
-    time: Floats, heights: Floats, features: Features, closed: ClosedForm | None, title: str = "Features"
+    time: Floats, midpoint: Floats, features: Features, closed: ClosedForm | None = None, title: str = "Features"
 ) -> Figure:
     """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read."""
-    sag = -heights
+    sag = -midpoint
     clock, ruler = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))))
     below = f"{len(time)} frames of the midpoint · scatter {ruler.text(features.noise)}"
-    notes = "\n".join(f"{name}: {text}" for name, text in feature_texts(time, heights, features, closed))
+    notes = "\n".join(f"{name}: {text}" for name, text in feature_texts(time, midpoint, features, closed))
     with style.styled():
         figure, body = sheet(title, below, height=3.1, notes=notes)
         left, right = body.subplots(1, 2)
