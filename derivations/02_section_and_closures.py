@@ -32,7 +32,8 @@ from dataclasses import replace
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.physics import closures, filament, kinematics, laws, sections
+from softcat_sym.physics import filament, kinematics, laws, sections
+from softcat_sym.physics import section_response as closures
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.section_response import PLANE_STRAIN, SectionResponse
 from softcat_sym.physics.sections import CIRCLE, NONE, RECTANGLE, SHEET, UNIFORM, WIDE, scaled

@@ -29,7 +29,8 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import bulk, closures, kinematics, laws, reissner, sections
+from softcat_sym.physics import bulk, kinematics, laws, reissner, sections
+from softcat_sym.physics import section_response as closures
 from softcat_sym.physics.reissner import Gam, Lam, S, eps_e, gamma_e, gamma_p, k, kappa_s, psi, tau_d, tau_f
 from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.symbols import (

@@ -25,9 +25,9 @@ import sympy as sp
 from proving import prove_equal
 
 from softcat_sym.physics import bulk, laws, reissner, symbols
-from softcat_sym.physics.closures import material as closure
 from softcat_sym.physics.kinematics import TRUE_STRAIN
 from softcat_sym.physics.section_response import Shape, natural_strains, respond, shrunk
+from softcat_sym.physics.section_response import material as closure
 from softcat_sym.physics.sections import SECTIONS
 
 t, tau = sp.symbols("t tau", positive=True)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from softcat_sym.effects.effect import Effect, EffectConstant, Estimate
     from softcat_sym.effects.registry import register_effect
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
+    from softcat_sym.fitting.closed_form import closed_form
     from softcat_sym.fitting.fit import fit
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
@@ -43,6 +44,7 @@ _HOMES = {
     "effects.registry": ("register_effect",),
     "batch.ensemble": ("Ensemble", "simulate_many"),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
+    "fitting.closed_form": ("closed_form",),
     "fitting.fit": ("fit",),
     "fitting.result": ("Fit",),
     "fitting.flow_curve": ("fit_flow_curve",),
@@ -79,6 +81,7 @@ __all__ = [
     "Sweep",
     "bundled_names",
     "card",
+    "closed_form",
     "explain",
     "fit",
     "fit_flow_curve",

@@ -169,14 +169,10 @@ def passing(within: Path, key: str) -> Iterator[Path]:
     try:
         yield place
     finally:
-        _delete(place)
-
-
-def _delete(place: Path) -> None:
-    if place.is_symlink() or not place.is_dir():
-        place.unlink(missing_ok=True)
-    else:
-        shutil.rmtree(place, ignore_errors=True)  # which removes links, not what they lead to
+        if place.is_symlink() or not place.is_dir():
+            place.unlink(missing_ok=True)
+        else:
+            shutil.rmtree(place, ignore_errors=True)  # which removes links, not what they lead to
 
 
 def remove(entry: Path) -> None:

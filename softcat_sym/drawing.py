@@ -113,10 +113,12 @@ def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: o
     return figure
 
 
-def html(text: str, figure: Figure) -> str:
-    """Lines of text and a picture as HTML that needs no other file."""
+def html(text: str, figure: Figure | None = None) -> str:
+    """Lines of text, and a picture if there is one, as HTML that needs no other file."""
+    if figure is None:
+        return f"<pre>{escape(text)}</pre>"
     picture = b64encode(figure_bytes(figure)).decode()
-    return f'<pre>{escape(text)}</pre><img style="max-width:100%" alt="" src="data:image/png;base64,{picture}">'
+    return f'{html(text)}<img style="max-width:100%" alt="" src="data:image/png;base64,{picture}">'
 
 
 def _loaded(drawers: Any, result: object) -> Any:

@@ -30,17 +30,17 @@ from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.ends import SYMMETRY
 from softcat_sym.scene.reading import as_scene, load_scene
-from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.scene.scene import Scene, refuse_settled, rest_length, why_interpreted
 from softcat_sym.simulate import recalled
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
-from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings
+from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, compiled_settings
 from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
     from softcat_sym.solvers.solution import Progress
 
 COMMAND = "softcat generate scene.toml -o ."
@@ -52,6 +52,8 @@ def generate(
     rhs: bool = False,
     name: str = "filament",
     progress: Progress | None = None,
+    *,
+    changes: Changes = (),
 ) -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
 
@@ -72,6 +74,8 @@ def generate(
         Name of the C file, and part of every name that it exports: two filaments in one program need two names.
     progress : Progress, optional
         Told of the run, as by :func:`softcat_sym.simulate`.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -87,7 +91,7 @@ def generate(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    contents = contents_of(as_scene(scene), check_name(name), rhs=rhs, progress=progress)
+    contents = contents_of(as_scene(scene, changes), check_name(name), rhs=rhs, progress=progress)
     return write_results(directory, contents)
 
 
@@ -141,8 +145,8 @@ def _compilable(scene: Scene) -> Effects:
     """Effects of a scene; one without compiled form is refused."""
     effects = choose_effects(scene)
     refuse_settled(scene, "a generated program runs to the end of its duration")
-    if scene.model == "small-deflection":
-        raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
+    if (obstacle := why_interpreted(scene)) is not None:
+        raise SceneError([Fault("model", f"{scene.model!r}, but {obstacle}", "filament")])
     if not effects.terms().integrates:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     return effects

@@ -33,22 +33,22 @@ def interrupts_go_to(note: Callable[[int, FrameType | None], None]) -> Iterator[
 
 
 class Interrupts:
-    """Record of SIGINT since the watch began, and whether it is held back or raised at once, as Python does."""
+    """Record of SIGINT since the watch began, and whether it is held back once or raised at once, as Python does."""
 
     def __init__(self, *, held_back: bool = False) -> None:
-        self._noticed, self._held_back = False, held_back
+        self.noticed, self._held_back = False, held_back
 
     def note(self, number: int, frame: FrameType | None) -> None:
         """Handle the signal."""
         del number, frame
-        self._noticed = True
-        if not self._held_back:
+        again, self.noticed = self.noticed, True
+        if again or not self._held_back:
             raise KeyboardInterrupt
 
     def check(self) -> None:
         """Raise KeyboardInterrupt if it was swallowed, or held back; from now on whatever comes is raised."""
         self._held_back = False
-        if self._noticed:
+        if self.noticed:
             raise KeyboardInterrupt
 
 

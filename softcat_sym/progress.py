@@ -117,8 +117,10 @@ class Display:
             TimeRemainingColumn(),
         )
         tasks: dict[int, TaskID] = {}
+        # What is printed meanwhile on the same terminal goes above the bars.
+        shared = sys.stdout.isatty()
         with Progress(
-            *columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False, auto_refresh=False
+            *columns, console=console, transient=True, redirect_stdout=shared, redirect_stderr=False, auto_refresh=False
         ) as bars:
             over = False
             while True:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from softcat_sym.results.run import Run
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
 
@@ -29,7 +29,7 @@ _SOMETHING = 2
 """Frames from which an interrupted run shows something."""
 
 
-def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
+def simulate(scene: SceneLike, changes: Changes = (), *, progress: Progress | None = None) -> Run:
     """Run a filament.
 
     Where the program chooses the effects, it checks on the finished run whether an effect that was left out mattered;
@@ -41,6 +41,8 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     ----------
     scene : Scene, str, path or dict
         The scene, the name of a bundled one, the path of a TOML file, or nested tables as a file holds them.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
     progress : Progress, optional
         Told which stage begins, and the simulated time while an integration runs.
 
@@ -68,7 +70,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     def warn(text: str) -> None:
         warnings.warn(text, errors.SoftcatWarning, stacklevel=3)
 
-    run = simulated(reading.as_scene(scene), progress, warn)
+    run = simulated(reading.as_scene(scene, changes), progress, warn)
     for text in run.summary["warnings"]:
         warnings.warn(text, errors.SoftcatWarning, stacklevel=2)
     return run

@@ -11,7 +11,7 @@ from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.progress import Clock
 from softcat_sym.results.breaking import break_frame, breakable
-from softcat_sym.results.fields import node_positions, whole_span_fields
+from softcat_sym.results.fields import dense_fields, node_positions, whole_span_fields
 from softcat_sym.results.motion import settling_time
 from softcat_sym.results.observed import DISPLACEMENT, Watched
 from softcat_sym.results.run import Run, judge
@@ -85,10 +85,14 @@ def run_once(
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / TIGHTER})
     watched = trajectory.watched.where(watched)
     series = watched.series(scene, prepared, every) if trajectory.outcome.is_success else {}
+    fields = trajectory.fields
+    if series and len(every.time) > len(solution.time):
+        fields = {**fields, **dense_fields(scene, prepared, every)}
     watched = watched.between_frames(series, stride)
     told, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
     told = told | {"scale_m": scale, "largest_m": told["largest_m"] + scale - told["scale_m"]}
-    return replace(trajectory, watched=watched, series=series, summary=trajectory.summary | {"displacement": told})
+    summary = trajectory.summary | {"displacement": told}
+    return replace(trajectory, fields=fields, watched=watched, series=series, summary=summary)
 
 
 def _breaks(scene: Scene, prepared: Prepared, solution: Solution) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
@@ -384,6 +386,15 @@ def test_the_small_deflection_model_runs() -> None:
         assert abs(run.summary["midpoint_final_m"] / full.summary["midpoint_final_m"] - 1) < 0.02
     with pytest.raises(SceneError, match=r"material\.law"):
         sc.simulate(sc.load_scene("arrested-overdamped", {"model": "small-deflection"}))
+
+
+def test_the_page_from_sympy_to_an_integrator_agrees_with_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    page = Path(__file__).parents[1] / ".docs" / "manual" / "small-deflection.md"
+    (text,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    exec(text, {})
+    changes = {"model": "small-deflection", "numerics.cells": 20, "numerics.estimate": False, "run.frames": 201}
+    run = sc.simulate(sc.load_scene("maxwell-slow", changes))
+    assert float(capsys.readouterr().out) == pytest.approx(run.summary["midpoint_final_m"] / 0.2, rel=0.01)
 
 
 def test_section_angles_are_determined() -> None:

@@ -23,6 +23,7 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),
     ({"filaments": {}}, "filaments", "unknown key (did you mean 'filament'?)"),
     ({"material.density": "1 kg/m^3"}, "material.density", "did you mean 'filament.density'?"),
+    ({"material.temperature": "3 K"}, "material.temperature", "table [temperature]?); accepted: temperature.initial, "),
     ({"filament.zzzz": 1}, "filament.zzzz", "unknown key; accepted: span, "),
     ({"duration": "2 s"}, "duration", "did you mean 'run.duration'?"),
     ({"material.law": "Bingham"}, "material.law", "accepted: elastic, maxwell, newtonian, kelvin-voigt, standard"),
@@ -292,6 +293,35 @@ def test_a_slack_string_that_could_only_be_pushed_is_not_solved(tmp_path: Path) 
     assert not done.outcome.is_success
     done.save(tmp_path)
     assert tomllib.loads((tmp_path / "scene.toml").read_text(encoding="utf-8"))["ends"]["motion"]
+
+
+BEFORE_ALL: dict[tuple[str, ...], str] = {
+    ("fit", "--prior", "viscosity=lognrom(s=0.5, scale=30 Pa*s)"): "no distribution 'lognrom' (did you mean",
+    ("fit", "--prior", "viscsity=norm(1 Pa*s, 1 Pa*s)"): "prior of viscsity: not free (did you mean 'viscosity'?)",
+    ("fit", "--flow-curve", "missing.csv"): "no such file",
+    ("laws", "--prior", "viscosity=norm(30 Pa*s)"): "prior of viscosity: norm without scale",
+    ("laws", "--prior", "span=norm(1 m, 1 m)"): "prior of span: not free in any law",
+    ("experiment", "--noise", "10"): "noise: ",
+    ("experiment", "--noise", "10 um", "--rough", "0"): "rough: ",
+}
+FILM = str(Path(sc.__file__).parent / "samples" / "film.csv")
+LEADING = {
+    "fit": ("fit", FILM, "--scene", "ink-bridge", "--free", "viscosity", "--posterior"),
+    "laws": ("fit", FILM, "--scene", "ink-bridge", "--law", "bingham", "--law", "casson", "--posterior"),
+    "experiment": ("experiment", FOUR, "--free", "viscosity", "--sag", "1 mm"),
+}
+
+
+@pytest.mark.parametrize("words", BEFORE_ALL)
+def test_what_options_name_is_read_before_the_work(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path, words: tuple[str, ...]
+) -> None:
+    for place in ("fitting.fit.multi_start", "design.critical_span.sag_of_run"):
+        monkeypatch.delattr(f"softcat_sym.{place}")
+    monkeypatch.setattr("softcat_sym.fitting.posterior.packages", lambda: None)
+    done = Softcat(monkeypatch, capsys)(*LEADING[words[0]], *words[1:], "-q", "-o", str(tmp_path / "out"))
+    assert (done.status, done.out, (tmp_path / "out").exists()) == (2, "", False)
+    assert BEFORE_ALL[words] in done.err, done.err
 
 
 def test_commands_refuse_before_they_write_anything(

@@ -98,17 +98,6 @@ def test_a_folder_that_is_a_link_is_neither_used_nor_cleared(kind: str, softcat:
     assert files_in(root.parent) == {f"documents/{KEY}": b"mine"}
 
 
-def test_the_cache_itself_may_be_reached_by_a_link(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As where a home is small, and the folder of caches lies on another disk."""
-    (root.parent / "disk").mkdir(mode=0o700)
-    root.symlink_to(root.parent / "disk")
-    store.keep(KEY, b"content")
-    assert store.recall(KEY) == b"content" and (root.parent / "disk" / "results" / KEY).is_file()
-    monkeypatch.chdir(root.parent)
-    monkeypatch.setenv("SOFTCAT_CACHE", "c")
-    assert cache.cache_folder() == root.parent / "disk"
-
-
 @of_root
 def test_what_others_put_there_is_not_deleted(root: Path) -> None:
     for kind in cache.KINDS:
@@ -180,18 +169,6 @@ def test_where_others_can_write_nothing_is_taken_and_nothing_kept(
     assert files_in(tmp_path) == before
 
 
-def test_a_sticky_folder_above_may_be_of_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "tmp").mkdir()
-    (tmp_path / "tmp").chmod(0o1777)
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "tmp" / "c"))
-    store.keep(KEY, b"content")
-    assert store.recall(KEY) == b"content" and cache.problem(cache.LIBRARIES) == ""
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "tmp"))
-    (tmp_path / "tmp" / "native").mkdir()
-    (tmp_path / "tmp" / "native").chmod(0o1777)
-    assert "can be written by others" in cache.problem(cache.LIBRARIES), "but what holds the entries may not"
-
-
 @of_root
 @pytest.mark.parametrize("what", ["another's", "open", "link", "pipe", "folder", "huge"])
 def test_a_result_that_is_not_this_users_own_file_is_not_there(
@@ -214,19 +191,6 @@ def test_a_result_that_is_not_this_users_own_file_is_not_there(
     if what != "folder":
         store.keep(KEY, b"another")
         assert store.recall(KEY) == b"another", "and another takes its place"
-
-
-@of_root
-def test_a_folder_of_temporary_files_that_another_owns_is_refused(
-    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    root.mkdir()
-    for place in (root, temporary := tmp_path / "tmp"):
-        place.mkdir(exist_ok=True)
-        os.chown(place, ANOTHER, ANOTHER)
-    monkeypatch.setattr("tempfile.tempdir", str(temporary))
-    with pytest.warns(UserWarning, match="nothing is kept"), pytest.raises(SoftcatError, match="set TMPDIR"):
-        compile_library(ANSWER)
 
 
 def test_what_can_only_be_read_serves_what_it_holds(root: Path, tmp_path: Path) -> None:

@@ -8,16 +8,16 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 import sympy as sp
-from scipy.integrate import quad, solve_bvp, solve_ivp
+from scipy.integrate import quad, solve_bvp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
 from softcat_sym.effects import scaling_estimates as prediction
-from softcat_sym.physics import beams, regimes, rheometry
+from softcat_sym.physics import beams, regimes
 from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.physics.regimes import H, tau_star, u_L
-from softcat_sym.physics.rheometry import B, R, alpha, d_R, t_star
+from softcat_sym.physics.rheometry import B, alpha, t_star
 from softcat_sym.physics.symbols import L
 from softcat_sym.scene.ends import SUPPORTS
 from softcat_sym.scene.reading import load_scene
@@ -267,25 +267,3 @@ def test_tension_against_bending_in_figure_2() -> None:
     ratio = asy.TENSION_TO_BENDING.subs({regimes.K_I: sp.Rational(1, 12), phi: 4 * 0.0094})
     assert float(ratio.subs(regimes.delta, 0.025)) == pytest.approx(0.094, abs=1e-3)
     assert float(ratio.subs(regimes.delta, 0.0025)) == pytest.approx(9.4, abs=0.1)
-
-
-# The modulus that rheometry reads, against an oscillator in time.
-@pytest.mark.parametrize("modulus", [500.0, 2e4])
-def test_modulus_from_a_ringing_elastic_string(modulus: float) -> None:
-    """An elastic parabola at rest, pushed a little: 2 phi q = (1 - phi''/6)/(2 E*), q the strain that it remembers."""
-    rest = (3 / modulus) ** (1 / 3)
-    held = 1 / (4 * modulus * rest)
-
-    def rates(_: float, state: np.ndarray) -> list[float]:
-        factor, speed = state
-        memory = held + (factor**2 - rest**2) / 12
-        return [speed, 6 - 24 * modulus * factor * memory]
-
-    def passes(_: float, state: np.ndarray) -> float:
-        return state[0] - rest
-
-    passes.direction = 1  # type: ignore[attr-defined]
-    crossings = solve_ivp(rates, (0, 20), [rest * 1.001, 0], rtol=1e-10, atol=1e-13, events=passes).t_events[0]
-    read = 2 * math.pi / np.mean(np.diff(crossings))
-    found = rheometry.MODULUS_FROM_SAG.right.subs({R: read, d_R: 0, H: rest / 4, L: 1})
-    assert float(found) == pytest.approx(modulus, rel=1e-4)

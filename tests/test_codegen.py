@@ -450,8 +450,3 @@ def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph(kind: 
             found, expected = np.asarray(ca.densify(one)), np.asarray(ca.densify(other))
             assert found.shape == expected.shape and np.all(np.isfinite(expected))
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.max(np.abs(expected), initial=1e-300))
-
-
-def test_the_plain_right_hand_side_grows_by_tables_only() -> None:
-    few, many = (rhs_of(scene_of("paper", numerics__cells=n))[1].size for n in (10, 20))
-    assert many < 1.6 * few

@@ -91,6 +91,20 @@ def test_an_outline_has_the_centre_line_between_its_edges(tmp_path: Path) -> Non
         assert abs(np.mean(other.below_chord) - np.mean(one.below_chord)) < 3 * other.level_std + 1e-6
 
 
+def test_points_of_the_same_x_are_no_strand_or_one_point_of_it(tmp_path: Path) -> None:
+    """A file that holds one column twice; and pixels, several of which have one x."""
+    for x in (np.full(20, 3e-3), np.tile([2e-3, 3e-3], 10)):
+        seen = read_contour(write(tmp_path / "contour.csv", x, np.linspace(0, -1e-3, 20), [(0.0, 6e-3)]))
+        with pytest.raises(SoftcatError, match=f"gap 1: its points lie at {np.unique(x).size} distinct x; accepted"):
+            level(seen)
+    x, y, gaps = photograph(LINES, SPANS, noise=0)
+    apart = [-20e-6, 0.0, 20e-6]
+    many = read_contour(write(tmp_path / "many.csv", np.repeat(x, 3), np.add.outer(y, apart).ravel(), gaps))
+    once = read_contour(write(tmp_path / "once.csv", x, y, gaps))
+    for one, other in zip(level(once)[0], level(many)[0], strict=True):
+        assert (other.x.size, other.sag) == (one.x.size, pytest.approx(one.sag, rel=1e-6))
+
+
 @pytest.mark.statistical
 def test_errors_of_the_level_are_what_they_are_said_to_be(tmp_path: Path) -> None:
     scores, count = [], 80
@@ -169,19 +183,17 @@ WRONG = {
     "no gap is named": ("x_mm,y_mm\n0,0\n1,0\n", ()),
     "no column y": ("x_mm,z\n0,0\n", ("pillars.gap = 0, 1",)),
     "pixels": ("x_px,y_px\n0,0\n", ("pillars.gap = 0, 1",)),
-    "not a number": ("x_mm,y_mm\n0,abc\n", ("pillars.gap = 0, 1",)),
     "has 1 point": ("x_mm,y_mm\n0.5,0\n2,0\n", ("pillars.gap = 0, 1",)),
     "gaps overlap": (
         "x_mm,y_mm\n" + "".join(f"{k / 10},0\n" for k in range(40)),
         ("pillars.gap = 0, 2", "pillars.gap = 1, 3"),
     ),
-    "'2, 1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
+    "0.002 m to 0.001 m has 0 points": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 2, 1",)),
     "'1'": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 1",)),
     "pillars.heigth: unknown key": ("x_mm,y_mm\n0,0\n", ("pillars.heigth = 3 mm", "pillars.gap = 0, 1")),
     "'s' is a time, not a length": ("x_mm,y_mm\n0,0\n", ("pillars.height = 3 s", "pillars.gap = 0, 1")),
-    "'5 px' in pixels": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 5 px, 2 mm",)),
+    "'5 px, 2 mm' in pixels": ("x_mm,y_mm\n0,0\n", ("pillars.gap = 5 px, 2 mm",)),
     "set again": ("x_mm,y_mm\n0,0\n", ("pillars.time = 3 s", "pillars.time = 4 s", "pillars.gap = 0, 1")),
-    "holds no data": ("", ("pillars.gap = 0, 1",)),
 }
 
 

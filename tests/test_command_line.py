@@ -138,6 +138,38 @@ def test_new_writes_a_scene_of_every_law_with_comments(softcat: Softcat) -> None
     assert scene.surroundings.surface_tension == 0.072
 
 
+def test_a_run_into_the_folder_of_another_scene_says_what_it_replaces(softcat: Softcat) -> None:
+    tiny = (
+        "-q",
+        "--no-pictures",
+        *sets("numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"),
+    )
+    wide = sets("filament.span=9 cm", "run.accuracy=0.02", "title=Mine")
+    said = [softcat("run", "cold-honey", "-o", "out", *tiny, *more).err for more in ((), (), wide, wide)]
+    replaced = 'filament.span "0.05 m" -> "0.09 m", run.accuracy 0.001 -> 0.02'
+    assert said == [
+        "",
+        "",
+        f"softcat: out has results of another scene, which are replaced: {replaced}; -o DIR keeps them\n",
+        "",
+    ]
+    assert '-> "0.05 m"' in softcat("explain", "cold-honey", "-q", "-o", "out").err
+
+
+def test_new_states_what_a_newcomer_forgets(softcat: Softcat) -> None:
+    """Surface tension and the loss below yield, with the reason of each; moduli as a rheometer has them, or Young's."""
+    for words, modulus, loss in (
+        ((), 2.9 * 103e3, 0.1),
+        (("--storage-modulus", "50 kPa", "--loss-modulus", "10 kPa"), 2.9 * 50e3, 0.2),
+        (("--youngs-modulus", "45 kPa", "--loss-tangent", "0"), 45e3, 0.0),
+    ):
+        assert softcat("new", "ink.toml", "--force", *words).status == 0
+        text, scene = Path("ink.toml").read_text(), sc.load_scene("ink.toml")
+        assert (scene.material.youngs_modulus, scene.material.loss_tangent) == pytest.approx((modulus, loss))
+        assert scene.surroundings.surface_tension == 0.072 and "# Without it a thin strand of ink sags" in text
+        assert ("# Without it a strand that is let go rings for long" in text) is ("--loss-modulus" not in words)
+
+
 def test_new_refuses_values_like_a_scene_and_never_overwrites_by_itself(softcat: Softcat) -> None:
     values = ("--span", "3 mmm", "--shear-yield-stress", "200", "--index", "x", "--density", "-1 kg/m^3")
     done = softcat("new", "ink.toml", *values)
@@ -317,7 +349,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A finished run."""
     folder = tmp_path_factory.mktemp("stored")
     run = sc.simulate(sc.load_scene("arrested-overdamped", (*COARSE, "numerics.estimate=false")))
-    run.written(folder).joined_by(folder, drawing.report(run).files)
+    run.written(folder, {**run.files(), **drawing.report(run).files})
     return folder
 
 

@@ -89,29 +89,6 @@ def test_sources_flags_units_versions_and_compiler_each_make_another_library(
     assert found is not None and found.command == (str(counter.script), "-DEXTRA=7") and found.version
 
 
-def test_a_compiler_is_asked_again_when_it_may_have_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    counter = Counter(tmp_path, monkeypatch)
-    path, before = compile_library(ANSWER), len(counter.calls)
-    counter.script.write_text(counter.script.read_text() + "# another\n")
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 2
-    for text in cache.entries(cache.TEXTS):
-        text.path.write_bytes(b"")
-    asking._version.cache_clear()
-    assert compile_library(ANSWER) == path and len(counter.calls) == before + 4
-
-
-def test_a_compiler_without_its_linker_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = find_compiler()
-    assert found is not None
-    script = tmp_path / "cc"
-    script.write_text(
-        f'#!/bin/sh\nunset PATH\ncase "$*" in *-shared*) exit 1;; esac\nexec {shlex.join(found.command)} "$@"\n'
-    )
-    script.chmod(0o755)
-    monkeypatch.setenv("CC", str(script))
-    assert find_compiler() is None
-
-
 def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     assert cache.cache_folder() == tmp_path / "cache"
     monkeypatch.delenv("SOFTCAT_CACHE")
@@ -241,7 +218,8 @@ def test_a_disk_that_fills(limit: int, native: Path) -> None:
         "import resource\nfrom softcat_sym.codegen.library import compile_library\n"
         "from softcat_sym.errors import SoftcatError\n"
         f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
-        f"try:\n    compile_library({source!r})\nexcept SoftcatError as error:\n    print(error)"
+        f"try:\n    compile_library({source!r})\nexcept (SoftcatError, OSError) as error:\n"
+        "    print(error, *getattr(error, '__notes__', []))"
     )
     # Zig's linker aborts where it cannot write, without a word.
     said = ("free some space, or set SOFTCAT_CACHE to a folder elsewhere", "or the disk is full, free some")
@@ -336,14 +314,6 @@ def test_work_beside_the_compiler(native: Path, tmp_path: Path, monkeypatch: pyt
 
 
 # Its size.
-def test_a_loaded_library_works_after_it_was_dropped(native: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "0")
-    path = compile_library(ANSWER)
-    library = load(path)
-    os.utime(path.parent, (0, 0))
-    other = compile_library({"other.c": "int other;\n"})
-    assert left_in(native) == [other.parent.name] and library.answer() == 42
-    assert load(compile_library(ANSWER)).answer() == 42
 
 
 def test_sizes(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import csv
-import io
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym import drawing
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.plotting.pricing import pricing_table
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.effect_importance import (
     EVERYTHING,
@@ -154,35 +149,6 @@ def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
     assert row.change is None and row.share is None and row.change_final is None
     with pytest.raises(SceneError, match="no effect 'inertai' to price"):
         price_effects(honey.scene, only=["inertai"])
-
-
-@pytest.fixture(scope="module")
-def altered(honey: Pricing) -> Pricing:
-    """One effect that fails, one without a difference, one that is missed, one that cannot be had."""
-    found, base = rows_of(honey), honey.base
-    shear = found["shear"]
-    assert shear.variant is not None
-    failed = replace(shear, variant=replace(shear.variant, outcome=Outcome.step_limit))
-    same = replace(found["inertia"], variant=base, reference=base, change=0.0)
-    moved = replace(base, midpoint=base.midpoint + 0.25 * honey.scale, solve=2 * base.solve)
-    missed = replace(found["rotary-inertia"], in_force=False, variant=moved, reference=base, change=0.25)
-    return replace(honey, rows=(same, failed, missed, found["yielding"]))
-
-
-def test_tables_hold_the_numbers(altered: Pricing) -> None:
-    runs = rows_of(altered)["rotary-inertia"].variant, altered.base
-    sag, without = (f"{-1e3 * run.midpoint[-1]:.3g} mm" for run in runs if run is not None)
-    expected = f"left out: rotary-inertia (sag {sag}; without it {without})"
-    assert altered.reading == f"beyond the accuracy asked, in force: none; {expected}"
-    rows = list(csv.DictReader(io.StringIO(altered.to_frame().to_csv(index=False))))
-    assert [row["effect"] for row in rows] == [*(row.effect for row in altered.rows), EVERYTHING]
-    assert float(rows[2]["change"]) == 0.25 and rows[1]["outcome"] == "step_limit" and rows[1]["own_change"] == ""
-    lines = pricing_table({"honey": altered, "broken": "no | such law"}).splitlines()
-    assert len(lines) == 4 and all(line.count("|") == lines[0].count("|") for line in lines)
-    screen = Console(file=io.StringIO(), width=80, color_system=None)
-    drawing.report(altered).print(screen)
-    written = screen.file.getvalue()  # type: ignore[attr-defined]
-    assert "…" not in written and "25 %" in written and "step_limit" in written and "cannot be had" in written
 
 
 FILES = {"effects.json", "effects.csv", "effects.png", "scene.toml"}

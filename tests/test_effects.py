@@ -12,7 +12,6 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.batch.phase_runs import refuse_scene
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
@@ -43,6 +42,7 @@ from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import length_text
+from softcat_sym.studies.phase_runs import refuse_scene
 from tests.common.scenes import scene_of
 
 # Effects are well formed, independent of one another, and leave nothing behind when absent.

@@ -121,6 +121,6 @@ def test_whoever_stops_a_run_in_python_has_what_there_is(monkeypatch: pytest.Mon
     monkeypatch.setattr("softcat_sym.solvers.compiled._LOOK", 0.001)
     scene = sc.load_scene("no-yield", LONG[1::2])
     with pytest.raises(KeyboardInterrupt) as stopped:
-        sc.simulate(scene, Impatient())
+        sc.simulate(scene, progress=Impatient())
     run = stopped.value.part()  # type: ignore[attr-defined]
     assert run.outcome is sc.Outcome.interrupted and 0 < run.fields["time"][-1] < 600

@@ -146,9 +146,11 @@ class _Scattered:
 
     wild: float
 
-    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
-        slope = 40.0 if abs(span - self.wild) < 1e-4 * span else -1.0
-        return span**2, 2.0, {"p": slope}
+    def sag(self, span: float) -> float:
+        return span**2
+
+    def slopes(self, span: float) -> tuple[float, dict[str, float]]:
+        return 2.0, {"p": 40.0 if abs(span - self.wild) < 1e-4 * span else -1.0}
 
 
 def test_a_wild_slope_is_outvoted() -> None:

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
@@ -84,19 +83,6 @@ def test_what_casadi_swallows_is_heard_before_a_compiler_is_waited_for() -> None
         signal.signal(signal.SIGINT, found)
 
 
-def test_outside_the_main_thread_nothing_is_installed() -> None:
-    seen: list[object] = []
-
-    def work() -> None:
-        with ended_like_ctrl_c():
-            seen.append(signal.getsignal(signal.SIGTERM))
-
-    thread = threading.Thread(target=work)
-    thread.start()
-    thread.join()
-    assert seen == [signal.SIG_DFL]
-
-
 IGNORING = """
 import signal, softcat_sym.cli, softcat_sym.simulate
 from softcat_sym.interrupts import ended_like_ctrl_c
@@ -157,22 +143,6 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
     # One is what the compiler has said of itself.
     assert len(texts) == 2 if compiling == "the model" else len(texts) <= 2
     assert all(store.recall(path.name, cache.TEXTS) is not None for path in texts)  # only what is whole is recalled
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.slow
-def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    note = hanging(tmp_path / "bin" / "ccx")
-    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
-    asked = ("compare", "continual-descent", "-o", str(tmp_path / "out"), "--engine", "calculix", "-q", *SHORT)
-    with started(*asked) as process:
-        until(note.exists, process)
-        os.kill(int(note.read_text().split()[0]), signal.SIGKILL)
-        _, message = process.communicate(timeout=60)
-    assert process.returncode == 2
-    assert message.startswith("softcat: CalculiX failed: killed by signal 9: Killed (after 0 s of simulated time)")
-    assert message.count("\n") == 1
-    assert is_gone(note)
     assert not (tmp_path / "out").exists()
 
 
@@ -265,6 +235,28 @@ def test_netcdf_on_a_full_disk_is_an_error_and_neither_a_crash_nor_half_a_file(k
         fill_atomically(disk / "a.nc", fill)
         with xr.open_dataset(disk / "a.nc", engine="h5netcdf") as found:
             assert np.array_equal(found["values"], blocks) and set(found["text"].values) == {100 * "x"}
+
+
+@pytest.mark.parametrize(
+    "words", [("run",), ("sweep", "--vary", "filament.span=4:5 mm:3"), ("card",)], ids=lambda w: w[0]
+)
+def test_a_full_cache_ends_every_command_with_its_reason(
+    softcat: Softcat, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, words: tuple[str, ...]
+) -> None:
+    """It is no failure of a member: the first that finds no room ends all."""
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "library.so")
+
+    monkeypatch.setattr("softcat_sym.codegen.library._build", full)
+    place = tmp_path / "cache" / "native"
+    done = softcat(words[0], "ink-bridge", *words[1:], *QUICK[:2], "-q", "-o", str(tmp_path / "out"))
+    assert (done.status, done.out, (tmp_path / "out").exists()) == (2, "", False)
+    assert done.err == (
+        f"softcat: cannot write the cache of compiled libraries in {place}: No space left on device; "
+        "free some space, or set SOFTCAT_CACHE to a folder elsewhere\n"
+    )
 
 
 def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from softcat_sym.fitting.result import FitOutcome
 from tests.common.filmed import CHEAP, TRUTH, write_film
 from tests.common.in_process import Softcat, sets
 
-PICTURES = {"fit.png", "profiles.png", "correlation.png", "starts.png", "features.png"}
+PICTURES = {"fit.png", "profiles.png", "correlation.png", "features.png"}
 FILES = {"fit.json", "scene.toml", "fit.csv", "fit.html", *PICTURES}
 FREE = ("--free", "yield_stress", "--free", "viscosity")
 SCENE = ("--scene", "continual-descent", *sets(*CHEAP))
@@ -65,7 +65,7 @@ def test_files_table_and_page(softcat: Softcat, tmp_path: Path) -> None:
 def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Softcat, tmp_path: Path) -> None:
     film = write_film(tmp_path / "film.csv", std=True)
     (tmp_path / "out").mkdir()
-    for name in ("profiles.png", "features_2.png", "mine.png"):
+    for name in ("profiles.png", "starts.png", "features_2.png", "mine.png"):
         (tmp_path / "out" / name).write_bytes(b"old")
     words = ("--starts", "0", "--no-profile-likelihood", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
     done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)

@@ -242,7 +242,7 @@ def test_as_many_digits_as_the_error_has_meaning(value: float, error: float, tex
 def test_units_have_prefixes_where_they_are_known() -> None:
     assert display_unit("Pa*s", 13.8e3).symbol == "kPa·s"
     assert display_unit("Pa", 1.6e8).text(1.6e8) == "160 MPa"
-    assert display_unit("kg/m^3", 1900).symbol == "kg/m^3"
+    assert display_unit("kg/m^3", 1900).symbol == "kg/m³"
     assert display_unit("s", 5e-3).symbol == "ms"
     assert display_unit("m", 0.0).symbol == "nm"
 
@@ -295,7 +295,7 @@ def test_the_document_has_what_the_contract_says_and_no_nan(one_fitted: sc.Fit) 
         found = json.loads(json_bytes(each.to_dict()), parse_constant=lambda name: pytest.fail(name))
         assert {"parameters", "correlation", "features", "outcome", "starts", "advice"} <= set(found)
         assert set(found["parameters"]["viscosity"]) >= {"value", "std", "ci95", "verdict", "unit", "best", "bounds"}
-        assert len(found["notes"]) == 2 and len(found["features"]) == 1
+        assert len(found["notes"]) == 1 and len(found["features"]) == 1
     assert found["correlation"] == [[None]] and found["noise_m"] is None
     assert found["parameters"]["viscosity"]["value"] is None and found["parameters"]["viscosity"]["best"] > 0
     assert one_fitted.to_dict()["features"][0]["prefactor"]["value"] == pytest.approx(0.007, rel=0.1)
@@ -381,6 +381,6 @@ def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequ
         asked.append(q)
         return np.full(film.data.size, np.nan) if len(asked) == 1 else heights(film, q)
 
-    monkeypatch.setattr(fit_module, "read_features", lambda *_: ringing)
+    monkeypatch.setattr(fit_module, "features_of", lambda *_: ringing)
     monkeypatch.setattr(Filmed, "heights", once_without_answer)
     assert fitted("youngs_modulus", "yield_stress").outcome.converged and asked

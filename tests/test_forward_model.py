@@ -128,15 +128,6 @@ def test_only_the_camera_is_free(backend: str) -> None:
     assert np.isfinite(derivatives).all()
 
 
-@pytest.mark.slow
-def test_solvers_agree() -> None:
-    scene = _scene("continual-descent")
-    models = [_model(scene, "viscosity", "yield_stress", backend=backend, rtol=1e-8) for backend in BACKENDS]
-    (one, slopes), (other, exact) = (model.with_derivatives(np.array([0.05, -0.02])) for model in models)
-    np.testing.assert_allclose(one, other, atol=1e-7 * np.max(np.abs(other)))
-    np.testing.assert_allclose(slopes, exact, atol=1e-5 * np.max(np.abs(exact)))
-
-
 def test_absurd_values_have_no_answer() -> None:
     """A thousandth of the viscosity: it falls into thin air, NaN after that, soon; the next values are answered."""
     model = _model(_scene("continual-descent"), "viscosity")

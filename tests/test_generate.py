@@ -14,6 +14,9 @@ BAD: list[tuple[list[str], str]] = [
     (["maxwell-slow", *sets("model=small-deflection")], "small-deflection"),
     (["no-yield", *sets("run.effects=['flying']")], "flying"),
     (["no-yield", "--name", "../up"], "small letters"),
+    (["no-yield", "--name", ".."], "small letters"),
+    (["no-yield", "--web", "--name", ".."], "neither a dot nor a dash"),
+    (["no-yield", "--web", "--name", "../up"], "without folders"),
     ([], "SCENE"),
     (["no-yield", "--bundled"], "not both"),
     (["--bundled", *sets("numerics.cells=12")], "--bundled"),
@@ -32,7 +35,7 @@ def test_it_writes_and_says_how_to_go_on_and_bad_input_writes_nothing(
     assert (done.status, done.err) == (0, "") and "next: make -C" in done.out
     assert "cells = 12" in (output / "parameters.txt").read_text()
     quiet = softcat("generate", "no-yield", "-o", str(output), "--quiet", "--name", "beam", "--rhs")
-    assert (quiet.status, quiet.out, quiet.err) == (0, "", "")
+    assert (quiet.status, quiet.out) == (0, "") and "numerics.cells 12 -> none" in quiet.err
     assert {"beam.c", "softcat_rhs.c"} <= {path.name for path in output.iterdir()}
     (tmp_path / "file").write_text("mine")
     done = softcat("generate", "no-yield", "-o", str(tmp_path / "file" / "below"))

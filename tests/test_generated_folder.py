@@ -28,7 +28,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import model_files, runtime_files
 from softcat_sym.codegen.interface import comment, quoted
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
+from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -224,7 +224,7 @@ def test_fibres_are_where_python_has_them() -> None:
     assert order is not None
     names = re.findall(r"SOFTCAT_(\w+)", order[1])
 
-    def close(name: str, fibres: int, aspect: float, rule: SectionRule | PointRule) -> None:
+    def close(name: str, fibres: int, aspect: float, rule: SectionRule) -> None:
         tables = np.array(list(rule.tables.values()))
         found, address = np.full_like(tables, np.nan), ctypes.c_void_p
         code = library.softcat_rule(

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time
+import signal
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from multiprocessing.connection import Connection
+from contextlib import contextmanager
 
 import casadi as ca
 import numpy as np
@@ -21,7 +20,6 @@ from softcat_sym.simulate import without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from tests.common.hard_cases import CASES, Case, asked
-from tests.common.limited_process import LimitedProcess, limit_this_process
 
 Array = npt.NDArray[np.float64]
 
@@ -142,99 +140,42 @@ RUN, JUDGE = 60.0, 120.0
 """Seconds of the processor that the run of a case may take, and its judge: limits are runs of their own."""
 
 
-@dataclass(frozen=True)
-class Finding:
-    """What came of a case: its outcome, error, estimate, seconds of the run, and what it breaks."""
+@contextmanager
+def within(seconds: float) -> Iterator[None]:
+    """End what takes more seconds of the processor."""
 
-    outcome: str
-    message: str = ""
-    is_success: bool = False
-    error: float | None = None
-    estimate: float | None = None
-    seconds: float = 0.0
-    broken: tuple[str, ...] = ()
+    def over(*_: object) -> None:
+        raise TimeoutError(f"more than {seconds:g} s of the processor")
 
-
-def found_by(process: LimitedProcess, case: Case) -> Finding:
-    """Run and judge one case in a process of its own, ended by its processor time: one that hangs is a row, too."""
-    answers, died = process.ask(case.title, (RUN, JUDGE))
-    if len(answers) == 2:
-        judged: Finding = answers[1]
-        return judged
-    if died:
-        return Finding("died", died)
-    if not answers:
-        return Finding("too long", f"no answer within {RUN:g} s", seconds=RUN)
-    message = f"{answers[0].outcome}, but not judged within {JUDGE:g} s"
-    return Finding("too long", message, seconds=answers[0].seconds)
-
-
-def serve(there: Connection) -> None:
-    by_title = {case.title: case for case in CASES}
-    there.send("ready")
-    while True:
-        try:
-            case = by_title[there.recv()]
-        except EOFError:
-            return
-        limit_this_process(RUN)
-        began = time.process_time()
-        try:
-            run = sc.simulate(case.scene())
-        except SceneError as refusal:
-            run, found = None, Finding("SceneError", str(refusal), seconds=time.process_time() - began)
-        else:
-            estimate, message = run.summary["error_estimate"], f"{run.summary['message']}; {run.summary['advice']}"
-            total, seconds = estimate["total"] if estimate else None, time.process_time() - began
-            found = Finding(run.outcome.name, message, run.outcome.is_success, estimate=total, seconds=seconds)
-        limit_this_process(JUDGE)
-        there.send(found)
-        there.send(judged(case, run, found))
-        limit_this_process(0)
-
-
-def judged(case: Case, run: Run | None, found: Finding) -> Finding:
-    """With the error of a success, and the invariants that it breaks."""
-    if run is None or not found.is_success:
-        return found
-    broken = [f"{name} {by}" for name, by in violations(run).items()]
-    error = None
+    before = signal.signal(signal.SIGPROF, over)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
-        error = case.judge(run) if case.judge is not None else None
-    except (AssertionError, SceneError) as fault:
-        broken.append(f"nothing to judge by: {fault}")
-    return replace(found, error=error, broken=tuple(broken))
-
-
-def fault_of(case: Case, found: Finding) -> str:
-    """What is wrong with an answer or a refusal; empty for a sound one."""
-    if not found.is_success:
-        if found.outcome not in case.refusals:
-            return f"must be answered: {found.outcome}: {found.message}"
-        return "" if case.says in found.message else f"does not say {case.says!r}: {found.message}"
-    if found.broken:
-        return "broken: " + ", ".join(found.broken)
-    if case.judge is None:
-        return f"must be refused, but {found.outcome}"
-    if found.error is None or not found.error < case.allowed:
-        return f"a wrong answer returned as success: {found.error} against {case.allowed:g}"
-    return ""
-
-
-@pytest.fixture(scope="module")
-def worker() -> Iterator[LimitedProcess]:
-    process = LimitedProcess(serve)
-    yield process
-    process.close()
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
 
 
 @pytest.mark.parametrize(
     "case", [pytest.param(case, id=case.title, marks=() if case.fast else pytest.mark.slow) for case in CASES]
 )
-def test_hard_case(case: Case, worker: LimitedProcess) -> None:
-    found = found_by(worker, case)
-    fault = fault_of(case, found)
-    assert not fault, (fault, found)
+def test_hard_case(case: Case) -> None:
+    try:
+        with within(RUN):
+            run = sc.simulate(case.scene())
+    except SceneError as refusal:
+        outcome, said = "SceneError", str(refusal)
+    else:
+        outcome, said = run.outcome.name, f"{run.summary['message']}; {run.summary['advice']}"
+        if run.outcome.is_success:
+            assert case.judge is not None, "must be refused"
+            assert not violations(run)
+            with within(JUDGE):
+                error = case.judge(run)
+            assert error < case.allowed, "a wrong answer returned as success"
+            return
+    assert outcome in case.refusals, f"must be answered: {outcome}: {said}"
+    assert case.says in said
 
 
 SCENES = {

@@ -13,11 +13,11 @@ from softcat_sym.physics import sections as section
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.equation import Stated
 from softcat_sym.physics.filament import FilamentEquations, derive
-from softcat_sym.physics.in_force import equations_in_force, plain_rate
 from softcat_sym.physics.laws import K, law_of, n
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.terms import Rheology, Terms
+from softcat_sym.physics.written_equations import equations_in_force, plain_rate
 from softcat_sym.scene.laws import LAWS
 
 

@@ -211,6 +211,28 @@ def test_each_is_the_quantity_that_it_names_and_is_said() -> None:
     assert bulky.material.youngs_modulus == pytest.approx(2 * 1.2 * 15e3)
 
 
+@pytest.mark.parametrize(
+    ("material", "names"),
+    [
+        ({"law": "newtonian", "viscosity": "10 Pa*s"}, ("viscosity", "shear_viscosity")),
+        (
+            {"law": "bingham", "youngs_modulus": "1 MPa", "viscosity": "1 Pa*s", "shear_yield_stress": "9 Pa"},
+            ("youngs_modulus, viscosity", "storage_modulus, shear_viscosity"),
+        ),
+        (
+            {"law": "power-law", "youngs_modulus": "1 MPa", "viscosity": "1 Pa*s^0.5", "index": 0.5},
+            ("youngs_modulus, viscosity", "storage_modulus, shear_consistency"),
+        ),
+        ({"law": "newtonian", "shear_viscosity": "10 Pa*s"}, ()),
+        ({"law": "elastic", "youngs_modulus": "1 MPa"}, ()),
+    ],
+)
+def test_what_is_taken_as_extensional_is_said_once(material: dict[str, Any], names: tuple[str, ...]) -> None:
+    scene = Scene.model_validate({**table_other_names(), "material": material})
+    words = "{} taken as extensional; in shear, as of a rheometer: {}".format(*names) if names else ""
+    assert scene.material.assumed == words
+
+
 def test_a_consistency_is_the_one_in_shear() -> None:
     flows: dict[str, Any] = {"law": "power-law", "youngs_modulus": "45 kPa", "index": 0.4}
     short, long = (

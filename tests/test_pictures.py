@@ -30,7 +30,6 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,
     LINES,
-    MAX_FRAMES,
     ROWS,
     energy_figure,
     maps_of,
@@ -41,15 +40,16 @@ from softcat_sym.plotting.run import (
     time_to_nine_tenths,
 )
 from softcat_sym.plotting.section import (
+    Magnification,
     Section,
     elastic_core,
+    largest_sag,
     node_angles,
     outline,
     quads_outside,
     section_at,
     slowest_flow,
     telling_frames,
-    vertical_stretch,
     yielding_of,
 )
 from softcat_sym.plotting.style import (
@@ -61,6 +61,7 @@ from softcat_sym.plotting.style import (
     refused,
     shown_part,
 )
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import (
     energy_unit,
     length_unit,
@@ -69,7 +70,7 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
-from softcat_sym.results.fields import energy_imbalance
+from softcat_sym.results.fields import audit_of, energy_imbalance
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -214,8 +215,25 @@ def test_frames_are_spent_where_the_shape_changes(scene, make_run):
     assert frames(0 * TIMES) == [200]
     sags = 0.01 - 0.01 * np.cos(9 * TIMES)
     assert np.ptp(np.append(sags[frames(sags)], sags[0])) > 0.9 * np.ptp(sags)
-    for sag, thickness, factor in ((0.05, 0.01, 1), (0.02, 0.01, 1), (0.01, 0.01, 10), (0.0, 0.01, 1), (0.01, 0.2, 1)):
-        assert vertical_stretch(sag, thickness, 1.0) == factor
+
+
+def test_what_is_too_flat_to_see_is_magnified(scene, make_scene, make_run):
+    """Of thick strands the sag alone, about the line between their ends; both factors are stated."""
+    factors = {(0.05, 0.01): "", (0.02, 0.01): "", (0.0, 0.01): "", (0.01, 0.01): "sag and thickness × 10"}
+    factors |= {(0.01, 0.2): "sag × 10", (1e-3, 0.02): "sag × 100, thickness × 5", (1e-9, 0.3): "sag × 1000"}
+    assert {key: str(Magnification.of(*key, 1.0)) for key in factors} == factors
+    thick = make_scene(span=0.2, thickness=0.03)
+    figure = shapes_figure(make_run(thick, 4e-4 * TIMES / 2, TIMES), {}, thick)
+    assert "x [mm] (sag × 50)" in words_of(figure)
+    across, up = scales(figure)[-1]
+    body = np.array(figure.axes[-1].patches[0].get_xy())
+    middle = len(body) // 4
+    lower, upper = body[middle, 1], body[len(body) - 2 - middle, 1]
+    # In pixels: 30 mm thick as across, the sag 50 times as much; y in mm is that of the centreline.
+    assert (upper - lower) * up == pytest.approx(30 * across, rel=2e-3)
+    assert ((upper + lower) / 2, up / across) == (pytest.approx(-0.4, rel=2e-3), pytest.approx(50, rel=1e-3))
+    y = make_run(scene, np.array([0.0, 0.01]), np.array([0.0, 1.0]))["y"]
+    assert largest_sag(y + np.linspace(0, 1, y.shape[1])) == pytest.approx(0.01)
 
 
 def scales(figure: Figure) -> np.ndarray:
@@ -238,7 +256,7 @@ def test_shapes_have_equal_lengths_along_both_axes_or_say_their_stretch(scene, m
     flat = shapes_figure(make_run(thin, 1e-3 * TIMES / 2, TIMES), {}, thin)
     found = scales(flat)
     np.testing.assert_allclose(found[:, 1] / found[:, 0], 20.0, rtol=1e-3)
-    assert "x [mm] (vertical scale × 20, thickness too)" in words_of(flat)
+    assert "x [mm] (sag and thickness × 20)" in words_of(flat)
     # A deep sag is laid side by side.
     deep = shapes_figure(make_run(scene, 4.4 * (TIMES / 2) ** 2, TIMES), {}, scene)
     found = scales(deep)
@@ -266,9 +284,10 @@ def test_the_midpoint_ends_with_the_run_and_has_the_papers_dimensionless_axes(de
     axes = midpoint_figure(early, summary, scene).axes[0]
     assert axes.get_xlabel() == "time [ms]"
     assert axes.get_xlim() == pytest.approx((0.0, 370.0))
-    np.testing.assert_allclose(axes.lines[1].get_ydata(), 1e3 * early["midpoint"])
-    axes = midpoint_figure(descent, summary, scene).axes[0]
-    right, top = axes.child_axes
+    time, height = axes.lines[1].get_data()
+    np.testing.assert_allclose(np.interp(1e3 * early["time"], time, height), 1e3 * early["midpoint"], atol=1e-9)
+    axes, top = midpoint_figure(descent, summary, scene).axes
+    (right,) = axes.child_axes
     right.figure.canvas.draw()
     assert (axes.get_ylabel(), right.get_ylabel()) == ("midpoint height [mm]", "midpoint height [% of L]")
     np.testing.assert_allclose(np.array(right.get_ylim()) * 2.0, axes.get_ylim())
@@ -276,11 +295,53 @@ def test_the_midpoint_ends_with_the_run_and_has_the_papers_dimensionless_axes(de
     assert top.get_xlim()[1] == pytest.approx(2.0 * np.sqrt(4e6 / 1900) / 0.2)
 
 
+def test_an_axis_shows_the_part_in_which_something_happens():
+    """A quarter of 1 - exp(-t) is done after ln 4/3 = 0.29, half after ln 2; of log(1 + 100 t) after 0.08."""
+    even = np.linspace(0, 60, 20001)
+    arrested = TimeAxis.of(even, 1 - np.exp(-even))
+    assert (arrested.even, arrested.unit.symbol, arrested.is_even) == (0.2, "s", False)
+    assert arrested.label == "time [s], logarithmic after 0.2 s"
+    # By three time constants it has moved by 95 %.
+    assert 0.4 < arrested.place(3.0) < 0.6
+    assert TimeAxis.of(even, np.log1p(even / 1e-2)).even == pytest.approx(0.05)
+    for steady in (even, np.sqrt(even), np.cos(20 * even), np.zeros(20001), (even / 60) ** (1 / 3)):
+        assert TimeAxis.of(even, steady).is_even
+    np.testing.assert_allclose(arrested.place(arrested.times(np.linspace(0, 1, 99))), np.linspace(0, 1, 99), atol=1e-12)
+    for axis in (arrested, TimeAxis.of(np.linspace(0, 7200, 201), -(np.linspace(0, 7200, 201) > 0).astype(float))):
+        ticks = np.array(axis.ticks(8, axis.unit.size))
+        assert 4 < len(ticks) < 14 and ticks[0] == 0 and ticks[-1] <= axis.end / axis.unit.size
+        assert np.diff(axis.place(ticks * axis.unit.size)).min() > 0.08
+    one = TimeAxis.of(np.array([3.0]), np.array([1.0]))
+    assert one.is_even and one.columns(np.array([3.0]), np.ones((1, 5))).shape == (1, 5)
+
+
+def test_ringing_is_drawn_from_all_that_is_known_of_it(descent, summary, scene):
+    """Five frames for each period of a cosine, and its turning points."""
+    frames = np.linspace(0, 4, 101)
+    turns = np.stack([np.arange(1, 40) / 10, 1e-3 * np.cos(np.pi * np.arange(1, 40))], axis=1)
+    time, height = TimeAxis.of(frames).between(frames, 1e-3 * np.cos(10 * np.pi * frames)[:, None], turns)
+    missed = np.abs(height[:, 0] - 1e-3 * np.cos(10 * np.pi * time))[(time > 0.1) & (time < 3.9)]
+    assert missed.max() < 0.06e-3 and np.ptp(height) == pytest.approx(2e-3)
+    # What only rises does so between frames too, and no corner of a fall that ends at once is passed.
+    time, height = TimeAxis.of(frames).between(frames, np.minimum(frames, 1.0)[:, None])
+    assert np.diff(height[:, 0]).min() >= -1e-14 and height.max() <= 1.0 + 1e-14
+    # A run's midpoint and energies at more times than the frames are drawn at these.
+    dense = np.linspace(0, 2, 1001)
+    more = {"dense_time": dense, "dense_midpoint": -1e-3 * np.sin(99 * dense), "dense_energy_elastic": np.sin(dense)}
+    held = {f"dense_{name}": np.interp(dense, TIMES, descent[name]) for name in audit_of(descent)}
+    lines = midpoint_figure({**descent, **held, **more}, summary, scene).axes[0].lines
+    np.testing.assert_allclose(np.interp(dense, *lines[1].get_data()), 1e3 * more["dense_midpoint"], atol=1e-6)
+    drawn = {
+        line.get_label(): line.get_data() for line in energy_figure(descent | held | more, summary, scene).axes[0].lines
+    }
+    np.testing.assert_allclose(np.interp(dense, *drawn["elastic"]), 1e6 * np.sin(dense), rtol=1e-6)
+
+
 def test_energies_have_one_unit_and_the_imbalance_is_what_is_missing(descent, summary, scene):
     upper, lower = energy_figure(descent, summary, scene).axes
     assert (upper.get_ylabel(), lower.get_ylabel()) == ("energy [µJ]", "imbalance [ppm]")
-    drawn = {line.get_label(): line.get_ydata() for line in upper.lines}
-    np.testing.assert_allclose(drawn["potential"], 1e6 * descent["energy_potential"])
+    drawn = {line.get_label(): np.interp(TIMES, *line.get_data()) for line in upper.lines}
+    np.testing.assert_allclose(drawn["potential"], 1e6 * descent["energy_potential"], rtol=1e-9)
     assert {"kinetic", "elastic", "dissipated", "external work"} < set(drawn)
     imbalance, largest = energy_imbalance(descent)
     np.testing.assert_allclose(lower.lines[0].get_ydata(), 1e6 * imbalance / largest)
@@ -290,7 +351,8 @@ def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene)
     """Those of effects too, whatever their names; what is nothing at all times is left out."""
     held = {**descent, "energy_elastic_foundation": 0.1 * descent["energy_elastic"]}
     lines = {str(line.get_label()): line for line in energy_figure(held, summary, scene, "column").axes[0].lines}
-    np.testing.assert_allclose(lines["elastic foundation"].get_ydata(), 1e6 * held["energy_elastic_foundation"])
+    shown = np.interp(TIMES, *lines["elastic foundation"].get_data())
+    np.testing.assert_allclose(shown, 1e6 * held["energy_elastic_foundation"], rtol=1e-9)
     assert "gradient" not in lines
 
 
@@ -313,16 +375,14 @@ def maps_in(figure: Figure) -> list[PcolorImage]:
 
 def test_maps_hold_stretch_and_yielded_share_or_stress(descent, summary, scene, make_scene, make_run):
     stretch, share = maps_in(space_time_figure(descent, summary, scene))
-    per_cent = 100 * (descent["stretch"] - 1)
-    # 240 rows over 160 equal cells: two rows whole, every third half in one cell and half in the next.
-    drawn = stretch.get_array().T.reshape(201, 80, 3)
-    np.testing.assert_allclose(drawn[:, :, ::2].reshape(201, 160), per_cent, rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(drawn[:, :, 1], per_cent.reshape(201, 80, 2).mean(axis=2), rtol=1e-9, atol=1e-9)
-    np.testing.assert_allclose(share.get_array().T.mean(axis=1), descent["yielded_fraction"].mean(axis=1))
-    long = make_run(scene, 0.05 * np.linspace(0, 1, 6001), np.linspace(0, 2, 6001), cells=40)
-    assert maps_in(space_time_figure(long, summary, scene))[0].get_array().shape[1] <= MAX_FRAMES
+    per_cent, columns = 100 * (descent["stretch"] - 1), stretch.get_array().shape[1]
+    # 240 rows over 160 equal cells: every third row lies half in one cell and half in the next.
+    at, rows = (np.arange(columns) + 0.5) * 2 / columns, per_cent.reshape(201, 80, 2).mean(axis=2)
+    expected = np.array([np.interp(at, TIMES, row) for row in rows.T])
+    np.testing.assert_allclose(stretch.get_array()[1::3], expected, rtol=1e-9, atol=1e-9)
+    assert abs(share.get_array().mean() - descent["yielded_fraction"].mean()) < 3e-3
     np.testing.assert_allclose(stretch._Ay, np.linspace(-0.5, 0.5, ROWS + 1))
-    np.testing.assert_allclose(stretch._Ax[[0, 2, -1]], [0, 0.015, 2])
+    np.testing.assert_allclose(stretch._Ax[[0, -1]], [0, 2])
     assert (share.norm.vmin, share.norm.vmax) == (0, 1)
     _, second = maps_of(descent, make_scene(law="maxwell", limit=None))
     np.testing.assert_allclose(second.values[:, 0], descent["stress_mean"][:, 0] / 1e3)
@@ -404,8 +464,11 @@ def overlapping(shown: list[tuple[str, Bbox]]) -> list[tuple[str, str]]:
     return [(a, b) for (a, one), (b, two) in pairs if one.padded(-0.5).overlaps(two.padded(-0.5))]
 
 
-def test_low_shapes_side_by_side_have_numbers_apart(make_run, make_scene, summary):
-    run = make_run(make_scene(span=0.06, thickness=8e-3), 9e-3 * TIMES, TIMES, cells=60)
+def test_shapes_are_as_large_as_they_can_be_and_side_by_side_have_numbers_apart(make_run, make_scene, summary):
+    low = make_run(make_scene(span=0.06, thickness=8e-3), 9e-3 * TIMES, TIMES, cells=60)
+    below = shapes_figure(low, summary, make_scene(span=0.06, thickness=8e-3))
+    assert len({axes.get_position().y0 for axes in below.axes}) == len(below.axes) == 5
+    run = make_run(make_scene(span=0.06, thickness=8e-3), 9e-2 * TIMES, TIMES, cells=60)
     figure = shapes_figure(run, summary, make_scene(span=0.06, thickness=8e-3))
     assert len({axes.get_position().y0 for axes in figure.axes}) == 1 < len(figure.axes)
     assert overlapping(list(drawn_words(figure))) == []
@@ -528,7 +591,7 @@ def test_what_draws_loads_no_more_than_it_needs():
 
 
 def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(descent):
-    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, Posterior"):
+    with pytest.raises(SoftcatError, match="no plot of a dict: there are some of Run, Fit, ClosedForm"):
         plotting.plot(descent)
     for module in plotting.DRAWN_IN.values():
         import_module(f"softcat_sym.plotting.{module}")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import inspect
+import json
+import os
 import subprocess
 import sys
 import tomllib
@@ -14,6 +16,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.reading import as_scene
 
 TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
 
@@ -86,6 +89,57 @@ def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path:
     assert (again.summary, again.scene, again.outcome) == (runs[0].summary, scene, runs[0].outcome)
     with pytest.raises(SoftcatError, match="no such file; accepted: a trajectory"):
         sc.open_run(tmp_path)
+
+
+WIDE = {"filament.span": "6 mm"}
+
+
+def test_whatever_takes_a_scene_takes_changes(tmp_path: Path) -> None:
+    """By name, as a table or as a scene; as a mapping or as texts."""
+    ink = sc.load_scene("ink-bridge")
+    for given in ("ink-bridge", ink, tomllib.loads(ink.to_toml())):
+        for changes in (WIDE, ["filament.span=6 mm"]):
+            assert as_scene(given, changes) == sc.load_scene("ink-bridge", WIDE)
+    with pytest.raises(SceneError, match=r"filament\.spam"):
+        sc.explain("ink-bridge", {"filament.spam": "6 mm"})
+    assert sc.simulate("ink-bridge", [*TINY, "filament.span=6 mm"]).scene.filament.span == 0.006
+    takers = [getattr(sc, name) for name in sc.__all__ if inspect.isfunction(getattr(sc, name))]
+    takers = [one for one in takers if "scene" in inspect.signature(one).parameters]
+    assert len(takers) == 10
+    assert all("changes" in inspect.signature(one).parameters for one in takers)
+
+
+NOTEBOOK = """
+import sys, json, nbformat, nbclient
+cells = {cells!r}
+notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
+nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+print(json.dumps([[sorted(one.get("data", dict())) for one in cell.outputs] for cell in notebook.cells]))
+"""
+
+
+@pytest.mark.tooling
+def test_a_notebook_shows_pictures_once_and_results_in_short() -> None:
+    """The last line of a cell, before and after pyplot has taken over the figures of the notebook."""
+    run = f"run = sc.simulate('cold-honey', {list(TINY)!r})"
+    cells = ["import softcat_sym as sc\n" + run, "run.plot('shapes')", "run", "sc.explain('cold-honey')"]
+    cells += ["sc.simulate_many('cold-honey', {'filament.span': [0.05, 0.06]}, changes=" + f"{list(TINY)!r})"]
+    cells += ["import matplotlib.pyplot as plt\nrun.plot('midpoint')"]
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", NOTEBOOK.format(cells=cells)],
+        capture_output=True, text=True, check=False, env={**os.environ, "MPLBACKEND": ""},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-2000:]
+    none, shapes, *results, midpoint = json.loads(done.stdout)
+    assert none == [] and shapes == midpoint == [["image/png", "text/plain"]]
+    assert results == [[["text/html", "text/plain"]]] * 3
+
+
+def test_results_print_in_a_few_lines() -> None:
+    curve = Path(sc.__file__).parent / "samples" / "my-curve.csv"
+    many = sc.simulate_many("cold-honey", {"filament.span": [0.05, 0.06]}, changes=TINY)
+    for one in (sc.explain("cold-honey"), many, sc.fit_flow_curve(curve)):
+        assert len(repr(one)) < 1000 and repr(one).startswith(type(one).__name__)
 
 
 def test_warnings_of_a_run_are_pythons_too_once_each(monkeypatch: pytest.MonkeyPatch) -> None:

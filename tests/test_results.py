@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import shutil
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -24,6 +25,7 @@ from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import identity_of, recalled
 from softcat_sym.solvers import settings
 from softcat_sym.solvers.outcome import Outcome
+from tests.common.in_process import Softcat
 from tests.common.runs import run, scene_of
 
 CONTRACT = {
@@ -90,6 +92,27 @@ def test_values_attributes_and_scene_survive_to_the_last_bit(saved: Path, tmp_pa
     again = open_run(saved)
     assert (again.summary, again.scene, again.outcome) == (run().summary, run().scene, run().outcome)
     xr.testing.assert_identical(again.data, run().data)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("summary.json", '{"outcome": "solved", "midp', "summary.json: it is damaged (Invalid JSON: EOF"),
+        ("summary.json", "[1]", "summary.json: it is damaged (Input should be an object"),
+        ("summary.json", '{"outcome": "solved"}', "midpoint_final_m: Field required"),
+        ("summary.json", '{"outcome": "solved", "midpoint_final_m": -1, "effects": 3}', "effects: Input should be"),
+        ("scene.toml", "[filament]\nspan = 3\n", "scene.toml: 5 faults"),
+        ("scene.toml", "[filament", "not TOML"),
+        ("trajectory.nc", "CDF", "trajectory.nc: cannot be read as netCDF4"),
+    ],
+)
+def test_a_folder_of_which_a_file_is_damaged_is_not_drawn(
+    softcat: Softcat, saved: Path, tmp_path: Path, name: str, content: str, says: str
+) -> None:
+    shutil.copytree(saved, tmp_path / "run")
+    (tmp_path / "run" / name).write_text(content)
+    done = softcat("draw", str(tmp_path / "run"), "-o", "out")
+    assert (done.status, done.out, Path("out").exists(), says in done.err) == (2, "", False, True), done.err
 
 
 def test_the_summary(saved: Path) -> None:
@@ -272,9 +295,7 @@ def test_what_decides_a_run_decides_its_key() -> None:
     assert re.findall("Infinity", json.dumps(form.read(form.write([float("inf"), 0.1, None])))) == ["Infinity"]
 
 
-def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
-    results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_harmed_or_in_another_place_is_not_taken(results_of_studies: Path) -> None:
     key, other = store.key_of("one"), store.key_of("other")
     assert store.recall(key) is None
     store.keep(key, b"content" * 100)
@@ -287,19 +308,3 @@ def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
         path.write_bytes(content)
         assert store.recall(key) is None
     assert len(cache.clear(cache.RESULTS)[cache.RESULTS]) == 2 and cache.entries(cache.RESULTS) == []
-    monkeypatch.setattr(store, "LIMIT", 250)
-    names = [64 * digit for digit in "abc0"]
-    for age, name in enumerate(names):
-        store.keep(name, b"content")
-        os.utime(results_of_studies / name, (age, age))
-    store.keep(names[-1], b"content")
-    left = {entry.path.name for entry in cache.entries(cache.RESULTS)}
-    assert left == {names[-1], names[-2], names[-3]}, "the least recently used goes"
-
-
-def test_a_full_disk_ends_no_study(results_of_studies: Path) -> None:
-    results_of_studies.write_text("no folder")
-    with pytest.warns(UserWarning, match="nothing is kept in .* set SOFTCAT_CACHE"):
-        store.keep("000", b"content")
-    assert store.recall("00") is None
-    results_of_studies.unlink()

@@ -18,8 +18,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import linprog
 
-from softcat_sym.discretization.casadi_printer import CellFunction
-from softcat_sym.discretization.cell import printed
+from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics import symbols as sy

@@ -13,11 +13,12 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import Theory, choose_body, choose_theory
+from softcat_sym.discretization.frames import Quaternion
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import whole_span
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
-from softcat_sym.discretization.spatial import cell_strains
+from softcat_sym.discretization.point_rule import ring_rule, spatial_rule, warping_rule
+from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.choosing import choose_effects
@@ -26,8 +27,8 @@ from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
+from softcat_sym.results.out_of_plane_stability import PlanarCells, banded, is_positive, out_of_plane_instability
 from softcat_sym.results.run import run_form
-from softcat_sym.results.sideways import _Cells, _Matrix, sideways
 from softcat_sym.scene.ends import CLAMPED, SUPPORTS
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
@@ -48,11 +49,11 @@ MATERIALS: dict[str, dict[str, Any]] = {
 }
 
 
-def chord_rule(zeta: Floats, weight: Floats) -> PointRule:
+def chord_rule(zeta: Floats, weight: Floats) -> SectionRule:
     """Points of a circle on chords at given heights, two a chord: what bends in the plane has its fibres there."""
     half = np.sqrt(np.maximum(1 - zeta**2, 0.0) / 3)
     Y, Z = np.repeat(zeta, 2), np.column_stack([-half, half]).ravel()
-    return PointRule(Y, Z, -Z, Y, np.repeat(weight / 2, 2))
+    return spatial_rule(Y, Z, -Z, Y, np.repeat(weight / 2, 2))
 
 
 def strand(law: str, section: str = "circle", **changes: object) -> sc.Scene:
@@ -77,11 +78,12 @@ def pair(law: str, section: str) -> tuple[Graph, Graph, int, Floats, Floats]:
     grid = whole_span(6, CLAMPED, CLAMPED, 1.0)
     theory, body = choose_theory(scene, equations.terms), choose_body(scene, grid)
     planar_rule = theory.rule
-    assert planar_rule is not None and not isinstance(planar_rule, PointRule)
+    assert planar_rule is not None and not planar_rule.is_spatial
     rule = chord_rule(planar_rule.zeta, planar_rule.weight)
     if section == "rectangle":
         # A twist shears as in a circle: in the plane there is none.
-        rule = PointRule(rule.Y, 0.4 * rule.Z, -0.4 * rule.Z, rule.Y, rule.weight)
+        Y, Z, *_ = rule.tables.values()
+        rule = spatial_rule(Y, 0.4 * Z, -0.4 * Z, Y, rule.weight)
     planar = assemble(equations, grid, effects.names, theory, body)
     space = assemble(equations, grid, effects.names, Theory("filament", rule), body)
     values = parameter_values(scene)
@@ -95,7 +97,7 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
         for layout in (graph.moving, graph.still)
     )
     out = ca.Function(
-        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.raw.rates, *graph.symbolic.raw.powers]
+        "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.balances, *graph.symbolic.raw.powers]
     )
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
     found = graph.moving.split(ode) | graph.still.split(alg)
@@ -233,9 +235,10 @@ def test_rules_of_a_section_have_its_moments() -> None:
         (warping_rule(4, 4, 1.0), (1 / 3, 1 / 3), 4 * 0.140577),
         (warping_rule(4, 4, 4.0), (1 / 3, 16 / 3), 4 * 0.280813),
     ):
-        found = [float(rule.weight @ square) for square in (rule.Y**2, rule.Z**2, rule.W_2**2 + rule.W_3**2)]
+        Y, Z, W_2, W_3, _ = rule.tables.values()
+        found = [float(rule.weight @ square) for square in (Y**2, Z**2, W_2**2 + W_3**2)]
         assert found == pytest.approx([*second, torsion], rel=1e-4)
-        assert abs(float(rule.weight @ (rule.Y * rule.Z))) < 1e-14 and float(rule.weight.sum()) == pytest.approx(1)
+        assert abs(float(rule.weight @ (Y * Z))) < 1e-14 and float(rule.weight.sum()) == pytest.approx(1)
 
 
 def turned_out_of_plane(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
@@ -252,7 +255,7 @@ def test_the_tangent_sideways_is_the_second_derivative_of_the_energy_of_a_cell()
     za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
     slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
     turns = turned_out_of_plane(pa, a1, a2), turned_out_of_plane(pb, b1, b2)
-    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, *turns, d)
+    Lam, Gam, Gam_3, k_1, k_2, k_3 = Quaternion().strains(slope, *turns, d)
     stiff = (shear * Gam_3**2 + twist * k_1**2 + bend * k_2**2) / 2
     energy = d * (n1 * ca.sqrt(Lam**2 + Gam_3**2) + n2 * Gam - M * k_3 + stiff)
     hessian = ca.Function("hessian", [given], [ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))])
@@ -265,7 +268,7 @@ def test_the_tangent_sideways_is_the_second_derivative_of_the_energy_of_a_cell()
         ahead = xa + stretch * length * np.cos(along), ya + stretch * length * np.sin(along)
         exact = np.asarray(hessian([xa, ya, pa, *ahead, pa + turn, length, *forces, *stiffness]))
         strains = (stretch * np.cos(off), stretch * np.sin(off), turn)
-        cells = _Cells(
+        cells = PlanarCells(
             np.array([length]),
             *(np.array([[one]]) for one in (*strains, *forces)),
             tuple(np.array([[one]]) for one in stiffness),
@@ -288,11 +291,11 @@ def test_what_surely_stays_in_its_plane_has_no_way_out_of_it() -> None:
             turn = 0.1 * rng.normal() * M / max(1.0, np.abs(M).max()) / cells
             row = (np.ones(cells), 0 * at, turn, size * rng.uniform(-0.5, 2) * np.ones(cells), np.gradient(M, at), M)
             stiff = 1e6 * np.ones((1, cells)), rng.uniform(0.5, 2) * np.ones((1, cells)), np.ones((1, cells))
-            found = _Cells(length, *(one[None] for one in row), stiff)
+            found = PlanarCells(length, *(one[None] for one in row), stiff)
             held = np.zeros(3 * (cells + 1), dtype=bool)
             for end, first in zip(ends, (0, 3 * cells), strict=True):
                 held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[end]] = True
-            stable = bool(_Matrix.of(found.tangent(1.0, 1.0), held).are_positive()[0])
+            stable = is_positive(banded(found.tangent(1.0, 1.0), held)[0])
             unstable += not stable
             if found.stay(1.0, [SUPPORTS[end] for end in ends]):
                 sure += 1
@@ -359,7 +362,7 @@ def test_a_strand_that_is_pressed_buckles_sideways_as_fast_as_its_law_lets_it() 
                 **dict.fromkeys(("shear_force", "curvature"), 0 * cells),
                 "stretch": cells,
             }
-            found, rates = sideways(scene, fields), [0.0]
+            found, rates = out_of_plane_instability(scene, fields), [0.0]
             for k in np.arange(1, 9) * np.pi / length:
                 given = k, modulus, force
                 if excess(1.0, *given) < 0:

@@ -99,7 +99,7 @@ def test_a_relaxed_surface_leaves_no_force(law: str, section: str, ends: tuple[s
     tension, force = done.data["tension"].values, done.data["axial_force"].values
     assert np.max(tension) < -1.0
     assert np.max(np.abs(force)) < 1e-9 * np.max(np.abs(tension))
-    assert "relaxed" in done.summary["assumed"][0]
+    assert any("relaxed" in text for text in done.summary["assumed"])
     assert np.max(np.abs(done.data["x"].values - done.data["x"].values[0])) < 1e-9
 
 

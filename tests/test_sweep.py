@@ -109,7 +109,8 @@ def test_a_table_and_its_faults(tmp_path: Path) -> None:
     assert (found.mode, found.members) == ("table", 2)
     assert found.row(0) == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
     for text, message in (
-        ("", "empty"),
+        ("", "holds no data"),
+        ("filament.span [mm],material.law\nabc,bingham\n", "line 2, filament.span: .abc. is not a number"),
         ("groups.G,groups.V\n", "no rows"),
         ("0.5,26\n0.6,27\n", "'0.5' is no dotted key"),
         ("groups.G,groups.G\n1,2\n", "groups.G stands there twice"),

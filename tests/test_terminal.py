@@ -120,7 +120,7 @@ def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
     scene, screen = sc.load_scene("glass-rod", {"run.accuracy": 1e-5}), Timed()
     terminal = Console(file=screen, force_terminal=True, width=80, color_system=None)
     with IntegrationProgress(scene.run.duration, console=terminal) as bar:
-        run = sc.simulate(scene, bar)
+        run = sc.simulate(scene, progress=bar)
     assert len(run.summary["refinements"]) == 1
     names = [stage.name for stage in bar.stages]
     assert {"building", "solving", "estimating 1 of 2", f"refining to {run.summary['cells']} cells"} <= set(names)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,9 @@ from softcat_sym.single_run import build
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.web import sliders
+from softcat_sym.web.fixed import Fixed
+from softcat_sym.web.sliders import choose_sliders
 from tests.common.javascript import evaluated
 from tests.common.pages import quick_page, random_states
 from tests.common.runs import scene_of
@@ -65,6 +69,28 @@ def test_parameters_toml_and_links_of_a_state_are_those_of_its_scene() -> None:
         assert load_scene_text(toml) == moved, toml
         assert back == {"scene": 0, "values": data["scenes"][0]["keys"] | state["values"]}
         assert "scene=" in link and "<" not in link
+
+
+def test_a_loss_that_is_stated_keeps_no_slider_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its viscosity goes as E/omega_1: what the page interpolates in groups is what first_vibration finds anew."""
+    keys = ("filament.span", "filament.density", "material.youngs_modulus")
+    monkeypatch.setattr(sliders, "_DEFAULT", keys)
+    scene = ink().replace({"material.loss_tangent": 0.1, "load.ramp": "0 s", "surroundings.surface_tension": "0 N/m"})
+    base = Fixed(scene.replace({"run.effects": list(choose_effects(scene).names)}))
+    chosen = choose_sliders(base)
+    assert [one.key for one in chosen.each] == list(keys) and [*chosen.interpolations] == ["solid_viscosity"]
+    # Two groups of three keys: where density and modulus grow alike, so does the viscosity.
+    assert len(chosen.interpolations["solid_viscosity"].groups) == 2
+    known = chosen.coefficients(base)
+    page = {"keys": chosen.values(scene), "coefficients": [known[name] for name in base.parameters]}
+    data = {"scenes": [page], "sliders": [one.to_dict() for one in chosen.each], "parameters": list(base.parameters)}
+    data |= {"interpolations": {name: asdict(one) for name, one in chosen.interpolations.items()}}
+    states = random_states(data, 20)
+    asked = "given.states.map(state => parametersOf(given.data, state))"
+    for state, parameters in zip(states, evaluated(asked, data=data, states=states), strict=True):
+        values = parameter_values(scene.replace(written(scene, state["values"])))
+        for name, found in zip(base.parameters, parameters, strict=True):
+            assert found == pytest.approx(values[name], rel=0.02 if name == "solid_viscosity" else 1e-12), name
 
 
 def load_scene_text(text: str) -> Scene:

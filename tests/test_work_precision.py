@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,12 +13,16 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.structure import model_for
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting.accuracy import front, work_precision_figure
+from softcat_sym.plotting.accuracy import front
 from softcat_sym.single_run import build
-from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.interpreted import compiled_rhs
+from softcat_sym.solvers.rates import Rates
+from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
     TOLERANCES,
     Answers,
@@ -29,22 +34,12 @@ from softcat_sym.studies.work_precision import (
     measured,
     record,
 )
-from softcat_sym.studies.work_precision_programs import (
-    PROGRAMS,
-    THIS_PROGRAM,
-    Bench,
-    CompiledRates,
-    Measured,
-    Program,
-    Task,
-    scene_of,
-)
 from tests.common.in_process import Softcat
 
 compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 SHORT = {"run.effects": "paper", "run.duration": "0.05 s", "run.frames": 6, "numerics.estimate": False}
 REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, (20, 40, 80), 2e-6, "IDAS")
-OWN = Program(THIS_PROGRAM, "softcat", "own", "compiled", "rosenbrock")
+OWN = Method(THIS_PROGRAM, "softcat", "own", "compiled", "rosenbrock")
 
 
 @pytest.fixture(scope="module")
@@ -53,38 +48,33 @@ def short() -> sc.Scene:
     return scene.replace({"run.effects": list(choose_effects(scene).names)})
 
 
-@pytest.fixture(scope="module")
-def prepared(short: sc.Scene) -> Prepared:
-    scene = scene_of(short, Task("compiled-rodas5p", 12, 1.0, rtol=1e-9))
-    return build(scene, choose_effects(scene))
-
-
 @compiled
-def test_jacobian_is_that_of_differences_and_what_is_held_does_not_move(prepared: Prepared) -> None:
-    rates, solution = CompiledRates(prepared), prepared.solve(Silence())
-    sites = prepared.integration.filament.sites  # type: ignore[union-attr]
-    state, step, t = sites.state(solution.x[:, -1], solution.z[:, -1]).ravel(), 1e-7, float(prepared.times[-1])
-    moved = [rates.rates(t, state + step * unit) - rates.rates(t, state - step * unit) for unit in np.eye(rates.size)]
-    expected, sparse = np.array(moved).T / (2 * step), rates.sparse(t, state).toarray()
-    live = np.abs(sparse).sum(axis=1) > 0
+def test_jacobian_is_that_of_differences(short: sc.Scene) -> None:
+    scene = scene_of(short, Task("scipy-radau", 12, 1.0, rtol=1e-9))
+    filament = assembled(scene, choose_effects(scene))
+    prepared, external = (
+        build(scene, choose_effects(scene)),
+        compiled_rhs(filament.graph, model_for(filament.structure)),
+    )
+    assert prepared.start is not None
+    rates, solution = Rates(external, prepared.start, prepared.p), prepared.solve(Silence())
+    state, step, t = np.append(solution.x[:, -1], solution.z[:, -1]), 1e-7, float(prepared.times[-1])
+    moved = [rates.rates(t, state + step * unit) - rates.rates(t, state - step * unit) for unit in np.eye(len(state))]
+    expected = np.array(moved).T / (2 * step)
     scale = {"rtol": 1e-5, "atol": 1e-6 * np.abs(expected).max()}
-    np.testing.assert_allclose(sparse[np.ix_(live, live)], expected[np.ix_(live, live)], **scale)
-    np.testing.assert_allclose(sparse, np.where(sparse != 0, expected, 0), **scale)
-    held = rates.size - prepared.graph.x.numel()
-    assert held <= np.count_nonzero(rates.rates(0.0, state) == 0)
+    np.testing.assert_allclose(rates.jacobian(t, state).toarray(), expected, **scale)
 
 
 @compiled
-def test_programs_solve_the_same_equations(short: sc.Scene) -> None:
-    bench = Bench(short)
-    exact = bench.ready(Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint
-    for program in ("compiled-rodas5p", "scipy-radau", "cvodes"):
-        found = bench.ready(Task(program, 12, 4.0, rtol=1e-6))().midpoint
-        assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max(), program
+def test_methods_solve_the_same_equations(short: sc.Scene) -> None:
+    exact = ready(short, Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint
+    for method in ("compiled-rodas5p", "scipy-radau", "cvodes"):
+        found = ready(short, Task(method, 12, 4.0, rtol=1e-6))().midpoint
+        assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max(), method
     # Section angles without inertia have no rate; a stiffly accurate method has an answer nevertheless.
-    sheared = Bench(short.replace({"run.effects": [*short.run.effects, "shear"]}))
-    exact = sheared.ready(Task("compiled-rodas5p", 12, 4.0, 4, 1e-9))().midpoint
-    found = sheared.ready(Task("scipy-radau", 12, 4.0, 4, 1e-6))().midpoint
+    sheared = short.replace({"run.effects": [*short.run.effects, "shear"]})
+    exact = ready(sheared, Task("compiled-rodas5p", 12, 4.0, 4, 1e-9))().midpoint
+    found = ready(sheared, Task("scipy-radau", 12, 4.0, 4, 1e-6))().midpoint
     assert np.abs(found - exact).max() < 1e-5 * np.abs(exact).max()
 
 
@@ -94,7 +84,7 @@ def ladder(number: int) -> Answers:
     for cells in (20, 40, 80, 160)[:number]:
         h = 1 / cells
         midpoint = (0.0, -2.0 * (1 + 3 * h**2 + 30 * h**4))
-        answers.append((OWN, Task(THIS_PROGRAM, cells, 1.0), Measured(1.0, midpoint=midpoint)))
+        answers.append((OWN, Task(THIS_PROGRAM, cells, 1.0), Measurement(1.0, midpoint=midpoint)))
     return answers
 
 
@@ -104,15 +94,15 @@ def test_reference_of_a_known_order_is_extrapolated_to_the_limit_and_confirmed_b
     found = extrapolated(answers)
     assert 0 < abs(found.midpoint[-1] + 2.0) / 2.0 <= found.space < 1e-5
     assert found.cells == (40, 80, 160) and math.isnan(found.confirmed(answers).time)
-    rivals = {program.key: program for program in PROGRAMS}
+    rivals = {program.key: program for program in METHODS}
     for key, cells, shift in (("idas", 40, 1e-3), ("idas", 80, 1e-5), ("compiled-rodas5p", 160, 0.0)):
         midpoint = next(run.midpoint for _, task, run in ladder(4) if task.cells == cells)
-        answers.append((rivals[key], Task(key, cells, 1.0), Measured(1.0, midpoint=(0.0, midpoint[1] + shift))))
+        answers.append((rivals[key], Task(key, cells, 1.0), Measurement(1.0, midpoint=(0.0, midpoint[1] + shift))))
     confirmed = found.confirmed(answers)
     assert confirmed.time == pytest.approx(5e-6, rel=1e-2) and "IDAS (order 2), on 80 cells" in confirmed.note
     with pytest.raises(SoftcatError, match="2 of the three grids"):
         extrapolated(ladder(2))
-    still = [(OWN, Task(THIS_PROGRAM, n, 1.0), Measured(1.0, midpoint=(0.0, 0.0))) for n in (10, 20, 40)]
+    still = [(OWN, Task(THIS_PROGRAM, n, 1.0), Measurement(1.0, midpoint=(0.0, 0.0))) for n in (10, 20, 40)]
     with pytest.raises(SoftcatError, match="does not move"):
         extrapolated(still)
 
@@ -123,10 +113,10 @@ class Known(Worker):
     def __init__(self, errors: dict[float, float]) -> None:
         self.errors = errors
 
-    def measure(self, task: Task, seconds: float) -> Measured:
+    def measure(self, task: Task, seconds: float) -> Measurement:
         if task.rtol not in self.errors:
-            return Measured(10.0, message="stopped", stopped=True)
-        return Measured(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + self.errors[task.rtol])))
+            return Measurement(10.0, message="stopped", stopped=True)
+        return Measurement(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + self.errors[task.rtol])))
 
 
 def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
@@ -134,7 +124,7 @@ def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
     budget = Budget(1e9, lambda what, share: None)
 
     def rows(errors: dict[float, float]) -> list[tuple[int, float]]:
-        program = next(program for program in PROGRAMS if program.key == "cvodes")
+        program = next(program for program in METHODS if program.key == "cvodes")
         found = measured(program, [(10, 1.0, 0), (20, 1.0, 0)], REFERENCE, Known(errors), budget, budget.end)
         return [(task.cells, task.rtol) for _, task, _ in found]
 
@@ -159,10 +149,10 @@ def test_time_left_never_jumps_up_and_what_has_none_is_not_begun() -> None:
 
 
 def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
-    own, rival = (next(program for program in PROGRAMS if program.kind == kind) for kind in ("own", "rival"))
+    own, rival = (next(program for program in METHODS if program.kind == kind) for kind in ("own", "rival"))
     task, pairs = Task("cvodes", 40, 1.0), ((1.0, 1e-2), (2.0, 1e-4), (0.1, math.inf), (3.0, 1e-4))
-    rows = [record(own, task, Measured(seconds), error) for seconds, error in pairs]
-    rows.append(record(rival, task, Measured(5.0), 1e-5))
+    rows = [record(own, task, Measurement(seconds), error) for seconds, error in pairs]
+    rows.append(record(rival, task, Measurement(5.0), 1e-5))
     runs = pd.DataFrame(rows, dtype=object)
     found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 10.0, REFERENCE, runs)
     best, other = found.knee(1e-4), found.knee(1e-4, "kind == 'rival'")
@@ -175,6 +165,8 @@ def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> No
     best_line = found.figures()["accuracy"].axes[0].lines[1]
     np.testing.assert_array_equal(best_line.get_xdata(), [1.0, 2.0])
     np.testing.assert_array_equal(best_line.get_ydata(), [1e-2, 1e-4])
+    with pytest.raises(ValueError, match="no run with an error to draw"):
+        replace(found, runs=runs.assign(error=math.nan)).plot()
 
 
 def test_front_is_every_run_that_no_other_beats() -> None:
@@ -183,8 +175,6 @@ def test_front_is_every_run_that_no_other_beats() -> None:
     kept = front(runs)
     pairs = {tuple(pair) for pair in values if not any((other < pair).all() for other in values)}
     assert set(map(tuple, kept.to_numpy())) == pairs and len(kept) == len(pairs)
-    with pytest.raises(ValueError, match="no run with an error to draw"):
-        work_precision_figure(pd.DataFrame({"seconds": [1.0], "error": [math.nan]}), "Rods")
 
 
 def test_faults_are_said_and_nothing_is_written(

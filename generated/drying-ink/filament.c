@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: a12e9a6a2ddb31603f33fdcd5223dfa3a5596bf2490e4e755b543160aae51544
+ * Digest of the structure: fe68b58015fe443962b517c5688c3b4b7d61dd4de9800ff17daa48b57e10bf46
  */
 #include "filament.h"
 
@@ -86,7 +86,6 @@ static void rates_6(int n, const double *p, const double *g, double *w)
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
-    const double c27 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
         const double v4 = g[7 * i + 4];
         const double v5 = (w0[i + 1] - w0[i]) * v4;
@@ -98,7 +97,7 @@ static void rates_6(int n, const double *p, const double *g, double *w)
         const double v18 = sin(v11);
         w3[i] = (v5 * v12) + (v17 * v18);
         w4[i] = (v17 * v12) - (v5 * v18);
-        w5[i] = ((v7 - v6) * v4) * c27;
+        w5[i] = (v7 - v6) / (g[7 * i + 1] * p[0]);
     }
 }
 
@@ -172,56 +171,58 @@ static void rates_8(int n, const double *p, const double *g, double *w)
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
     double *restrict w12 = w + 12 * n;
-    const double c0 = p[1];
+    const double c16 = p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v2 = w7[i];
-        const double v5 = w3[i];
-        const double v6 = sqrt(v5);
-        const double v8 = 1.0 / (v6 * v5);
-        const double v14 = 1.0 / v5;
-        const double v25 = ((((((-0.5) * w5[i]) * v2) * c0) * v8) * v8) * ((v5 / (2.0 * v6)) + v6);
-        const double v30 = w8[i];
-        const double v34 = ((w6[i] * v14) - v25) - ((((0.9486832980505138 * w4[i]) * v30) * v14) * v14);
-        const double v38 = g[7 * i + 4];
-        const double v39 = (w2[i + 1] - w2[i]) * v38;
-        const double v45 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v46 = cos(v45);
-        const double v51 = (w0[i + 1] - w0[i]) * v38;
-        const double v52 = sin(v45);
-        const double v57 = (0.9486832980505138 * v30) * v14;
-        const double v62 = (v34 * ((v39 * v46) - (v51 * v52))) - (v57 * ((v39 * v52) + (v51 * v46)));
-        w9[i] = (c0 * ((-0.5) * v2)) * v8;
-        w10[i] = -(((g[7 * i + 1] * p[0]) * v62) * 0.5);
-        w11[i] = (v34 * v46) - (v57 * v52);
-        w12[i] = (v34 * v52) + (v57 * v46);
+        const double v5 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v6 = cos(v5);
+        const double v8 = w3[i];
+        const double v9 = 1.0 / v8;
+        const double v14 = w7[i];
+        const double v18 = sqrt(v8);
+        const double v20 = 1.0 / (v18 * v8);
+        const double v26 = ((((((-0.5) * w5[i]) * v14) * c16) * v20) * v20) * ((v8 / (2.0 * v18)) + v18);
+        const double v31 = w8[i];
+        const double v35 = ((w6[i] * v9) - v26) - ((((0.9486832980505138 * w4[i]) * v31) * v9) * v9);
+        const double v37 = sin(v5);
+        const double v39 = (0.9486832980505138 * v31) * v9;
+        const double v47 = g[7 * i + 1] * p[0];
+        const double v51 = g[7 * i + 4];
+        const double v52 = (w2[i + 1] - w2[i]) * v51;
+        const double v58 = (w0[i + 1] - w0[i]) * v51;
+        const double v64 = (v6 * (v52 * v35)) - ((v6 * (v58 * v39)) + (v37 * (v52 * v39)));
+        const double v68 = 0.5 * (v64 - (v37 * (v58 * v35)));
+        const double v72 = ((c16 * ((-0.5) * v14)) * v20) / v47;
+        w9[i] = (v6 * v35) - (v37 * v39);
+        w10[i] = (v6 * v39) + (v37 * v35);
+        w11[i] = -(v47 * (v68 - v72));
+        w12[i] = -(v47 * (v72 + v68));
     }
 }
 
 static void rates_9(int n, int slots, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w9 = w + 9 * n;
-    double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
     const double c4 = squared(p[9]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
     const double c7 = p[2];
     const double c8 = c7 * c5;
     const double c9 = c6 / c8;
-    const double c21 = squared(c5);
-    const double c22 = c7 * c21;
-    const double c23 = c22 * c5;
-    const double c24 = c4 / c23;
+    const double c17 = squared(c5);
+    const double c18 = c7 * c17;
+    const double c19 = c18 * c5;
+    const double c20 = c4 / c19;
     for (int i = 1; i < n - 1; i++) {
-        const double v28 = (((w9[i] + w10[i]) - w9[i - 1]) + w10[i - 1]) * (c24 * g[7 * i + 5]);
-        f[slots * i + 2] = (w11[i] - w11[i - 1]) * (c9 * g[7 * i + 6]);
-        f[slots * i + 4] = v28;
+        f[slots * i + 2] = (w9[i] - w9[i - 1]) * (c9 * g[7 * i + 6]);
+        f[slots * i + 4] = (w11[i] + w12[i - 1]) * (c20 * g[7 * i + 5]);
     }
 }
 
 static void rates_10(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w12 = w + 12 * n;
+    double *restrict w10 = w + 10 * n;
     const double c3 = p[9];
     const double c4 = squared(c3);
     const double c5 = p[0];
@@ -242,13 +243,13 @@ static void rates_10(int n, int slots, double t, const double *p, const double *
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[slots * i + 3] = ((w12[i] - w12[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[slots * i + 3] = ((w10[i] - w10[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
 static void rates_11(int n, int slots, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w12 = w + 12 * n;
+    double *restrict w10 = w + 10 * n;
     const double c1 = p[9];
     const double c2 = squared(c1);
     const double c3 = p[0];
@@ -269,7 +270,7 @@ static void rates_11(int n, int slots, double t, const double *p, const double *
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[slots * i + 3] = (w12[i] * (c7 * g[7 * i + 6])) - c32;
+    f[slots * i + 3] = (w10[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
@@ -349,7 +350,6 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
     double *restrict w24 = w + 24 * n;
     double *restrict w25 = w + 25 * n;
     double *restrict w26 = w + 26 * n;
-    const double c40 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
         const double v4 = g[7 * i + 4];
         const double v5 = (w0[i + 1] - w0[i]) * v4;
@@ -367,6 +367,7 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
         const double v28 = v18 * v4;
         const double v29 = -v28;
         const double v36 = -((v17 * v23) + (v5 * v21));
+        const double v40 = 1.0 / (g[7 * i + 1] * p[0]);
         w3[i] = (v5 * v12) + (v17 * v18);
         w13[i] = v25;
         w14[i] = v25;
@@ -381,9 +382,9 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
         w22[i] = v29;
         w23[i] = v27;
         w24[i] = v26;
-        w5[i] = ((v7 - v6) * v4) * c40;
-        w25[i] = -(v4 * c40);
-        w26[i] = c40 * v4;
+        w5[i] = (v7 - v6) * v40;
+        w25[i] = -v40;
+        w26[i] = v40;
     }
 }
 
@@ -462,22 +463,22 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
         const double v14 = log(v9);
         const double v25 = 1.0 / v9;
         const double v26 = (0.9486832980505138 * w4[i]) * v25;
-        const double v69 = w19[i];
-        const double v72 = w13[i];
+        const double v69 = w13[i];
+        const double v72 = w19[i];
         const double v76 = w25[i];
-        const double v79 = w20[i];
-        const double v81 = w14[i];
+        const double v79 = w14[i];
+        const double v81 = w20[i];
         const double v84 = w26[i];
-        const double v92 = w21[i];
-        const double v94 = w15[i];
-        const double v97 = w22[i];
-        const double v99 = w16[i];
-        const double v102 = w23[i];
-        const double v104 = w17[i];
-        const double v107 = w24[i];
-        const double v109 = w18[i];
-        const double v272 = v26 * v25;
-        const double v281 = 1.0 / (2.0 * v10);
+        const double v92 = w15[i];
+        const double v94 = w21[i];
+        const double v97 = w16[i];
+        const double v99 = w22[i];
+        const double v102 = w17[i];
+        const double v104 = w23[i];
+        const double v107 = w18[i];
+        const double v109 = w24[i];
+        const double v269 = v26 * v25;
+        const double v278 = 1.0 / (2.0 * v10);
         for (int k = 0; k < fibres; k++) {
             const double v5 = zeta[k];
             const double v13 = ((v4 * v5) * c7) * v12;
@@ -526,13 +527,13 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
             const double v253 = c20 * ((v246 + (v35 * v247)) + (v250 * v240));
             const double v261 = (0.5 * ((c40 * v247) + (v33 * v247))) + (v59 * (0.25 * v253));
             const double v265 = (((-1.5) * (v19 * (v42 * v242))) + v253) - ((-1.5) * (v19 * (v27 * v261)));
-            const double v269 = 0.9486832980505138 * (v261 * v25);
-            const double v275 = v13 * v12;
-            const double v276 = v275 * v265;
-            const double v283 = (((v265 * v25) - (v272 * v261)) - (v10 * v276)) - ((v9 * v276) * v281);
+            const double v272 = v13 * v12;
+            const double v273 = v272 * v265;
+            const double v280 = (((v265 * v25) - (v269 * v261)) - (v10 * v273)) - ((v9 * v273) * v278);
+            const double v283 = 0.9486832980505138 * (v261 * v25);
             const double v289 = (-0.5) * (v5 * (c7 * (v265 * v12)));
-            const double v292 = v217 != 0.0 ? (((v269 * v69) + (v283 * v72)) + (v289 * v76)) : 0.0;
-            const double v298 = v217 != 0.0 ? (((v269 * v79) + (v283 * v81)) + (v289 * v84)) : 0.0;
+            const double v292 = v217 != 0.0 ? (((v280 * v69) + (v283 * v72)) + (v289 * v76)) : 0.0;
+            const double v298 = v217 != 0.0 ? (((v280 * v79) + (v283 * v81)) + (v289 * v84)) : 0.0;
             const double v319 = 3.0 * v87;
             const double v322 = ((-1.5) * v27) * c223;
             const double v323 = v322 * v224;
@@ -543,20 +544,20 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
             const double v348 = c20 * (((v231 * v323) + (v35 * v343)) + (v250 * v335));
             const double v356 = (0.5 * ((c40 * v343) + (v33 * v343))) + (v59 * (0.25 * v348));
             const double v360 = (((-1.5) * (v19 * (v42 * v338))) + v348) - ((-1.5) * (v19 * (v27 * v356)));
-            const double v364 = 0.9486832980505138 * (v356 * v25);
-            const double v369 = v275 * v360;
-            const double v374 = (((v360 * v25) - (v272 * v356)) - (v10 * v369)) - ((v9 * v369) * v281);
+            const double v366 = v272 * v360;
+            const double v371 = (((v360 * v25) - (v269 * v356)) - (v10 * v366)) - ((v9 * v366) * v278);
+            const double v374 = 0.9486832980505138 * (v356 * v25);
             const double v380 = (-0.5) * (v5 * (c7 * (v360 * v12)));
-            const double v383 = v217 != 0.0 ? (((v364 * v69) + (v374 * v72)) + (v380 * v76)) : 0.0;
-            const double v389 = v217 != 0.0 ? (((v364 * v79) + (v374 * v81)) + (v380 * v84)) : 0.0;
+            const double v383 = v217 != 0.0 ? (((v371 * v69) + (v374 * v72)) + (v380 * v76)) : 0.0;
+            const double v389 = v217 != 0.0 ? (((v371 * v79) + (v374 * v81)) + (v380 * v84)) : 0.0;
             const double v394 = v217 != 0.0 ? (((-1.5) * (v233 * c223)) - (v19 * v356)) : 0.0;
             const double v412 = v33 + (v44 * v87);
-            const double v418 = v275 * v177;
-            const double v423 = (((v177 * v25) - (v272 * v173)) - (v10 * v418)) - ((v9 * v418) * v281);
-            const double v434 = v275 * v66;
-            const double v439 = (((v66 * v25) - (v272 * v62)) - (v10 * v434)) - ((v9 * v434) * v281);
-            const double v449 = v275 * v133;
-            const double v454 = (((v133 * v25) - (v272 * v129)) - (v10 * v449)) - ((v9 * v449) * v281);
+            const double v425 = v272 * v66;
+            const double v430 = (((v66 * v25) - (v269 * v62)) - (v10 * v425)) - ((v9 * v425) * v278);
+            const double v440 = v272 * v133;
+            const double v445 = (((v133 * v25) - (v269 * v129)) - (v10 * v440)) - ((v9 * v440) * v278);
+            const double v455 = v272 * v177;
+            const double v460 = (((v177 * v25) - (v269 * v173)) - (v10 * v455)) - ((v9 * v455) * v278);
             each0[fibres * i + k] = -v66;
             each1[fibres * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
             each2[fibres * i + k] = -v133;
@@ -567,30 +568,30 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
             e[entries * i + 29 + 14 * fibres + k] = v292;
             e[entries * i + 29 + 19 * fibres + k] = v298;
             e[entries * i + 29 + 16 * fibres + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
-            e[entries * i + 29 + 12 * fibres + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
-            e[entries * i + 29 + 17 * fibres + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
-            e[entries * i + 29 + 13 * fibres + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
-            e[entries * i + 29 + 18 * fibres + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
+            e[entries * i + 29 + 12 * fibres + k] = v217 != 0.0 ? ((v280 * v92) + (v283 * v94)) : 0.0;
+            e[entries * i + 29 + 17 * fibres + k] = v217 != 0.0 ? ((v280 * v97) + (v283 * v99)) : 0.0;
+            e[entries * i + 29 + 13 * fibres + k] = v217 != 0.0 ? ((v280 * v102) + (v283 * v104)) : 0.0;
+            e[entries * i + 29 + 18 * fibres + k] = v217 != 0.0 ? ((v280 * v107) + (v283 * v109)) : 0.0;
             e[entries * i + 29 + 23 * fibres + k] = v217 != 0.0 ? (-v360) : 0.0;
             e[entries * i + 29 + 22 * fibres + k] = v383;
             e[entries * i + 29 + 27 * fibres + k] = v389;
             e[entries * i + 29 + 24 * fibres + k] = v394;
-            e[entries * i + 29 + 20 * fibres + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
-            e[entries * i + 29 + 25 * fibres + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
-            e[entries * i + 29 + 21 * fibres + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
-            e[entries * i + 29 + 26 * fibres + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
+            e[entries * i + 29 + 20 * fibres + k] = v217 != 0.0 ? ((v371 * v92) + (v374 * v94)) : 0.0;
+            e[entries * i + 29 + 25 * fibres + k] = v217 != 0.0 ? ((v371 * v97) + (v374 * v99)) : 0.0;
+            e[entries * i + 29 + 21 * fibres + k] = v217 != 0.0 ? ((v371 * v102) + (v374 * v104)) : 0.0;
+            e[entries * i + 29 + 26 * fibres + k] = v217 != 0.0 ? ((v371 * v107) + (v374 * v109)) : 0.0;
             sum0 += v412 * v45;
             sum1 += v412 * v113;
-            sum10 += v423;
+            sum10 += 0.9486832980505138 * (v173 * v25);
             sum11 += (-0.5) * (v5 * (c7 * (v177 * v12)));
             sum2 += v42 * v45;
-            sum3 += 0.9486832980505138 * (v62 * v25);
-            sum4 += v439;
+            sum3 += v430;
+            sum4 += 0.9486832980505138 * (v62 * v25);
             sum5 += (-0.5) * (v5 * (c7 * (v66 * v12)));
-            sum6 += 0.9486832980505138 * (v129 * v25);
-            sum7 += v454;
+            sum6 += v445;
+            sum7 += 0.9486832980505138 * (v129 * v25);
             sum8 += (-0.5) * (v5 * (c7 * (v133 * v12)));
-            sum9 += 0.9486832980505138 * (v173 * v25);
+            sum9 += v460;
         }
         const double v68 = sum3;
         const double v71 = sum4;
@@ -710,185 +711,230 @@ static void jacobian_8(int n, int fibres, const double *p, const double *g, doub
     double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
     double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
     double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
-    const double c0 = p[1];
+    const double c16 = p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v2 = w7[i];
-        const double v5 = w3[i];
-        const double v6 = sqrt(v5);
-        const double v8 = 1.0 / (v6 * v5);
-        const double v9 = (c0 * ((-0.5) * v2)) * v8;
-        const double v11 = (-0.5) * (c0 * v8);
-        const double v14 = w33[i];
-        const double v16 = v9 * v8;
-        const double v20 = 1.0 / (2.0 * v6);
-        const double v22 = (v6 * v16) + ((v5 * v16) * v20);
-        const double v23 = w13[i];
-        const double v26 = w34[i];
-        const double v28 = w14[i];
-        const double v33 = w35[i];
-        const double v35 = w15[i];
-        const double v38 = w36[i];
-        const double v40 = w16[i];
-        const double v43 = w37[i];
-        const double v45 = w17[i];
-        const double v48 = w38[i];
-        const double v50 = w18[i];
-        const double v55 = g[7 * i + 1] * p[0];
-        const double v57 = 1.0 / v5;
-        const double v58 = w6[i] * v57;
-        const double v60 = (-0.5) * w5[i];
-        const double v64 = (((v60 * v2) * c0) * v8) * v8;
-        const double v65 = v5 * v20;
-        const double v66 = v65 + v6;
-        const double v71 = 0.9486832980505138 * w4[i];
-        const double v72 = w8[i];
-        const double v75 = ((v71 * v72) * v57) * v57;
-        const double v76 = (v58 - (v64 * v66)) - v75;
-        const double v80 = g[7 * i + 4];
-        const double v81 = (w2[i + 1] - w2[i]) * v80;
-        const double v87 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v88 = cos(v87);
-        const double v93 = (w0[i + 1] - w0[i]) * v80;
-        const double v94 = sin(v87);
-        const double v96 = (v81 * v88) - (v93 * v94);
-        const double v99 = (0.9486832980505138 * v72) * v57;
-        const double v102 = (v81 * v94) + (v93 * v88);
-        const double v108 = (-0.5) * v55;
-        const double v109 = v96 * v108;
-        const double v110 = v109 * v57;
-        const double v113 = v66 * v109;
-        const double v114 = v113 * v8;
-        const double v116 = c0 * (v114 * v8);
-        const double v117 = v60 * v116;
-        const double v120 = v102 * v108;
-        const double v123 = v110 * v57;
-        const double v125 = (0.9486832980505138 * (v120 * v57)) + (v71 * v123);
-        const double v129 = v99 * v57;
-        const double v131 = v75 * v57;
-        const double v136 = v64 * v109;
-        const double v138 = (((v129 * v120) + (v131 * v109)) + (v75 * v110)) - (v136 * v20);
-        const double v139 = v58 * v57;
-        const double v142 = v64 * v8;
-        const double v145 = (v142 * v113) + (v64 * v114);
-        const double v148 = v65 * v20;
-        const double v155 = ((v138 - (v139 * v109)) + (v6 * v145)) + ((((2.0 * (v148 * v136)) - v136) + (v5 * v145)) * v20);
-        const double v158 = 0.9486832980505138 * (v72 * v123);
-        const double v159 = w19[i];
-        const double v162 = w27[i];
-        const double v166 = (((v155 * v23) - (v158 * v159)) + (v110 * v162)) - (v117 * v14);
-        const double v168 = (-0.5) * (v2 * v116);
-        const double v169 = w25[i];
-        const double v172 = v99 * v108;
-        const double v174 = v76 * v108;
-        const double v182 = (v88 * ((v81 * v172) + (v93 * v174))) + (v94 * ((v81 * v174) - (v93 * v172)));
-        const double v183 = 0.5 * v182;
-        const double v185 = w39[i];
-        const double v189 = w20[i];
-        const double v192 = w28[i];
-        const double v196 = (((v155 * v28) - (v158 * v189)) + (v110 * v192)) - (v117 * v26);
-        const double v197 = w26[i];
-        const double v201 = w40[i];
-        const double v212 = w21[i];
-        const double v215 = w29[i];
-        const double v219 = (((v155 * v35) - (v158 * v212)) + (v110 * v215)) - (v117 * v33);
-        const double v220 = w41[i];
-        const double v226 = ((v88 * v172) + (v94 * v174)) * v80;
-        const double v229 = w22[i];
-        const double v232 = w30[i];
-        const double v236 = (((v155 * v40) - (v158 * v229)) + (v110 * v232)) - (v117 * v38);
-        const double v237 = w42[i];
-        const double v242 = w23[i];
-        const double v245 = w31[i];
-        const double v249 = (((v155 * v45) - (v158 * v242)) + (v110 * v245)) - (v117 * v43);
-        const double v250 = w43[i];
-        const double v256 = ((v88 * v174) - (v94 * v172)) * v80;
-        const double v259 = w24[i];
-        const double v262 = w32[i];
-        const double v266 = (((v155 * v50) - (v158 * v259)) + (v110 * v262)) - (v117 * v48);
-        const double v267 = w44[i];
-        const double v274 = v88 * v57;
-        const double v276 = v66 * v88;
-        const double v277 = v276 * v8;
-        const double v279 = c0 * (v277 * v8);
-        const double v280 = v60 * v279;
-        const double v283 = v94 * v57;
-        const double v285 = v274 * v57;
-        const double v287 = (0.9486832980505138 * v283) + (v71 * v285);
-        const double v295 = v64 * v88;
-        const double v297 = (((v129 * v94) + (v131 * v88)) + (v75 * v274)) - (v295 * v20);
-        const double v302 = (v142 * v276) + (v64 * v277);
-        const double v311 = ((v297 - (v139 * v88)) + (v6 * v302)) + ((((2.0 * (v148 * v295)) - v295) + (v5 * v302)) * v20);
-        const double v314 = 0.9486832980505138 * (v72 * v285);
-        const double v320 = (((v311 * v23) - (v314 * v159)) + (v274 * v162)) - (v280 * v14);
-        const double v322 = (-0.5) * (v2 * v279);
-        const double v328 = 0.5 * ((v88 * v99) + (v94 * v76));
-        const double v338 = (((v311 * v28) - (v314 * v189)) + (v274 * v192)) - (v280 * v26);
-        const double v355 = (((v311 * v35) - (v314 * v212)) + (v274 * v215)) - (v280 * v33);
-        const double v364 = (((v311 * v40) - (v314 * v229)) + (v274 * v232)) - (v280 * v38);
-        const double v373 = (((v311 * v45) - (v314 * v242)) + (v274 * v245)) - (v280 * v43);
-        const double v382 = (((v311 * v50) - (v314 * v259)) + (v274 * v262)) - (v280 * v48);
-        const double v389 = v66 * v94;
-        const double v390 = v389 * v8;
-        const double v392 = c0 * (v390 * v8);
-        const double v393 = v60 * v392;
-        const double v397 = v283 * v57;
-        const double v399 = (0.9486832980505138 * v274) - (v71 * v397);
-        const double v407 = v64 * v94;
-        const double v409 = (((v131 * v94) - (v129 * v88)) + (v75 * v283)) - (v407 * v20);
-        const double v414 = (v142 * v389) + (v64 * v390);
-        const double v423 = ((v409 - (v139 * v94)) + (v6 * v414)) + ((((2.0 * (v148 * v407)) - v407) + (v5 * v414)) * v20);
-        const double v426 = 0.9486832980505138 * (v72 * v397);
-        const double v432 = (((v423 * v23) - (v426 * v159)) + (v283 * v162)) - (v393 * v14);
-        const double v434 = (-0.5) * (v2 * v392);
-        const double v440 = 0.5 * ((v88 * v76) - (v94 * v99));
-        const double v450 = (((v423 * v28) - (v426 * v189)) + (v283 * v192)) - (v393 * v26);
-        const double v467 = (((v423 * v35) - (v426 * v212)) + (v283 * v215)) - (v393 * v33);
-        const double v476 = (((v423 * v40) - (v426 * v229)) + (v283 * v232)) - (v393 * v38);
-        const double v485 = (((v423 * v45) - (v426 * v242)) + (v283 * v245)) - (v393 * v43);
-        const double v494 = (((v423 * v50) - (v426 * v259)) + (v283 * v262)) - (v393 * v48);
-        w9[i] = v9;
-        w45[i] = (v11 * v14) - (v22 * v23);
-        w46[i] = (v11 * v26) - (v22 * v28);
-        w47[i] = (v11 * v33) - (v22 * v35);
-        w48[i] = (v11 * v38) - (v22 * v40);
-        w49[i] = (v11 * v43) - (v22 * v45);
-        w50[i] = (v11 * v48) - (v22 * v50);
-        w10[i] = -((v55 * ((v76 * v96) - (v99 * v102))) * 0.5);
-        w51[i] = ((v166 - (v168 * v169)) - v183) - (v125 * v185);
-        w52[i] = ((v196 - (v168 * v197)) - v183) - (v125 * v201);
-        w53[i] = (v219 - (v125 * v220)) + v226;
-        w54[i] = (v236 - (v125 * v237)) - v226;
-        w55[i] = (v249 - (v125 * v250)) - v256;
-        w56[i] = (v266 - (v125 * v267)) + v256;
-        w11[i] = (v76 * v88) - (v99 * v94);
-        w57[i] = ((v320 - (v322 * v169)) - v328) - (v287 * v185);
-        w58[i] = ((v338 - (v322 * v197)) - v328) - (v287 * v201);
-        w59[i] = v355 - (v287 * v220);
-        w60[i] = v364 - (v287 * v237);
-        w61[i] = v373 - (v287 * v250);
-        w62[i] = v382 - (v287 * v267);
-        w12[i] = (v76 * v94) + (v99 * v88);
-        w63[i] = ((v432 - (v434 * v169)) + v440) + (v399 * v185);
-        w64[i] = ((v450 - (v434 * v197)) + v440) + (v399 * v201);
-        w65[i] = v467 + (v399 * v220);
-        w66[i] = v476 + (v399 * v237);
-        w67[i] = v485 + (v399 * v250);
-        w68[i] = v494 + (v399 * v267);
+        const double v5 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v6 = cos(v5);
+        const double v8 = w3[i];
+        const double v9 = 1.0 / v8;
+        const double v10 = w6[i] * v9;
+        const double v13 = (-0.5) * w5[i];
+        const double v14 = w7[i];
+        const double v18 = sqrt(v8);
+        const double v20 = 1.0 / (v18 * v8);
+        const double v22 = (((v13 * v14) * c16) * v20) * v20;
+        const double v24 = 1.0 / (2.0 * v18);
+        const double v25 = v8 * v24;
+        const double v26 = v25 + v18;
+        const double v31 = 0.9486832980505138 * w4[i];
+        const double v32 = w8[i];
+        const double v35 = ((v31 * v32) * v9) * v9;
+        const double v36 = (v10 - (v22 * v26)) - v35;
+        const double v38 = sin(v5);
+        const double v40 = (0.9486832980505138 * v32) * v9;
+        const double v42 = (v6 * v36) - (v38 * v40);
+        const double v43 = v6 * v9;
+        const double v46 = v26 * v6;
+        const double v47 = v46 * v20;
+        const double v49 = c16 * (v47 * v20);
+        const double v50 = v13 * v49;
+        const double v54 = v38 * v9;
+        const double v56 = v43 * v9;
+        const double v58 = (0.9486832980505138 * v54) + (v31 * v56);
+        const double v62 = w27[i];
+        const double v64 = w33[i];
+        const double v69 = (v6 * v40) + (v38 * v36);
+        const double v70 = 0.5 * v69;
+        const double v72 = w39[i];
+        const double v75 = v40 * v9;
+        const double v77 = v35 * v9;
+        const double v82 = v22 * v6;
+        const double v85 = v22 * v20;
+        const double v88 = (v85 * v46) + (v22 * v47);
+        const double v90 = ((((v75 * v38) + (v77 * v6)) + (v35 * v43)) - (v82 * v24)) + (v18 * v88);
+        const double v91 = v25 * v24;
+        const double v99 = v10 * v9;
+        const double v101 = (v90 + ((((2.0 * (v91 * v82)) - v82) + (v8 * v88)) * v24)) - (v99 * v6);
+        const double v102 = w13[i];
+        const double v104 = ((((v43 * v62) - (v50 * v64)) - v70) - (v58 * v72)) + (v101 * v102);
+        const double v106 = 0.9486832980505138 * (v32 * v56);
+        const double v107 = w19[i];
+        const double v111 = (-0.5) * (v14 * v49);
+        const double v112 = w25[i];
+        const double v115 = w28[i];
+        const double v117 = w34[i];
+        const double v121 = w40[i];
+        const double v124 = w14[i];
+        const double v126 = ((((v43 * v115) - (v50 * v117)) - v70) - (v58 * v121)) + (v101 * v124);
+        const double v127 = w20[i];
+        const double v130 = w26[i];
+        const double v141 = w29[i];
+        const double v143 = w35[i];
+        const double v146 = w41[i];
+        const double v149 = w15[i];
+        const double v151 = (((v43 * v141) - (v50 * v143)) - (v58 * v146)) + (v101 * v149);
+        const double v152 = w21[i];
+        const double v155 = w30[i];
+        const double v157 = w36[i];
+        const double v160 = w42[i];
+        const double v163 = w16[i];
+        const double v165 = (((v43 * v155) - (v50 * v157)) - (v58 * v160)) + (v101 * v163);
+        const double v166 = w22[i];
+        const double v169 = w31[i];
+        const double v171 = w37[i];
+        const double v174 = w43[i];
+        const double v177 = w17[i];
+        const double v179 = (((v43 * v169) - (v50 * v171)) - (v58 * v174)) + (v101 * v177);
+        const double v180 = w23[i];
+        const double v183 = w32[i];
+        const double v185 = w38[i];
+        const double v188 = w44[i];
+        const double v191 = w18[i];
+        const double v193 = (((v43 * v183) - (v50 * v185)) - (v58 * v188)) + (v101 * v191);
+        const double v194 = w24[i];
+        const double v198 = v26 * v38;
+        const double v199 = v198 * v20;
+        const double v201 = c16 * (v199 * v20);
+        const double v202 = v13 * v201;
+        const double v206 = v54 * v9;
+        const double v208 = (0.9486832980505138 * v43) - (v31 * v206);
+        const double v214 = 0.5 * v42;
+        const double v223 = v22 * v38;
+        const double v228 = (v85 * v198) + (v22 * v199);
+        const double v230 = ((((v77 * v38) - (v75 * v6)) + (v35 * v54)) - (v223 * v24)) + (v18 * v228);
+        const double v237 = v230 + ((((2.0 * (v91 * v223)) - v223) + (v8 * v228)) * v24);
+        const double v239 = v237 - (v99 * v38);
+        const double v241 = ((((v54 * v62) - (v202 * v64)) + v214) + (v208 * v72)) + (v239 * v102);
+        const double v243 = 0.9486832980505138 * (v32 * v206);
+        const double v247 = (-0.5) * (v14 * v201);
+        const double v257 = ((((v54 * v115) - (v202 * v117)) + v214) + (v208 * v121)) + (v239 * v124);
+        const double v273 = (((v54 * v141) - (v202 * v143)) + (v208 * v146)) + (v239 * v149);
+        const double v282 = (((v54 * v155) - (v202 * v157)) + (v208 * v160)) + (v239 * v163);
+        const double v291 = (((v54 * v169) - (v202 * v171)) + (v208 * v174)) + (v239 * v177);
+        const double v300 = (((v54 * v183) - (v202 * v185)) + (v208 * v188)) + (v239 * v191);
+        const double v305 = g[7 * i + 1] * p[0];
+        const double v309 = g[7 * i + 4];
+        const double v310 = (w2[i + 1] - w2[i]) * v309;
+        const double v311 = v310 * v36;
+        const double v316 = (w0[i + 1] - w0[i]) * v309;
+        const double v317 = v316 * v40;
+        const double v319 = v310 * v40;
+        const double v323 = v316 * v36;
+        const double v325 = ((v6 * v311) - ((v6 * v317) + (v38 * v319))) - (v38 * v323);
+        const double v326 = 0.5 * v325;
+        const double v329 = (c16 * ((-0.5) * v14)) * v20;
+        const double v330 = v329 / v305;
+        const double v334 = 0.5 * v305;
+        const double v335 = v38 * v334;
+        const double v337 = v6 * v334;
+        const double v339 = (v316 * v335) - (v310 * v337);
+        const double v340 = v339 * v9;
+        const double v343 = (-0.5) * (c16 * v20);
+        const double v344 = v26 * v339;
+        const double v345 = v344 * v20;
+        const double v347 = c16 * (v345 * v20);
+        const double v348 = v13 * v347;
+        const double v349 = v343 - v348;
+        const double v354 = (v310 * v335) + (v316 * v337);
+        const double v357 = v340 * v9;
+        const double v359 = (0.9486832980505138 * (v354 * v9)) - (v31 * v357);
+        const double v362 = v340 * v62;
+        const double v372 = ((v6 * (v323 * v334)) + (v6 * (v319 * v334))) - (v38 * (v317 * v334));
+        const double v376 = 0.5 * (v372 + (v38 * (v311 * v334)));
+        const double v378 = v359 * v72;
+        const double v385 = v22 * v339;
+        const double v387 = (((v77 * v339) - (v75 * v354)) + (v35 * v340)) - (v385 * v24);
+        const double v388 = v85 * v344;
+        const double v389 = v329 * v20;
+        const double v391 = v22 * v345;
+        const double v392 = (v388 - v389) + v391;
+        const double v397 = (2.0 * (v91 * v385)) - v385;
+        const double v402 = v99 * v339;
+        const double v403 = ((v387 + (v18 * v392)) + ((v397 + (v8 * v392)) * v24)) - v402;
+        const double v407 = 0.9486832980505138 * (v32 * v357);
+        const double v408 = v407 * v107;
+        const double v409 = ((((v362 + (v349 * v64)) + v376) + v378) + (v403 * v102)) - v408;
+        const double v411 = (-0.5) * (v14 * v347);
+        const double v412 = v411 * v112;
+        const double v414 = v340 * v115;
+        const double v418 = v359 * v121;
+        const double v422 = v407 * v127;
+        const double v423 = ((((v414 + (v349 * v117)) + v376) + v418) + (v403 * v124)) - v422;
+        const double v424 = v411 * v130;
+        const double v431 = v340 * v141;
+        const double v434 = v359 * v146;
+        const double v438 = v407 * v152;
+        const double v443 = ((v36 * v335) + (v40 * v337)) * v309;
+        const double v444 = ((((v431 + (v349 * v143)) + v434) + (v403 * v149)) - v438) - v443;
+        const double v445 = v340 * v155;
+        const double v448 = v359 * v160;
+        const double v452 = v407 * v166;
+        const double v454 = ((((v445 + (v349 * v157)) + v448) + (v403 * v163)) - v452) + v443;
+        const double v455 = v340 * v169;
+        const double v458 = v359 * v174;
+        const double v462 = v407 * v180;
+        const double v467 = ((v40 * v335) - (v36 * v337)) * v309;
+        const double v468 = ((((v455 + (v349 * v171)) + v458) + (v403 * v177)) - v462) - v467;
+        const double v469 = v340 * v183;
+        const double v472 = v359 * v188;
+        const double v476 = v407 * v194;
+        const double v478 = ((((v469 + (v349 * v185)) + v472) + (v403 * v191)) - v476) + v467;
+        const double v482 = v343 + v348;
+        const double v491 = (v389 + v388) + v391;
+        const double v498 = ((v387 + (v18 * v491)) + ((v397 + (v8 * v491)) * v24)) - v402;
+        const double v501 = ((((v362 - (v482 * v64)) + v376) + v378) + (v498 * v102)) - v408;
+        const double v509 = ((((v414 - (v482 * v117)) + v376) + v418) + (v498 * v124)) - v422;
+        const double v520 = ((((v431 - (v482 * v143)) + v434) + (v498 * v149)) - v438) - v443;
+        const double v527 = ((((v445 - (v482 * v157)) + v448) + (v498 * v163)) - v452) + v443;
+        const double v534 = ((((v455 - (v482 * v171)) + v458) + (v498 * v177)) - v462) - v467;
+        const double v541 = ((((v469 - (v482 * v185)) + v472) + (v498 * v191)) - v476) + v467;
+        w9[i] = v42;
+        w45[i] = (v104 - (v106 * v107)) - (v111 * v112);
+        w46[i] = (v126 - (v106 * v127)) - (v111 * v130);
+        w47[i] = v151 - (v106 * v152);
+        w48[i] = v165 - (v106 * v166);
+        w49[i] = v179 - (v106 * v180);
+        w50[i] = v193 - (v106 * v194);
+        w10[i] = v69;
+        w51[i] = (v241 - (v243 * v107)) - (v247 * v112);
+        w52[i] = (v257 - (v243 * v127)) - (v247 * v130);
+        w53[i] = v273 - (v243 * v152);
+        w54[i] = v282 - (v243 * v166);
+        w55[i] = v291 - (v243 * v180);
+        w56[i] = v300 - (v243 * v194);
+        w11[i] = -(v305 * (v326 - v330));
+        w57[i] = v409 - v412;
+        w58[i] = v423 - v424;
+        w59[i] = v444;
+        w60[i] = v454;
+        w61[i] = v468;
+        w62[i] = v478;
+        w12[i] = -(v305 * (v330 + v326));
+        w63[i] = v501 - v412;
+        w64[i] = v509 - v424;
+        w65[i] = v520;
+        w66[i] = v527;
+        w67[i] = v534;
+        w68[i] = v541;
         for (int k = 0; k < fibres; k++) {
-            const double v12 = each2[fibres * i + k];
-            const double v31 = each3[fibres * i + k];
-            const double v111 = each0[fibres * i + k];
-            const double v126 = each4[fibres * i + k];
-            const double v204 = each1[fibres * i + k];
-            const double v208 = each5[fibres * i + k];
-            each6[fibres * i + k] = v11 * v12;
-            each7[fibres * i + k] = v11 * v31;
-            each8[fibres * i + k] = ((v110 * v111) - (v117 * v12)) - (v125 * v126);
-            each9[fibres * i + k] = ((v110 * v204) - (v117 * v31)) - (v125 * v208);
-            each10[fibres * i + k] = ((v274 * v111) - (v280 * v12)) - (v287 * v126);
-            each11[fibres * i + k] = ((v274 * v204) - (v280 * v31)) - (v287 * v208);
-            each12[fibres * i + k] = ((v283 * v111) - (v393 * v12)) + (v399 * v126);
-            each13[fibres * i + k] = ((v283 * v204) - (v393 * v31)) + (v399 * v208);
+            const double v44 = each0[fibres * i + k];
+            const double v51 = each2[fibres * i + k];
+            const double v59 = each4[fibres * i + k];
+            const double v133 = each1[fibres * i + k];
+            const double v135 = each3[fibres * i + k];
+            const double v138 = each5[fibres * i + k];
+            const double v341 = v340 * v44;
+            const double v360 = v359 * v59;
+            const double v426 = v340 * v133;
+            const double v429 = v359 * v138;
+            each6[fibres * i + k] = ((v43 * v44) - (v50 * v51)) - (v58 * v59);
+            each7[fibres * i + k] = ((v43 * v133) - (v50 * v135)) - (v58 * v138);
+            each8[fibres * i + k] = ((v54 * v44) - (v202 * v51)) + (v208 * v59);
+            each9[fibres * i + k] = ((v54 * v133) - (v202 * v135)) + (v208 * v138);
+            each10[fibres * i + k] = (v341 + (v349 * v51)) + v360;
+            each11[fibres * i + k] = (v426 + (v349 * v135)) + v429;
+            each12[fibres * i + k] = (v341 - (v482 * v51)) + v360;
+            each13[fibres * i + k] = (v426 - (v482 * v135)) + v429;
         }
     }
 }
@@ -901,24 +947,24 @@ static void jacobian_9(int n, int fibres, int entries, const double *p, const do
     double *restrict w48 = w + 48 * n;
     double *restrict w49 = w + 49 * n;
     double *restrict w50 = w + 50 * n;
-    double *restrict w51 = w + 51 * n;
-    double *restrict w52 = w + 52 * n;
-    double *restrict w53 = w + 53 * n;
-    double *restrict w54 = w + 54 * n;
-    double *restrict w55 = w + 55 * n;
-    double *restrict w56 = w + 56 * n;
     double *restrict w57 = w + 57 * n;
     double *restrict w58 = w + 58 * n;
     double *restrict w59 = w + 59 * n;
     double *restrict w60 = w + 60 * n;
     double *restrict w61 = w + 61 * n;
     double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
     double *restrict each6 = w + (SCRATCH + 6 * fibres) * n;
     double *restrict each7 = w + (SCRATCH + 7 * fibres) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
     double *restrict each10 = w + (SCRATCH + 10 * fibres) * n;
     double *restrict each11 = w + (SCRATCH + 11 * fibres) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -932,54 +978,47 @@ static void jacobian_9(int n, int fibres, int entries, const double *p, const do
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
         const double v56 = c53 * g[7 * i + 5];
-        const double v79 = ((v56 * w45[i]) - (v56 * w46[i - 1])) + (v56 * w52[i - 1]);
-        const double v110 = ((v56 * w47[i]) - (v56 * w48[i - 1])) + (v56 * w54[i - 1]);
-        const double v131 = ((v56 * w49[i]) - (v56 * w50[i - 1])) + (v56 * w56[i - 1]);
-        e[entries * i + 4] = -(v9 * w57[i - 1]);
-        e[entries * i + 7] = (v9 * w57[i]) - (v9 * w58[i - 1]);
-        e[entries * i + 10] = v9 * w58[i];
-        e[entries * i + 2] = -(v9 * w59[i - 1]);
-        e[entries * i + 5] = (v9 * w59[i]) - (v9 * w60[i - 1]);
-        e[entries * i + 8] = v9 * w60[i];
-        e[entries * i + 3] = -(v9 * w61[i - 1]);
-        e[entries * i + 6] = (v9 * w61[i]) - (v9 * w62[i - 1]);
-        e[entries * i + 9] = v9 * w62[i];
-        e[entries * i + 22] = (v56 * w51[i - 1]) - (v56 * w45[i - 1]);
-        e[entries * i + 25] = v79 + (v56 * w51[i]);
-        e[entries * i + 28] = (v56 * w46[i]) + (v56 * w52[i]);
-        e[entries * i + 20] = (v56 * w53[i - 1]) - (v56 * w47[i - 1]);
-        e[entries * i + 23] = v110 + (v56 * w53[i]);
-        e[entries * i + 26] = (v56 * w48[i]) + (v56 * w54[i]);
-        e[entries * i + 21] = (v56 * w55[i - 1]) - (v56 * w49[i - 1]);
-        e[entries * i + 24] = v131 + (v56 * w55[i]);
-        e[entries * i + 27] = (v56 * w50[i]) + (v56 * w56[i]);
+        e[entries * i + 4] = -(v9 * w45[i - 1]);
+        e[entries * i + 7] = (v9 * w45[i]) - (v9 * w46[i - 1]);
+        e[entries * i + 10] = v9 * w46[i];
+        e[entries * i + 2] = -(v9 * w47[i - 1]);
+        e[entries * i + 5] = (v9 * w47[i]) - (v9 * w48[i - 1]);
+        e[entries * i + 8] = v9 * w48[i];
+        e[entries * i + 3] = -(v9 * w49[i - 1]);
+        e[entries * i + 6] = (v9 * w49[i]) - (v9 * w50[i - 1]);
+        e[entries * i + 9] = v9 * w50[i];
+        e[entries * i + 22] = v56 * w63[i - 1];
+        e[entries * i + 25] = (v56 * w57[i]) + (v56 * w64[i - 1]);
+        e[entries * i + 28] = v56 * w58[i];
+        e[entries * i + 20] = v56 * w65[i - 1];
+        e[entries * i + 23] = (v56 * w59[i]) + (v56 * w66[i - 1]);
+        e[entries * i + 26] = v56 * w60[i];
+        e[entries * i + 21] = v56 * w67[i - 1];
+        e[entries * i + 24] = (v56 * w61[i]) + (v56 * w68[i - 1]);
+        e[entries * i + 27] = v56 * w62[i];
         for (int k = 0; k < fibres; k++) {
-            const double v61 = (v56 * each8[fibres * (i - 1) + k]) - (v56 * each6[fibres * (i - 1) + k]);
-            const double v66 = (v56 * each6[fibres * i + k]) + (v56 * each8[fibres * i + k]);
-            const double v92 = (v56 * each9[fibres * (i - 1) + k]) - (v56 * each7[fibres * (i - 1) + k]);
-            const double v97 = (v56 * each7[fibres * i + k]) + (v56 * each9[fibres * i + k]);
-            e[entries * i + 29 + k] = -(v9 * each10[fibres * (i - 1) + k]);
-            e[entries * i + 29 + 2 * fibres + k] = v9 * each10[fibres * i + k];
-            e[entries * i + 29 + 1 * fibres + k] = -(v9 * each11[fibres * (i - 1) + k]);
-            e[entries * i + 29 + 3 * fibres + k] = v9 * each11[fibres * i + k];
-            e[entries * i + 29 + 8 * fibres + k] = v61;
-            e[entries * i + 29 + 10 * fibres + k] = v66;
-            e[entries * i + 29 + 9 * fibres + k] = v92;
-            e[entries * i + 29 + 11 * fibres + k] = v97;
+            e[entries * i + 29 + k] = -(v9 * each6[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 2 * fibres + k] = v9 * each6[fibres * i + k];
+            e[entries * i + 29 + 1 * fibres + k] = -(v9 * each7[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 3 * fibres + k] = v9 * each7[fibres * i + k];
+            e[entries * i + 29 + 8 * fibres + k] = v56 * each12[fibres * (i - 1) + k];
+            e[entries * i + 29 + 10 * fibres + k] = v56 * each10[fibres * i + k];
+            e[entries * i + 29 + 9 * fibres + k] = v56 * each13[fibres * (i - 1) + k];
+            e[entries * i + 29 + 11 * fibres + k] = v56 * each11[fibres * i + k];
         }
     }
 }
 
 static void jacobian_10(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w63 = w + 63 * n;
-    double *restrict w64 = w + 64 * n;
-    double *restrict w65 = w + 65 * n;
-    double *restrict w66 = w + 66 * n;
-    double *restrict w67 = w + 67 * n;
-    double *restrict w68 = w + 68 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -987,34 +1026,34 @@ static void jacobian_10(int n, int fibres, int entries, const double *p, const d
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[entries * i + 13] = -(v9 * w63[i - 1]);
-        e[entries * i + 16] = (v9 * w63[i]) - (v9 * w64[i - 1]);
-        e[entries * i + 19] = v9 * w64[i];
-        e[entries * i + 11] = -(v9 * w65[i - 1]);
-        e[entries * i + 14] = (v9 * w65[i]) - (v9 * w66[i - 1]);
-        e[entries * i + 17] = v9 * w66[i];
-        e[entries * i + 12] = -(v9 * w67[i - 1]);
-        e[entries * i + 15] = (v9 * w67[i]) - (v9 * w68[i - 1]);
-        e[entries * i + 18] = v9 * w68[i];
+        e[entries * i + 13] = -(v9 * w51[i - 1]);
+        e[entries * i + 16] = (v9 * w51[i]) - (v9 * w52[i - 1]);
+        e[entries * i + 19] = v9 * w52[i];
+        e[entries * i + 11] = -(v9 * w53[i - 1]);
+        e[entries * i + 14] = (v9 * w53[i]) - (v9 * w54[i - 1]);
+        e[entries * i + 17] = v9 * w54[i];
+        e[entries * i + 12] = -(v9 * w55[i - 1]);
+        e[entries * i + 15] = (v9 * w55[i]) - (v9 * w56[i - 1]);
+        e[entries * i + 18] = v9 * w56[i];
         for (int k = 0; k < fibres; k++) {
-            e[entries * i + 29 + 4 * fibres + k] = -(v9 * each12[fibres * (i - 1) + k]);
-            e[entries * i + 29 + 6 * fibres + k] = v9 * each12[fibres * i + k];
-            e[entries * i + 29 + 5 * fibres + k] = -(v9 * each13[fibres * (i - 1) + k]);
-            e[entries * i + 29 + 7 * fibres + k] = v9 * each13[fibres * i + k];
+            e[entries * i + 29 + 4 * fibres + k] = -(v9 * each8[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 6 * fibres + k] = v9 * each8[fibres * i + k];
+            e[entries * i + 29 + 5 * fibres + k] = -(v9 * each9[fibres * (i - 1) + k]);
+            e[entries * i + 29 + 7 * fibres + k] = v9 * each9[fibres * i + k];
         }
     }
 }
 
 static void jacobian_11(int n, int fibres, int entries, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w63 = w + 63 * n;
-    double *restrict w64 = w + 64 * n;
-    double *restrict w65 = w + 65 * n;
-    double *restrict w66 = w + 66 * n;
-    double *restrict w67 = w + 67 * n;
-    double *restrict w68 = w + 68 * n;
-    double *restrict each12 = w + (SCRATCH + 12 * fibres) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * fibres) * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each8 = w + (SCRATCH + 8 * fibres) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * fibres) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1022,15 +1061,15 @@ static void jacobian_11(int n, int fibres, int entries, const double *p, const d
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[entries * i + 16] = v9 * w63[i];
-    e[entries * i + 19] = v9 * w64[i];
-    e[entries * i + 14] = v9 * w65[i];
-    e[entries * i + 17] = v9 * w66[i];
-    e[entries * i + 15] = v9 * w67[i];
-    e[entries * i + 18] = v9 * w68[i];
+    e[entries * i + 16] = v9 * w51[i];
+    e[entries * i + 19] = v9 * w52[i];
+    e[entries * i + 14] = v9 * w53[i];
+    e[entries * i + 17] = v9 * w54[i];
+    e[entries * i + 15] = v9 * w55[i];
+    e[entries * i + 18] = v9 * w56[i];
     for (int k = 0; k < fibres; k++) {
-        e[entries * i + 29 + 6 * fibres + k] = v9 * each12[fibres * i + k];
-        e[entries * i + 29 + 7 * fibres + k] = v9 * each13[fibres * i + k];
+        e[entries * i + 29 + 6 * fibres + k] = v9 * each8[fibres * i + k];
+        e[entries * i + 29 + 7 * fibres + k] = v9 * each9[fibres * i + k];
     }
     (void)n;
 }
@@ -1194,7 +1233,7 @@ static void work_1(int n, double t, const double *p, const double *g, double *w,
     const double c26 = c10 / c25;
     const double c27 = c22 * c26;
     for (int i = 0; i < n; i++) {
-        q[1] += (g[7 * i + 3] * c27) * w2[i];
+        q[1] += g[7 * i + 3] * (c27 * w2[i]);
     }
 }
 
@@ -1259,8 +1298,8 @@ static void work_slope_0(int n, int fibres, int slots, const double *zeta, const
         const double v15 = log(v10);
         const double v23 = 1.0 / v10;
         const double v24 = (0.9486832980505138 * w4[i]) * v23;
-        const double v148 = v24 * v23;
-        const double v156 = 2.0 * v11;
+        const double v145 = v24 * v23;
+        const double v153 = 2.0 * v11;
         for (int k = 0; k < fibres; k++) {
             const double v6 = zeta[k];
             const double v14 = ((v5 * v6) * c8) * v13;
@@ -1284,25 +1323,25 @@ static void work_slope_0(int n, int fibres, int slots, const double *zeta, const
             const double v83 = c2 * ((v38 * v78) + ((2.0 * v34) * v72));
             const double v92 = (0.5 * ((c43 * v78) + (v34 * v78))) + ((2.0 * v30) * (0.25 * v83));
             const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
-            const double v152 = (v14 * v13) * v96;
-            const double v158 = (((v96 * v23) - (v148 * v92)) - (v11 * v152)) - ((v10 * v152) / v156);
+            const double v149 = (v14 * v13) * v96;
+            const double v155 = (((v96 * v23) - (v145 * v92)) - (v11 * v149)) - ((v10 * v149) / v153);
             each14[fibres * i + k] = v55 != 0.0 ? (-v96) : 0.0;
             each15[fibres * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
             sum12 += v55 != 0.0 ? ((v54 * v64) * v65) : 0.0;
-            sum13 += v55 != 0.0 ? (0.9486832980505138 * (v92 * v23)) : 0.0;
-            sum14 += v55 != 0.0 ? v158 : 0.0;
+            sum13 += v55 != 0.0 ? v155 : 0.0;
+            sum14 += v55 != 0.0 ? (0.9486832980505138 * (v92 * v23)) : 0.0;
             sum15 += v55 != 0.0 ? ((-0.5) * (v6 * (c8 * (v96 * v13)))) : 0.0;
         }
         const double v99 = sum13;
         const double v102 = sum14;
         const double v106 = sum15;
         w69[i] = sum12;
-        w70[i] = ((v99 * w19[i]) + (v102 * w13[i])) + (v106 * w25[i]);
-        w71[i] = ((v99 * w20[i]) + (v102 * w14[i])) + (v106 * w26[i]);
-        w72[i] = (v99 * w21[i]) + (v102 * w15[i]);
-        w73[i] = (v99 * w22[i]) + (v102 * w16[i]);
-        w74[i] = (v99 * w23[i]) + (v102 * w17[i]);
-        w75[i] = (v99 * w24[i]) + (v102 * w18[i]);
+        w70[i] = ((v99 * w13[i]) + (v102 * w19[i])) + (v106 * w25[i]);
+        w71[i] = ((v99 * w14[i]) + (v102 * w20[i])) + (v106 * w26[i]);
+        w72[i] = (v99 * w15[i]) + (v102 * w21[i]);
+        w73[i] = (v99 * w16[i]) + (v102 * w22[i]);
+        w74[i] = (v99 * w17[i]) + (v102 * w23[i]);
+        w75[i] = (v99 * w18[i]) + (v102 * w24[i]);
     }
 }
 
@@ -1409,7 +1448,7 @@ static void work_in_time_1(int n, double t, const double *p, const double *g, do
     const double c45 = c9 * c44;
     const double c46 = c8 * c45;
     for (int i = 0; i < n; i++) {
-        q[1] += w2[i] * (g[7 * i + 3] * c46);
+        q[1] += g[7 * i + 3] * (w2[i] * c46);
     }
 }
 

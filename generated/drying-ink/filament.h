@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: a12e9a6a2ddb31603f33fdcd5223dfa3a5596bf2490e4e755b543160aae51544
+ * Digest of the structure: fe68b58015fe443962b517c5688c3b4b7d61dd4de9800ff17daa48b57e10bf46
  */
 
 #ifndef SOFTCAT_FILAMENT_H

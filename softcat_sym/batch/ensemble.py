@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -25,11 +26,12 @@ from softcat_sym.batch.reference_member import (
     resolution_of_run,
 )
 from softcat_sym.batch.worker import StructureCache, judged
+from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.results.breaking import breakable
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.run import Run
-from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.scene.units import SI_UNITS, Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
@@ -134,6 +136,14 @@ class Ensemble:
     def __len__(self) -> int:
         return len(self.scenes)
 
+    def __repr__(self) -> str:
+        counts = Counter(one.name for one in self.outcomes)
+        ends = ", ".join(f"{name} {count}" for name, count in sorted(counts.items()))
+        return f"Ensemble {self.data.title!r}: {len(self)} filaments ({ends})\n  .data, .trajectory(member), .scenes"
+
+    def _repr_html_(self) -> str:
+        return html(repr(self)) + str(self.data._repr_html_())
+
     def trajectory(self, member: int) -> Run:
         """Run one member again by `simulate`: whole shapes, every check, effects as its own scene asks for them.
 
@@ -194,6 +204,7 @@ def simulate_many(
     progress: MembersProgress | None = None,
     effects: Choosing = "once",
     estimate: bool = False,
+    changes: Changes = (),
 ) -> Ensemble:
     """Run a filament for every row of a table of parameters.
 
@@ -220,6 +231,8 @@ def simulate_many(
         more effects.
     estimate : bool
         Run each by :func:`simulate`, its own error estimated: several times as long.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -235,7 +248,7 @@ def simulate_many(
     """
     if effects not in ("once", "each"):
         raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
-    scene = as_scene(scene)
+    scene = as_scene(scene, changes)
     threads, rows = worker_count(workers), rows_of(parameters)
     with watched():
         return _simulated(scene, rows, threads, progress, effects, estimate=estimate)

@@ -9,6 +9,7 @@ import json
 import math
 import re
 import tomllib
+import warnings
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -21,11 +22,11 @@ import numpy.typing as npt
 
 from softcat_sym.batch.members import Row, is_group, is_number, kind_of
 from softcat_sym.batch.reference_member import ReferenceMember
-from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
+from softcat_sym.errors import Fault, SceneError, SoftcatError, SoftcatWarning
 from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
 from softcat_sym.simulate import identity_of
@@ -392,64 +393,63 @@ def _list(scene: Scene, key: str, text: str) -> list[Value]:
 
 _KIND = "table of a sweep"
 _CSV_FORM = "a header of dotted keys, groups.G,material.yield_stress [kPa], and a row of values for each member"
-_HEADER = re.compile(r"([A-Za-z_][\w-]*(?:\.[A-Za-z_][\w-]*)*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?")
+_HEADER = re.compile(r"(model|[A-Za-z_][\w-]*(?:\.[A-Za-z_][\w-]*)+)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?")
+
+
+def _key_of(heading: str) -> str | None:
+    match = _HEADER.fullmatch(heading)
+    return match[1] if match else None
 
 
 def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
     """Read the members of a sweep from the rows of a CSV file."""
-    lines = [(number, cells_of(line)) for number, line in data_lines(text_of(path, _KIND, _CSV_FORM))]
-    if len(lines) < 2:
-        raise refusal(_KIND, path, [Fault("", "no rows below the header" if lines else "empty", _CSV_FORM)])
-    header = _header(path, *lines[0])
-    faults: list[Fault] = []
+    _, cells = read_cells(path, _KIND, _CSV_FORM, _key_of)
+    where, faults, header = f"line {cells.line}", cells.no_rows(), list[tuple[str, str]]()
+    for place, heading in enumerate(cells.header):
+        match = _HEADER.fullmatch(heading)
+        if match is None:
+            faults.append(Fault(where, f"{shown(heading)} is no dotted key", _CSV_FORM))
+            continue
+        key, unit = match[1], match[2] or (cells.units[place] if place < len(cells.units) else "")
+        if key in dict(header):
+            faults.append(Fault(where, f"{key} stands there twice", "each key once"))
+        if unit not in ("", "1") and not _is_quantity(f"1 {unit}"):
+            faults.append(Fault(f"{where}, {key}", f"unknown unit {shown(unit)}", "a unit, such as [mm]"))
+        header.append((key, unit))
     rows: list[list[Value]] = []
-    for number, cells in lines[1:]:
-        if len(cells) != len(header):
-            found = f"{len(cells)} values, but the header has {len(header)} keys"
+    for number, row in cells.rows if not faults else ():
+        if len(row) != len(header):
+            found = f"{len(row)} values, but the header has {len(header)} keys"
             faults.append(Fault(f"line {number}", found, "a value for each key"))
             continue
-        row = [_cell(scene, key, unit, cell) for (key, unit), cell in zip(header, cells, strict=True)]
-        wrong = [(key, value) for (key, _), value in zip(header, row, strict=True) if isinstance(value, Fault)]
-        faults += [Fault(f"line {number}, {key}", fault.found, fault.accepted) for key, fault in wrong]
-        rows.append(row)
+        rows.append([_cell(scene, key, unit, cell) for (key, unit), cell in zip(header, row, strict=True)])
+        wrong = [value for value in rows[-1] if isinstance(value, Fault)]
+        faults += [Fault(f"line {number}, {fault.path}", fault.found, fault.accepted) for fault in wrong]
     if faults:
         raise refusal(_KIND, path, faults)
+    for note in sentence(*cells.said):
+        warnings.warn(f"{path}: {note}", SoftcatWarning, stacklevel=3)
     return tuple(SweepAxis(key, tuple(row[k] for row in rows)) for k, (key, _) in enumerate(header))
-
-
-def _header(file: Path, number: int, cells: Sequence[str]) -> list[tuple[str, str]]:
-    """Keys and units."""
-    header: dict[str, str] = {}
-    faults: list[Fault] = []
-    for cell in cells:
-        match = _HEADER.fullmatch(cell)
-        if match is None or ("." not in match[1] and match[1] != "model"):
-            faults.append(Fault(f"line {number}", f"{shown(cell)} is no dotted key", _CSV_FORM))
-            continue
-        key, unit = match[1], match[2] or ""
-        if key in header:
-            faults.append(Fault(f"line {number}", f"{key} stands there twice", "each key once"))
-        if unit not in ("", "1") and not _is_quantity(f"1 {unit}"):
-            faults.append(Fault(f"line {number}, {key}", f"unknown unit {shown(unit)}", "a unit, such as [mm]"))
-        header[key] = unit
-    if faults:
-        raise refusal(_KIND, file, faults)
-    return list(header.items())
 
 
 def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
     """Value of a cell, or its fault."""
     if not cell:
         return Fault(key, "an empty cell", "a value")
-    number = number_in(cell)
+    number, kind = number_in(cell), kind_of(scene, {}, key)
     if number is None:
         overrides, faults = read_overrides([f"{key}={cell}"])
-        return faults[0] if faults else overrides[0].value
+        if faults or not isinstance(kind, Quantity):
+            return faults[0] if faults else overrides[0].value
+        try:
+            kind.measured(overrides[0].value)
+        except NotAQuantity as error:
+            return Fault(key, str(error), kind.accepted)
+        return overrides[0].value
     if not math.isfinite(number):
         return Fault(key, f"{shown(cell)} is not finite", "a finite number")
     if unit and unit != "1":
-        return f"{cell} {unit}"
-    kind = kind_of(scene, {}, key)
+        return f"{cell.replace(',', '.')} {unit}"
     if not unit and isinstance(kind, Quantity):
         return Fault(key, f"{shown(cell)} has no unit", f"a unit, or in the header: {key} [{kind.example.split()[-1]}]")
     return int(cell) if re.fullmatch(r"[+-]?\d+", cell) else number

@@ -40,7 +40,7 @@ from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion, time_to_share
 from softcat_sym.results.netcdf import netcdf_file
 from softcat_sym.results.verdict import measures, missing_effect
-from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.single_run import OF_A_STEP_TOO_LONG
@@ -198,6 +198,7 @@ class Counts:
 
     outcomes: Counter[str] = field(default_factory=Counter)
     regimes: Counter[str] = field(default_factory=Counter)
+    refusal: str = ""  # Why the first member without an answer has none
 
 
 def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: ReferenceMember) -> Counts:
@@ -217,6 +218,7 @@ def _write(plan: SweepPlan, parts: _Parts, directory: Path, reference: Reference
                 append(file, parts.variables(start, table), start, plan.members)
                 counts.outcomes.update(table["outcome"].tolist())
                 counts.regimes.update(filter(None, table["regime"].tolist()))
+                counts.refusal = counts.refusal or next(filter(None, table["message"].tolist()), "")
                 check()
 
     def fill_table(passing: Path) -> None:
@@ -346,6 +348,7 @@ def sweep(
     executor: futures.Executor | None = None,
     fresh: bool = False,
     progress: MembersProgress | None = None,
+    changes: Changes = (),
 ) -> Sweep:
     """Run a filament for every value of some parameters, in constant memory; results go to disk.
 
@@ -375,6 +378,8 @@ def sweep(
     progress : MembersProgress, optional
         Receiver of the number of finished members and the time left, such as
         :class:`softcat_sym.progress.MembersBar`.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Raises
     ------
@@ -382,7 +387,8 @@ def sweep(
         If the plan is invalid, before anything runs; if the user stops it.
     """
     where = Where(workers, scheduler, local_cluster, executor)
-    plan = plan_sweep(as_scene(scene), vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
+    base = as_scene(scene, changes)
+    plan = plan_sweep(base, vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     with store.fresh(fresh), contextlib.ExitStack() as stack:
         if directory is not None:
             return run_sweep(plan, Path(directory), where, progress)

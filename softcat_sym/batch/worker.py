@@ -69,8 +69,9 @@ class StructureCache:
         settings = tolerances(member)
         grid = choose_grid(scene, effects)
         body = choose_body(scene, grid)
-        arrays = tuple(map(_bytes, (grid.nodes, body.profile.nodes, body.profile.cells, body.natural)))
-        place = (*arrays, grid.first, grid.last, body.supports, body.weighted)
+        arrays = (grid.nodes, body.profile.nodes, body.profile.cells, body.natural)
+        contents = (None if one is None else np.asarray(one, dtype=float).tobytes() for one in arrays)
+        place = (*contents, grid.first, grid.last, body.supports, body.weighted)
         with self._lock:
             key = (member.pattern, effects.names, backend, settings.solver, *place)
             shared = self._structures.get(key)
@@ -101,10 +102,6 @@ def tolerances(member: Member) -> Settings:
     scene = member.scene
     brief = scene.model_copy(update={"run": scene.run.model_copy(update={"frames": 2})})
     return settings_for(brief, member.effects, compiled=member.backend.compiled)
-
-
-def _bytes(values: object) -> bytes | None:
-    return None if values is None else np.asarray(values, dtype=float).tobytes()
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,9 @@ def _status(ending: interrupts.Ending) -> int | str | None:
     except OSError as error:
         # The message has neither error numbers nor names of temporary files.
         where = f" ({Path(error.filename).parent})" if isinstance(error.filename, str) and error.filename else ""
-        application.print_error(f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}")
+        results = f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}"
+        # A note says what else it was that could not be written.
+        application.print_error("; ".join(getattr(error, "__notes__", [results])))
     except MemoryError:
         application.print_error(
             "there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames"

@@ -10,8 +10,7 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import Display
 
 with lazy_imports():
-    from softcat_sym.studies import work_precision
-    from softcat_sym.studies import work_precision_programs as rivals
+    from softcat_sym.studies import integrators, work_precision
 
 
 def accuracy(
@@ -40,12 +39,12 @@ def accuracy(
     store.
     """
     asked, output = cli.scene_and_directory(scene, changes, output, "accuracy")
-    programs = rivals.PROGRAMS if everything else rivals.RIVALS
+    methods = integrators.METHODS if everything else integrators.RIVALS
     limit = limit or (work_precision.LIMIT_OF_ALL if everything else work_precision.LIMIT)
     try:
         with Display(quiet=quiet) as progress:
             progress.stage("accuracy")
-            found = work_precision.study(scene, asked, programs, limit, lambda what, share: progress.reach(share, what))
+            found = work_precision.study(scene, asked, methods, limit, lambda what, share: progress.reach(share, what))
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
     report = drawing.report(found)

@@ -34,6 +34,8 @@ with lazy_imports():
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
+_CHANGES_SHOWN = 4
+
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
@@ -197,7 +199,26 @@ def scene_and_directory(
 ) -> tuple[Scene, Path]:
     """Return the scene and the DIR of a command; faults of the scene and of its effects are reported first."""
     asked = scene_of(name, [*settings, *(changes or [])])
-    return asked, output_directory(output, command, name, asked)
+    output = output_directory(output, command, name, asked)
+    if (output / "scene.toml").is_file():
+        _tell_what_is_replaced(asked, output)
+    return asked, output
+
+
+def _tell_what_is_replaced(asked: Scene, output: Path) -> None:
+    """Print what is different in the scene whose results are in DIR, if it is another one."""
+    from softcat_sym.errors import SceneError
+    from softcat_sym.scene.reading import load_scene
+
+    try:
+        there = load_scene(output / "scene.toml")
+    except SceneError:
+        return
+    changed = [f"{path} {before} -> {now}" for path, (before, now) in there.differences(asked).items()]
+    if changed:
+        more = f" and {len(changed) - _CHANGES_SHOWN} more" if len(changed) > _CHANGES_SHOWN else ""
+        listed = ", ".join(changed[:_CHANGES_SHOWN])
+        print_error(f"{output} has results of another scene, which are replaced: {listed}{more}; -o DIR keeps them")
 
 
 def present(report: Report, written: Iterable[Path], output: Path, *, quiet: bool) -> None:

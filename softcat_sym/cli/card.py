@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from softcat_sym.solvers.solution import Progress
 
 with lazy_imports():
+    from softcat_sym.plotting import card as drawn
     from softcat_sym.plotting import terminal
     from softcat_sym.studies import card as study
     from softcat_sym.web import module, page
@@ -94,15 +95,30 @@ def card(
     options = {**flags, **({"sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
+    command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
+    study.check_limit(study.LIMIT if sag is None else sag)
+    printer.foresee(asked)
     with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-        found = study.card(asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes)
-        live, why = _live_page(found, progress)
+        try:
+            found = study.card(
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=printer.hear
+            )
+        except KeyboardInterrupt:
+            if printer.card is None:
+                raise
+            drawing.report(printer.card, command=command).write(output)
+            left = f"what was computed is in {output}, marked as incomplete; the same command goes on from there"
+            raise cli.interrupted(left) from None
         progress.stage("drawing")
-        report = drawing.report(found, command=shlex.join([*words, "-o", "DIR"]), live=live)
+        report = drawing.report(found, command=command)
         written = report.write(output)
-    cli.present(report, written, output, quiet=quiet)
-    if why and not quiet:
-        typer.echo(f"no live page: {why}")
+        live, why = _live_page(found, progress)
+        if live:
+            figure = report.files["card.png"]
+            written = drawing.report(found, command=command, live=live, figure=figure).write(output)
+    if not quiet:
+        cli.print_written(written, output)
+        typer.echo(f"no live page: {why}" if why else "", nl=bool(why))
     cli.judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 

@@ -59,19 +59,10 @@ def experiment(
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
+        judge = design.judge_of(asked, free, noise, within, nuisance or [], max_frames, rough, max_sag)
         # The faster of the two comes first.
         critical = None if sag is None else critical_span.critical_span(asked, sag, progress=progress)
-        found = design.design_experiment(
-            asked,
-            free,
-            noise,
-            within,
-            nuisance=nuisance or [],
-            max_frames=max_frames,
-            rough=rough,
-            max_sag=max_sag,
-            progress=progress,
-        )
+        found = design.best_experiment(judge, progress)
         progress.stage("drawing")
         report = drawing.report(found, critical=critical)
         written = report.write(output)

@@ -53,7 +53,9 @@ def explain(
     }
     written = [] if output is None else files.write_results(output, contents)
     if not quiet:
-        print_explanation(explanation, verbose=verbose)
+        assumed = filter(None, [asked.material.assumed])
+        notes = [*(("converted", note) for note in asked.notes), *(("assumed", note) for note in assumed)]
+        print_explanation(explanation, notes=notes, verbose=verbose)
         if output is not None:
             cli.print_written(written, output)
 
@@ -94,13 +96,18 @@ def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> 
 
 
 def print_explanation(
-    explanation: study.Explanation, console: rich_console.Console | None = None, *, verbose: bool = False
+    explanation: study.Explanation,
+    console: rich_console.Console | None = None,
+    *,
+    notes: Sequence[tuple[str, str]] = (),
+    verbose: bool = False,
 ) -> None:
-    """Print an explanation in short; with `verbose`, print all of it in tables."""
+    """Print an explanation in short, with notes on the scene; with `verbose`, print all of it in tables."""
     out = console or rich_console.Console()
     out.print(rich_text.Text(explanation.title or "Filament", style="bold"))
     if not verbose:
-        terminal.print_rows(_short_rows(explanation), out)
+        more = ("more", "-v for groups, equations, formulas and limits")
+        terminal.print_rows([*_short_rows(explanation), *notes, more], out)
         return
     groups: Rows = [
         (group["name"], "infinite" if group["value"] is None else units.significant(group["value"]), group["meaning"])
@@ -123,6 +130,7 @@ def print_explanation(
     for title, heads, rows, whole in tables:
         styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
         out.print(terminal.text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+    terminal.print_rows([*notes], out)
     for warning in explanation.warnings:
         out.print(rich_text.Text(f"warning: {warning}", style="yellow"))
 
@@ -145,7 +153,6 @@ def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
-        ("more", "-v for groups, equations, formulas and limits"),
     ]
     return [row for row in rows if row[1]]
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 with lazy_imports():
-    from softcat_sym.fitting import collapse_test, least_squares, measurements, model_selection
+    from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
 
@@ -100,6 +100,10 @@ def fit(
         cli.Number,
         cli.option("SECONDS", "Time after which the fit ends with the best result so far.", callback=cli.checked_limit),
     ] = None,
+    features_only: Annotated[
+        bool,
+        cli.switch("Read features and print E and eta by the closed form, without fitting.", "--features-only"),
+    ] = False,
     posterior: Annotated[
         bool, cli.switch("Also draw from the posterior; this needs the extra bayes.", "--posterior")
     ] = False,
@@ -122,9 +126,17 @@ def fit(
     status 0 if an optimum was found. A parameter that the data do not determine has a verdict instead of a value. After
     Ctrl-C the same command resumes from the finished evaluations, and gives the same numbers.
     """
-    _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
+    if features_only:
+        _check_features(data, free or [], law or [], test)
+    else:
+        _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
+    command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
+    if features_only:
+        report = drawing.report(closed_form.closed_form(data[0], known), command=command)
+        cli.present(report, report.write(output), output, quiet=quiet)
+        return
     if posterior:
         # A missing package is reported before the fit.
         bayes.packages()
@@ -142,11 +154,11 @@ def fit(
             "discrepancy": not no_discrepancy,
             "time_limit": time_limit,
             "flow_curve": flow_curve,
+            "priors": before,
         }
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
-        drawn = bayes.posterior_of(found, before, seed=seed, progress=progress) if posterior else None
+        drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
-        command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
@@ -156,6 +168,15 @@ def fit(
         raise typer.Exit(cli.UNTRUSTED)
     if drawn is not None and not drawn.outcome.is_success:
         raise typer.Exit(cli.UNTRUSTED)
+
+
+def _check_features(data: list[Path], free: list[str], law: list[str], test: str | None) -> None:
+    """Refuse what is not of the closed form."""
+    given = {"--free": free, "--law": law, "--test": test, "DATA": data[1:]}
+    for name, value in given.items():
+        if value:
+            message = "features are of one film" if name == "DATA" else "the closed form fits nothing: leave it out"
+            raise typer.BadParameter(f"{message}; or leave --features-only out", param_hint=name)
 
 
 def _check(

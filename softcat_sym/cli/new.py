@@ -32,8 +32,11 @@ def new(
     diameter: Annotated[cli.Text, _value("Diameter of the strand: '0.4 mm'.")] = None,
     density: Annotated[cli.Text, _value("Density: '2200 kg/m^3'.")] = None,
     law: Annotated[cli.Text, _value("Law: bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    storage_modulus: Annotated[cli.Text, _value("Storage modulus G' below yield, from a rheometer: '103 kPa'.")] = None,
+    loss_modulus: Annotated[cli.Text, _value("Loss modulus G'' below yield, beside G': '10 kPa'.")] = None,
+    loss_tangent: Annotated[cli.Text, _value("G''/G' in place of G'': 0.1.")] = None,
     youngs_modulus: Annotated[
-        cli.Text, _value("Young's modulus: '300 kPa'. That of an ink is three times its G'.")
+        cli.Text, _value("Young's modulus in place of G': '300 kPa'. That of an ink is three times its G'.")
     ] = None,
     yield_stress: Annotated[
         cli.Text, _value("Yield stress in shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
@@ -60,6 +63,9 @@ def new(
         "filament.thickness": diameter,
         "filament.density": density,
         "material.law": law,
+        "material.storage_modulus": storage_modulus,
+        "material.loss_modulus": loss_modulus,
+        "material.loss_tangent": loss_tangent,
         "material.youngs_modulus": youngs_modulus,
         "material.shear_yield_stress": yield_stress,
         "material.shear_viscosity": viscosity,
@@ -87,20 +93,23 @@ def _asked() -> dict[str, str]:
     meaning = {key.path: key.meaning for key in scene_keys.scene_keys()}
     answers: dict[str, str] = {}
 
-    def accepted(text: str) -> str:
+    def accepted(text: str) -> tuple[str, str]:
+        key = scene_keys.LOSS_MODULUS if path == scene_keys.LOSS and text.strip()[-1:].isalpha() else path
         try:
-            scene_keys.scene_template("", {**answers, path: text})
+            scene_keys.scene_template("", {**answers, key: text})
         except SceneError as error:
             # Faults of values that are asked for later do not count yet.
-            here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == path]
+            here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == key]
             if here:
                 raise typer.BadParameter("; ".join(here)) from None
-        return text
+        return key, text
 
     while waiting := [path for path in scene_keys.example_values(answers) if path not in answers]:
         path = waiting[0]
-        typer.echo(meaning[path])
-        answers[path] = typer.prompt(path, default=scene_keys.example_values(answers)[path], value_proc=accepted)
+        other = "Or G'' itself, with its unit: 10 kPa." if path == scene_keys.LOSS else ""
+        typer.echo(" ".join(filter(None, [meaning[path], scene_keys.REASONS.get(path), other])))
+        key, text = typer.prompt(path, default=scene_keys.example_values(answers)[path], value_proc=accepted)
+        answers[key] = text
     return answers
 
 

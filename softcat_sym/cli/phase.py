@@ -13,8 +13,8 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
 with lazy_imports():
-    from softcat_sym.batch import phase_runs
     from softcat_sym.studies import phase as study
+    from softcat_sym.studies import phase_runs
 
 
 def phase(

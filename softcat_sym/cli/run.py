@@ -52,7 +52,7 @@ def run(
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = cli.scene_and_directory(scene, changes, output, "run")
-    written = None
+    files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
     try:
         with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
@@ -66,15 +66,15 @@ def run(
             ending().no_limit()
             progress.stage("writing")
             # The numbers are written first, so that they remain after Ctrl-C during the drawing.
-            written = trajectory.written(output)
+            trajectory, files = trajectory.written(output, trajectory.files())
             if not no_pictures:
                 progress.stage("drawing pictures")
                 report = drawing.report(trajectory, name=drawn, radius=radius)
-                written = written.joined_by(output, report.files)
+                trajectory, pictures = trajectory.written(output, report.files)
+                files += pictures
     except KeyboardInterrupt:
-        left = "nothing was written" if written is None else f"the run is in {output}, its pictures are not: {again}"
+        left = "nothing was written" if not files else f"the run is in {output}, its pictures are not: {again}"
         raise cli.interrupted(left) from None
-    films = []
     if order is not None:
         try:
             films = [_film(order, output, trajectory, quiet=quiet)]
@@ -82,7 +82,7 @@ def run(
             left = f"the run is in {output}, its film is not: {again} --animate {order.name}"
             raise cli.interrupted(left) from None
     if not quiet:
-        terminal.print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
+        terminal.print_summary(trajectory.summary, asked, (*films, *files), verbose=verbose)
     cli.judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 

@@ -81,5 +81,5 @@ def sweep(
         written = [output / "sweep.nc", output / "sweep.csv", *report.write(output)]
     cli.present(report, written, output, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
-        cli.print_error("no member is an answer; sweep.csv has the reason of each")
+        cli.print_error(f"no member is an answer; sweep.csv has the reason of each, the first: {done.counts.refusal}")
         raise typer.Exit(cli.UNTRUSTED)

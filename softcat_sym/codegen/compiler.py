@@ -29,9 +29,13 @@ from softcat_sym.interrupts import Interrupts, interrupts_go_to
 
 
 def run(
-    command: Sequence[str], seconds: float, folder: Path, zig: Path | None = None
+    command: Sequence[str],
+    seconds: float,
+    folder: Path,
+    zig: Path | None = None,
+    on_wait: Callable[[], object] = lambda: None,
 ) -> subprocess.CompletedProcess[str]:
-    """Run a command to its end in a folder, and take what it says.
+    """Run a command to its end in a folder, and take what it says; `on_wait` is called now and then until then.
 
     Zig compiles the libraries of C for itself, once; where `zig` does not say where it keeps them, the folder has them.
     """
@@ -63,6 +67,7 @@ def run(
                 except subprocess.TimeoutExpired:
                     if stop is not None and stop.is_set():
                         raise KeyboardInterrupt from None
+                    on_wait()
                     if time.monotonic() - began > seconds:
                         raise
         except BaseException:

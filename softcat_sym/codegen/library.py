@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import errno
 import functools
 import hashlib
 import json
@@ -96,10 +97,11 @@ def store(key: str, build: Callable[[Path], object], made_from: str = "") -> Pat
                 cache.remove(folder / key)
                 passing.rename(folder / key)
     except OSError as error:
+        # It stays an error of the system: no fault of a scene, which would be one failed member of a sweep.
         full = "free some space, or set SOFTCAT_CACHE to a folder elsewhere"
         advice, place = full if error.errno in cache.FULL else cache.ADVICE, cache.folder(cache.LIBRARIES)
-        said = f"cannot write the cache of compiled libraries in {place}: {error.strerror or error}; {advice}"
-        raise SoftcatError(said) from error
+        error.add_note(f"cannot write the cache of compiled libraries in {place}: {error.strerror or error}; {advice}")
+        raise
     cache.trim(cache.LIBRARIES, limit, key)
     return folder / key / LIBRARY
 
@@ -214,6 +216,8 @@ def _build(
         raise SoftcatError(
             f"{compiler.path} ({compiler.version}) did not finish within {_PATIENCE:.0f} s and was stopped"
         ) from error
+    if done.returncode != 0 and _NO_SPACE.search(done.stderr + done.stdout):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder))
     if done.returncode != 0 or not (folder / LIBRARY).is_file():
         raise SoftcatError(_refusal(compiler, command, done))
     for name in sources:
@@ -239,7 +243,5 @@ def _refusal(compiler: Compiler, command: Sequence[str], done: subprocess.Comple
         errors.insert(0, f"(killed by signal {-done.returncode}: {ended})")
         advice = "if memory ran out, or the disk is full, free some and try again"
     said = "\n".join(f"  {line}" for line in errors[:_SHOWN]) or f"  (nothing; exit status {done.returncode})"
-    if _NO_SPACE.search(said):
-        advice = "the disk is full: free some space, or set SOFTCAT_CACHE to a folder elsewhere"
     called = " ".join(command)
     return f"{compiler.path} ({compiler.version}) cannot compile the C sources:\n{said}\n  with: {called}\n{advice}"

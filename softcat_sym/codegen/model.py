@@ -14,7 +14,6 @@ from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_
 from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.stencil import Field
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown
-from softcat_sym.errors import PrintingError
 
 Template = TypeVar("Template")
 
@@ -23,8 +22,6 @@ _MARK = "@"  # stands in the text for what is known only later
 
 def template_of(program: Program, made_of: Callable[..., Template]) -> Template:
     """C text of a filament, made of its parts."""
-    if any(one.summed for one in program.fields):
-        raise PrintingError("there is no C of a filament whose sites all read one sum: that of small deflections")
     writer, leaves = Writer(program), program.leaves
     fields = needed(leaves, program.fields, program.rates)
     levels = levels_of(leaves, [*fields, *program.rates])

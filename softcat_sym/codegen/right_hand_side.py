@@ -54,7 +54,10 @@ def rhs_source(graph: Graph, model: Model) -> CSource:
             patterns[f"{of}_{by}"], entries = _block(model, sites.shape, at[rows], at[by])
             tables.append(c_array("int", f"{of}_{by}", [*map(str, entries), _END]))
             blocks[f"{of}_{by}"] = len(entries)
-    tables += [c_array("casadi_int", f"pattern_{name}", _compressed(one)) for name, one in patterns.items()]
+    for name, one in patterns.items():
+        # As CasADi reads it: its size, where each column begins, and the rows.
+        compressed = map(str, (*one.shape, *one.colind(), *one.row()))
+        tables.append(c_array("casadi_int", f"pattern_{name}", list(compressed)))
 
     def slopes(of: str, names: Sequence[str], prefix: str = "") -> list[tuple[str, str]]:
         return [(f"{prefix}{of}_{by}", outputs[of] if by == "t" else f"{of}_{by}") for by in names]
@@ -101,8 +104,3 @@ def _block(model: Model, shape: tuple[int, int], rows: Indices, columns: Indices
     found.sort()
     pattern = ca.Sparsity.triplet(len(rows), len(columns), [row for _, row, _ in found], [c for c, _, _ in found])
     return pattern, [entry for _, _, entry in found]
-
-
-def _compressed(pattern: ca.Sparsity) -> list[str]:
-    """As CasADi reads it: its size, where each column begins, and the rows."""
-    return [str(one) for one in (*pattern.shape, *pattern.colind(), *pattern.row())]

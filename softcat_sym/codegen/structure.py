@@ -12,7 +12,6 @@ from pydantic import TypeAdapter
 from softcat_sym import cache, store
 from softcat_sym.codegen.c_text import c_array, number
 from softcat_sym.discretization.assembly import Recorded
-from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Signature, Slot
 from softcat_sym.effects.choosing import Effects
@@ -23,7 +22,7 @@ class Model:
     """What the C texts of a filament amount to."""
 
     template: Template = field(repr=False)
-    rule: SectionRule | PointRule | None  # Where the fibres are; None without
+    rule: SectionRule | None  # Where the fibres are; None without
     signature: Signature  # Whose fields `observables` computes in this order
     powers: tuple[str, ...]  # What is integrated beside the unknowns
     entries: tuple[tuple[str, str, int], ...]  # Row, column and distance of each entry of the Jacobian
@@ -168,12 +167,12 @@ class Template:
     scratch_shown: tuple[int, int]
     moves: bool  # Whether the physics depends on time
 
-    def with_fibres(self, rule: SectionRule | PointRule | None = None) -> Model:
+    def with_fibres(self, rule: SectionRule | None = None) -> Model:
         """The model with so many fibres; with none where it has no fibres."""
         count = rule.points if rule else 0
         of = self.signature
         slots, shown = _of_fibres(of.slots, count), _of_fibres(of.shown, count)
-        zeta = rule.zeta.tolist() if isinstance(rule, SectionRule) else [0.0] * count
+        zeta = rule.zeta.tolist() if rule and not rule.is_spatial else [0.0] * count
         profiles = {
             name.replace(PER_FIBRE, str(k)): (mean, slope * zeta[k] if PER_FIBRE in name else slope)
             for name, (mean, slope) in of.profiles.items()
@@ -211,7 +210,7 @@ _HEAD = """\
 #include "softcat_model.h\""""
 
 
-def _constants(rule: SectionRule | PointRule | None, sizes: Mapping[str, int]) -> list[str]:
+def _constants(rule: SectionRule | None, sizes: Mapping[str, int]) -> list[str]:
     """Numbers of what a site has, and where the fibres are; nothing without fibres."""
     if rule is None:
         return []
@@ -288,7 +287,7 @@ def model_for(structure: Structure) -> Model:
     except LookupError:
         # Imported here: what is kept is read without CasADi and SymPy.
         from softcat_sym.codegen.model import template_of
-        from softcat_sym.discretization.sampling import one_of
+        from softcat_sym.discretization.section_points import one_of
 
         theory = structure.recorded.theory
         rule = one_of(theory.fibres) if theory.fibres else theory.rule

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from itertools import pairwise
@@ -30,6 +31,7 @@ from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.results.breaking import breakable
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, length_text, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
@@ -67,19 +69,18 @@ _SAG = store.json_form(asdict, lambda found: Sag(found["value"], tuple(found["ef
 
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
-    key = store.key_of("sag", identity_of(scene), at_end)
-    return store.stored(key, lambda: _sag_of_run(scene, at_end=at_end), _SAG)
 
+    def measured() -> Sag:
+        try:
+            run = simulated(without_estimate(scene))
+        except SceneError as error:
+            return Sag(np.inf, (), str(error))
+        names, midpoint = tuple(run.summary["effects"]), run.fields["midpoint"]
+        if not run.outcome.is_success:
+            return Sag(np.inf, names, run.outcome.name)
+        return Sag(abs(float(_extreme(midpoint, at_end=at_end) @ midpoint)), names, "")
 
-def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
-    try:
-        run = simulated(without_estimate(scene))
-    except SceneError as error:
-        return Sag(np.inf, (), str(error))
-    names = tuple(run.summary["effects"])
-    if not run.outcome.is_success:
-        return Sag(np.inf, names, run.outcome.name)
-    return Sag(abs(float(_extreme(run.data.midpoint.values, at_end=at_end) @ run.data.midpoint.values)), names, "")
+    return store.stored(store.key_of("sag", identity_of(scene), at_end), measured, _SAG)
 
 
 class FrozenSag:
@@ -98,39 +99,47 @@ class FrozenSag:
         with suppress(SceneError):
             self._model = ForwardModel(self._scene, free, self._times, without_idle=True)
 
-    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
-        """Sag [m], d log sag/d log span, and d log sag/d log parameter of each parameter that matters.
+    def sag(self, span: float) -> float:
+        """Sag [m], infinite without an answer: a small part of the price of its slopes."""
+        if self._model is None:
+            return sag_of_run(with_span(self._scene, span), at_end=self._at_end).value
+        midpoint = self._model.midpoints(_unknowns(self._model, span))
+        sound = np.all(np.isfinite(midpoint))
+        return abs(float(_extreme(midpoint, at_end=self._at_end) @ midpoint)) if sound else np.inf
+
+    def slopes(self, span: float) -> tuple[float, dict[str, float]]:
+        """Slopes d log sag/d log span, NaN without an answer, and d log sag/d log parameter of each that matters.
 
         By the envelope theorem the largest sag moves as the midpoint at its time.
         """
         if self._model is None:
             return self._by_runs(span)
-        model = self._model
-        q = model.typical
-        q[0] = model.free[0].scaled(span)
-        midpoint, slopes = model.with_derivatives(q)
+        midpoint, slopes = self._model.with_derivatives(_unknowns(self._model, span))
         if not np.all(np.isfinite(midpoint)):
-            return np.inf, np.nan, {}
+            return np.nan, {}
         weights = _extreme(midpoint, at_end=self._at_end)
-        height = float(weights @ midpoint)
-        by_log = (weights @ slopes) / height
-        rest = zip(model.free[1:], by_log[1:].tolist(), strict=True)
-        return abs(height), float(by_log[0]), {one.path: slope for one, slope in rest}
+        by_log = (weights @ slopes) / float(weights @ midpoint)
+        rest = zip(self._model.free[1:], by_log[1:].tolist(), strict=True)
+        return float(by_log[0]), {one.path: slope for one, slope in rest}
 
-    def _by_runs(self, span: float) -> tuple[float, float, dict[str, float]]:
+    def _by_runs(self, span: float) -> tuple[float, dict[str, float]]:
         """The same by central differences of runs, for a row of equilibria, which has no forward model."""
         scene = with_span(self._scene, span)
-        free = free_parameters(scene, [SPAN, *self._paths])
-        logs = [self._log_sag(scene, one) for one in free]
-        slopes = [(log(_STEP) - log(-_STEP)) / (2 * _STEP) for log in logs]
-        value = sag_of_run(scene, at_end=self._at_end).value
-        return value, slopes[0], dict(zip(self._paths, slopes[1:], strict=True))
 
-    def _log_sag(self, scene: Scene, one: FreeParameter) -> Callable[[float], float]:
-        def of(step: float) -> float:
+        def log_sag(one: FreeParameter, step: float) -> float:
             return float(np.log(sag_of_run(with_values(scene, [one], [one.value(step)]), at_end=self._at_end).value))
 
-        return of
+        by_span, *slopes = (
+            (log_sag(one, _STEP) - log_sag(one, -_STEP)) / (2 * _STEP)
+            for one in free_parameters(scene, [SPAN, *self._paths])
+        )
+        return by_span, dict(zip(self._paths, slopes, strict=True))
+
+
+def _unknowns(model: ForwardModel, span: float) -> Floats:
+    q = model.typical
+    q[0] = model.free[0].scaled(span)
+    return q
 
 
 def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
@@ -200,18 +209,22 @@ class Root:
 
 
 def polished(frozen: FrozenSag, limit: Limit, near: float) -> Root:
-    """Find the root by Newton's method in logarithms, and its gradient by implicit differentiation.
+    """Find the root by chords in logarithms, and its gradient by implicit differentiation.
 
     Where things yield fibre by fibre, slopes scatter from one span to the next: then the median over five neighbouring
     spans is taken, and said.
     """
-    x, best = math.log(near), (math.inf, near, math.nan)
+    x, best, slope = math.log(near), (math.inf, near, math.nan), math.nan
     for _ in range(_STEPS):
-        sag, by_span, _ = frozen.at(math.exp(x))
+        sag = frozen.sag(math.exp(x))
         left = limit.excess(math.exp(x), sag)
-        best = min(best, (abs(left), math.exp(x), sag))
-        slope = limit.slope(by_span)
-        if not math.isfinite(left) or abs(left) < _FINE or not slope > 0 or abs(left / slope) > _NEAR:
+        if not abs(left) < best[0] / 2:
+            break  # What is left is the scatter of the steps in time.
+        best = (abs(left), math.exp(x), sag)
+        if math.isnan(slope):
+            beside = math.exp(x + _BESIDE)
+            slope = (limit.excess(beside, frozen.sag(beside)) - left) / _BESIDE
+        if abs(left) < _FINE or not slope > 0 or abs(left / slope) > _NEAR:
             break
         x -= left / slope
     left, span, sag = best
@@ -244,9 +257,9 @@ def _gradient(frozen: FrozenSag, limit: Limit, span: float) -> tuple[dict[str, f
 
 
 def _exponents(frozen: FrozenSag, limit: Limit, span: float) -> dict[str, float]:
-    sag, by_span, by_parameter = frozen.at(span)
+    by_span, by_parameter = frozen.slopes(span)
     slope = limit.slope(by_span)
-    if not math.isfinite(sag) or not slope > 0:
+    if not slope > 0:
         return {}
     return {path: -value / slope for path, value in by_parameter.items()}
 
@@ -376,34 +389,16 @@ def critical_span(
     *,
     exponents: bool = True,
 ) -> CriticalSpan:
-    """Find the largest span that sags less than a limit.
+    """Find the largest span that sags less than a limit: a length with its unit, or a fraction of the span.
 
     Spans are scanned by whole runs, the first crossing is closed in by them, and the root is polished with the effects
     that are in force there; the gradient follows by implicit differentiation, -(d sag/d p)/(d sag/d span), from the
-    sensitivities of the discrete solution at the root.
+    sensitivities of the discrete solution at the root. Without `exponents`, which take most of the time, the span is
+    known to 0.2 %, and the scan ends at the first crossing.
 
-    Parameters
-    ----------
-    scene : Scene
-        All but the span.
-    limit : str or float
-        A length with its unit, or a fraction of the span: a number, or ``"5 %"``.
-    time : str or float, optional
-        At which the sag is meant [s]; by default the largest until the end of the run.
-    within : (low, high), optional
-        Spans, as text or in m. By default the scene's own, thirty times smaller and larger.
-    progress : Progress, optional
-        Hears of every span of the scan.
-    exponents : bool
-        Whether to work out the gradient, which takes most of the time; without it the span is known to 0.2 %, and the
-        scan ends at the first crossing.
-
-    Raises
-    ------
-    SceneError
-        If the limit, the time or the bounds make no sense.
-    SoftcatError
-        If all spans sag less than the limit, or even the smallest sags more.
+    The sag is that at a `time` [s], by default the largest until the end of the run; spans `within` two, by default
+    thirty times smaller and larger than the scene's own. SoftcatError if all spans sag less than the limit, or even the
+    smallest sags more.
     """
     read, allowed, bounds = _read(scene, limit, time, within)
     paths = _parameters(read) if exponents else ()
@@ -421,15 +416,17 @@ def _closed_in(
 ) -> CriticalSpan:
     """Scan, close in and polish."""
 
-    def run(span: float) -> Sag:
-        return sag_of_run(with_span(scene, span), at_end=at_end)
+    @functools.cache
+    def at(x: float) -> Sag:
+        return sag_of_run(with_span(scene, math.exp(x)), at_end=at_end)
 
-    count = math.ceil(math.log(bounds[1] / bounds[0]) / math.log(_RATIO)) + 1
-    spans = np.geomspace(*bounds, max(count, _FEWEST)).tolist()
-    scanned: list[Sag] = []
-    for span in spans:
+    low, high = map(math.log, bounds)
+    count = math.ceil((high - low) / math.log(_RATIO)) + 1
+    logs = np.linspace(low, high, max(count, _FEWEST)).tolist()
+    spans, scanned = [math.exp(x) for x in logs], list[Sag]()
+    for x, span in zip(logs, spans, strict=True):
         progress.doing(f"sag of a span of {span:.3g} m")
-        scanned.append(run(span))
+        scanned.append(at(x))
         if not paths and allowed.excess(span, scanned[-1].value) >= 0:
             break
     spans = spans[: len(scanned)]
@@ -440,7 +437,7 @@ def _closed_in(
 
     def left(x: float) -> float:
         # Of an infinite sag the sign is enough.
-        return float(np.clip(allowed.excess(math.exp(x), run(math.exp(x)).value), -_CLEAR, _CLEAR))
+        return float(np.clip(allowed.excess(math.exp(x), at(x).value), -_CLEAR, _CLEAR))
 
     def critical(root: Root, effects: tuple[str, ...], *, breaks: bool = False) -> CriticalSpan:
         many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
@@ -455,15 +452,16 @@ def _closed_in(
             breaks=breaks,
         )
 
-    near = brentq(left, math.log(spans[first]), math.log(spans[first + 1]), xtol=_COARSE, rtol=_COARSE)
+    near = brentq(left, logs[first], logs[first + 1], xtol=_COARSE, rtol=_COARSE)
     margin = 2 * _COARSE * (1 + abs(near))  # What the root finder leaves open
-    shorter, longer = (run(math.exp(near + way * margin)) for way in (-1, 1))
-    if longer.note == Outcome.broken.name and math.isfinite(shorter.value):
-        return critical(Root(math.exp(near - margin), shorter.value, {}, ()), shorter.effects, breaks=True)
+    if breakable(scene) and at(near + margin).note == Outcome.broken.name:
+        shorter = at(near - margin)
+        if math.isfinite(shorter.value):
+            return critical(Root(math.exp(near - margin), shorter.value, {}, ()), shorter.effects, breaks=True)
     if not abs(left(near)) < _JUMP:
         found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
-    closed = run(math.exp(near))
+    closed = at(near)
     root = Root(math.exp(near), closed.value, {}, ())
     if paths:
         frozen = FrozenSag(with_span(scene, root.span), closed.effects, paths, at_end=at_end)

@@ -295,40 +295,22 @@ def design_experiment(
 
     The standard errors are those of the Cramer-Rao bound with white noise: the inverse of the Fisher information
     sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
-    Tobias 2007). The worst is minimised over span and thickness by a grid and a pattern search; one run of each
-    filament serves all its films, at the highest frame rate unless `frames_at_most` binds.
+    Tobias 2007). The worst of all `free` ones that are not the camera's is minimised over span and thickness by a grid
+    and a pattern search; one run of each filament serves all its films, at the highest frame rate unless `max_frames`
+    binds. With `rough` values that may be wrong by a factor the worst error is that over all corners, two a parameter.
 
-    Parameters
-    ----------
-    scene : Scene
-        With rough values.
-    free : sequence of str
-        Names as in a fit. Those of the camera (``time_offset``, ``initial_sag``) are estimated, but do not count.
-    noise : str or float
-        Standard deviation of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film.
-    within : mapping
-        ``{"filament.span": ("2 mm", "50 mm"), "frame_rate": ("25 Hz", "1 kHz"), "run.duration": "5 s"}``; of
-        ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``. What is left out stays.
-    nuisance : sequence of str
-        More that is unknown and does not count.
-    max_frames : int, optional
-        That the camera keeps.
-    rough : float
-        Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
-    max_sag : str or float, optional
-        How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
-    progress : Progress, optional
-        Hears of every trial.
-
-    Raises
-    ------
-    SceneError
-        If a design variable is unknown or its bounds make no sense, or something cannot be free.
-    SoftcatError
-        If no experiment within the bounds determines the parameters, with the combination that is determined.
+    `noise` is that of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film; `within` has
+    bounds of ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``, what is left out stays;
+    `nuisance` is unknown too and does not count; `max_sag` is a length with its unit, or a fraction of the span.
+    SoftcatError names the combination that is determined where no experiment determines the parameters.
     """
-    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, max_frames, rough, max_sag)
-    return _chosen(scene, judge, _searched(judge, progress or Silence()), max_frames)
+    judge = judge_of(scene, free, noise, within, nuisance, max_frames, rough, max_sag)
+    return best_experiment(judge, progress or Silence())
+
+
+def best_experiment(judge: Judge, progress: Progress) -> Experiment:
+    """Search the best film, and judge the scene's own beside it; the rest of :func:`design_experiment`."""
+    return _chosen(judge, _searched(judge, progress))
 
 
 def _searched(judge: Judge, progress: Progress) -> list[Trial]:
@@ -351,7 +333,7 @@ def _searched(judge: Judge, progress: Progress) -> list[Trial]:
     return tried
 
 
-def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | None) -> Experiment:
+def _chosen(judge: Judge, tried: list[Trial]) -> Experiment:
     """The best film, with what limits it; refuses where none is worth anything."""
     best = min(tried, key=lambda one: one.worst)
     if not best.worst < MAX_ERROR:
@@ -361,7 +343,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | No
     fastest = judge.ranges[FRAME_RATE].high
     values = best.values | ({FRAME_RATE: fastest} if best.frames > fastest * best.duration * (1 - 1e-9) else {})
     at_bounds = {path: bound for path, one in judge.ranges.items() if (bound := one.bound_at(values[path]))}
-    if max_frames is not None and best.frames == max_frames:
+    if best.frames == judge.max_frames:
         at_bounds["max_frames"] = "upper"
     return Experiment(
         best=best,
@@ -371,7 +353,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | No
         counted=counted,
         rough=judge.rough,
         tried=tuple(tried),
-        scene=scene.replace(best.changes),
+        scene=judge.scene.replace(best.changes),
         max_sag=judge.max_sag,
     )
 
@@ -386,16 +368,17 @@ def _filament(judge: Judge, point: tuple[float, ...]) -> tuple[float, float]:
     return span, thickness
 
 
-def _judge(
+def judge_of(
     scene: Scene,
-    free: tuple[str, ...],
-    nuisance: tuple[str, ...],
+    free: Sequence[str],
     noise: object,
     within: Within,
+    nuisance: Sequence[str],
     max_frames: int | None,
     rough: float,
     max_sag: object,
 ) -> Judge:
+    """Read what :func:`design_experiment` is given; every fault is refused before anything runs."""
     ranges, faults, reading, allowed = read_ranges(scene, within), [], ReadingNoise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
     counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))

@@ -18,7 +18,7 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
-from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
+from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, Supports, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
@@ -32,7 +32,7 @@ from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_le
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.sampling import Sampling
+    from softcat_sym.discretization.symbolic import Filament
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -169,7 +169,7 @@ def asked_points(scene: Scene, terms: Terms) -> int:
     return choose_fibres(scene) if terms.flows else 0
 
 
-def _points(scene: Scene, points: int) -> PointRule:
+def _points(scene: Scene, points: int) -> SectionRule:
     """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
 
     What counts is how many different heights the angles of a circle give (THEORY3D 6).
@@ -203,7 +203,7 @@ class Theory:
     """Which kinematics a filament has, and how its section is sampled where it is resolved."""
 
     model: str  # As in the scene
-    rule: SectionRule | PointRule | None  # None for the section of the paper
+    rule: SectionRule | None  # None for the section of the paper
 
     @property
     def name(self) -> str:
@@ -213,7 +213,7 @@ class Theory:
     @property
     def is_spatial(self) -> bool:
         """Whether the filament leaves its plane."""
-        return isinstance(self.rule, PointRule)
+        return self.rule is not None and self.rule.is_spatial
 
     @property
     def label(self) -> str:
@@ -225,7 +225,7 @@ class Theory:
         return "fibres" if self.rule.is_of_fibres else self.rule.label
 
     @property
-    def fibres(self) -> SectionRule | PointRule | None:
+    def fibres(self) -> SectionRule | None:
         """The points at which every fibre has plastic states of its own; None where the section has none."""
         return self.rule if self.rule is not None and self.rule.is_of_fibres else None
 
@@ -240,18 +240,22 @@ class Recorded:
     body: Body
 
     @cached_property
-    def program(self) -> Program:
-        """What its sites compute."""
-        return self.sampled_by(self.theory.rule)
+    def program(self) -> Filament:
+        """What its sites compute, or the small-deflection model, which has none."""
+        if self.theory.model != "small-deflection":
+            return self.sampled_by(self.theory.rule)
+        # Imported here and below: a run whose library is cached does without SymPy and CasADi.
+        from softcat_sym.discretization.small_deflection import SmallDeflection
+        from softcat_sym.physics.filament import equations_of
 
-    def sampled_by(self, rule: Sampling | None) -> Program:
+        return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
+
+    def sampled_by(self, rule: SectionRule | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
-        # Imported here: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.filament import build
         from softcat_sym.physics.filament import equations_of
 
-        ends = self.grid.first, self.grid.last
-        return build(equations_of(self.formulation), self.theory.model, ends, self.body, rule)
+        return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 
 
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:

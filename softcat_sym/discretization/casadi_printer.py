@@ -158,6 +158,12 @@ class CellFunction:
         return {name: printer.value(e) for name, e in zip(self.names, self._reduced, strict=True)}
 
 
+def printed(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> ca.SX:
+    """A SymPy expression as CasADi's, of what its symbols stand for."""
+    needed = tuple(expression.free_symbols)
+    return ca.SX(CellFunction({"value": expression}, needed)({symbol: values[symbol] for symbol in needed})["value"])
+
+
 Floats = npt.NDArray[np.float64]
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from softcat_sym.discretization.parameters import REST_LENGTH
 from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.spatial import natural_twist
@@ -41,3 +42,9 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("shake", symbols.a_g, "1"),
     Parameter("shake_frequency", symbols.f_g, "Hz"),
 )
+
+
+def symbols_of(equations: FilamentEquations) -> dict[str, symbols.Symbol]:
+    """Symbols of all numbers that a filament of these equations may be given, by their names."""
+    own = {one.name: one.symbol for one in equations.constants}
+    return {row.name: row.symbol for row in CATALOGUE} | own

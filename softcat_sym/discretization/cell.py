@@ -13,8 +13,8 @@ from typing import Any
 
 import casadi as ca
 
-from softcat_sym.discretization.casadi_printer import CellFunction
-from softcat_sym.discretization.catalogue import CATALOGUE, Parameter
+from softcat_sym.discretization.casadi_printer import printed
+from softcat_sym.discretization.catalogue import CATALOGUE, symbols_of
 from softcat_sym.discretization.held_ends import Held, held
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
@@ -23,21 +23,25 @@ from softcat_sym.discretization.stencil import (
     STAGED,
     TIME,
     UNKNOWN,
-    WHOLE,
     Field,
     Leaf,
     Leaves,
     Neighbours,
     Same,
+    Spread,
 )
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body
+from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import (
     CELLS,
     INNER,
     INVERTED,
     NODES,
     PER,
+    PLACES,
+    SPEEDS,
     WARMING,
+    Floats,
     Shown,
     Signature,
     Slot,
@@ -47,7 +51,6 @@ from softcat_sym.physics import symbols
 from softcat_sym.physics.conformation import Direction
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.heat import initial, temperature
-from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
@@ -85,11 +88,29 @@ class Program:
         )
         return Signature(self.slots, self.parameters, self.places, tuple(self.powers), shown, self.profiles)
 
-
-def printed(expression: Any, values: Values) -> ca.SX:
-    """A SymPy expression as CasADi's, of what its symbols stand for."""
-    needed = tuple(symbol for symbol in expression.free_symbols)
-    return ca.SX(CellFunction({"value": expression}, needed)({symbol: values[symbol] for symbol in needed})["value"])
+    def evaluate(
+        self, time: ca.SX, unknowns: Mapping[str, ca.SX], named: Mapping[str, ca.SX], places: Mapping[str, Floats]
+    ) -> Evaluated:
+        """Its fields at all sites of a grid."""
+        shared = {Leaf(PARAMETER, name): value for name, value in named.items()} | {Leaf(TIME, "t"): time}
+        columns = {slot.name: (int(slot.held[0]), unknowns[slot.name]) for slot in self.slots}
+        spread = Spread(self.leaves, len(places["X"]), places, columns, shared)
+        for one in self.fields:
+            spread.take(one)
+        return Evaluated(
+            {slot.name: spread.values(rate) for slot, rate in zip(self.slots, self.rates, strict=True)},
+            tuple(
+                ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1)
+                for power in self.powers.values()
+            ),
+            {
+                name: spread.values(item)
+                if isinstance(item, Field)
+                else sum((ca.sum1(spread.values(one)) for one in item), ca.SX(0))
+                for name, item in self.shown.items()
+            },
+            tuple(spread.values(one) for one in self.support),
+        )
 
 
 def derivatives(density: Any, by: Sequence[Any], values: Values) -> list[ca.SX]:
@@ -124,9 +145,11 @@ class Builder:
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
         self.leaves, self.fields = Leaves(), list[Field]()
         self.named = _Parameters(self.leaves)
-        rows: list[Parameter | Constant] = [*CATALOGUE, *equations.constants]
         # Everything is per unit undeformed area.
-        self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
+        self.values: dict[Any, Any] = {
+            symbols.A0: 1.0,
+            **{symbol: self.named[name] for name, symbol in symbols_of(equations).items()},
+        }
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
         self.slots: dict[str, Slot] = {}
@@ -207,16 +230,6 @@ class Builder:
         """Let other sites read a field of the nodes that carry a moment."""
         return self._kept(self.joint_field(name, value, end))
 
-    def running(self, name: str, value: ca.SX) -> Neighbours:
-        """Let nodes read the sum of a field over the cells before them."""
-        self.fields.append(Field(name, CELLS, value, summed="before"))
-        return Neighbours(self.leaves, STAGED, name)
-
-    def whole(self, name: str, value: ca.SX) -> ca.SX:
-        """The sum over the cells of a field."""
-        self.fields.append(Field(name, CELLS, value, summed="whole"))
-        return self.leaves.symbol(Leaf(WHOLE, name))
-
     def _kept(self, one: Field) -> Neighbours:
         values = one.values
         if all(value.is_constant() and float(value) == float(values[0]) for value in values):
@@ -250,8 +263,6 @@ class Builder:
     def unknown(self, slot: Slot, first: Any = 0, last: Any = 0, name: str = "") -> Neighbours:
         """An unknown, with what its ends hold it at."""
         self.slots[slot.name] = slot
-        if slot.on == "whole":
-            return Same(self.leaves.symbol(Leaf(WHOLE, slot.name)))
         plain = Neighbours(self.leaves, UNKNOWN, slot.name)
         ends = {at: value for at, value, is_held in zip((0, -1), (first, last), slot.held, strict=True) if is_held}
         return self.stage(name or slot.name, slot.where, plain[0], ends) if ends else plain
@@ -296,27 +307,37 @@ def mean_of_nodes(nodes: Neighbours) -> ca.SX:
 
 @dataclass
 class Mechanics:
-    """What a theory makes of a filament."""
+    """What a theory makes of a filament, in the plane or in space."""
 
-    x: Neighbours  # Places of the nodes, in rest lengths, and their velocities, in these and time scales
-    y: Neighbours
-    u: Neighbours
-    v: Neighbours
+    places: tuple[
+        Neighbours, ...
+    ]  # Places of the nodes, in rest lengths, and their velocities, in these and time scales
+    speeds: tuple[Neighbours, ...]
+    moved: tuple[Neighbours, ...]  # Velocities with those of supports that move
     stretch: Neighbours  # Of cells
-    force: tuple[Neighbours, Neighbours]  # Internal force of cells [Pa]
+    force: tuple[Neighbours, ...]  # Internal force of cells [Pa]
     plastic: dict[str, ca.SX]  # Rates of the plastic states [1/s]
     energies: dict[str, list[Field]]  # Stored energies, each a sum over sites
     dissipation: list[Field]  # Plastic power, weighted with the length of each place
     shown: dict[str, ca.SX]  # What a run stores of the cells
-    psi: Neighbours | None = None  # The section angle where it is independent, its rate, and what turns it [Pa m]
-    omega: Neighbours = field(default_factory=Same)
-    torque: Sided | None = None
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
-    profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
-    moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
-    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
+    profiles: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
-    level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
+    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
+    turning: Turning | None = None  # Frames of the sections, where they are independent
+
+
+@dataclass
+class Turning:
+    """Frames of the nodes: angles or quaternions, their spins, and what turns them."""
+
+    frame: Sequence[Neighbours]
+    spin: Sequence[Neighbours]
+    clamps: tuple[Sequence[ca.SX], Sequence[ca.SX]]  # Frames that the ends hold
+    torques: dict[str, Sided]  # Of the cells [Pa m], by the unknown that balances them
+    of_slopes: Callable[[Sequence[ca.SX]], list[ca.SX]]  # Torques that go with derivatives by the frame of a node
+    fixed: dict[str, dict[int, ca.SX]] = field(default_factory=dict)  # What vanishes instead at single ends
+    dead: Sequence[ca.SX] = ()  # A torque on the free end [Pa m]
 
 
 def _resists(b: Builder) -> bool:
@@ -329,45 +350,49 @@ def _needs_velocities(b: Builder) -> bool:
     return b.equations.terms.inertia or _resists(b)
 
 
-def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours]:
+def _held(b: Builder, way: int) -> tuple[bool, bool]:
+    """Whether the ends hold a coordinate."""
+    return (b.first.holds_height, b.last.holds_height) if way else (b.first.holds_x, b.last.holds_x)
+
+
+def positions(b: Builder, ways: int = 2, *, along: bool = True) -> tuple[Neighbours, ...]:
     """Positions of all nodes in rest lengths; those that are held are where the supports are."""
     moves, at = _needs_velocities(b), b.supports
+    ends = ((at.left_x if b.first.holds_height else 0, at.right_x), (0, at.right_y), (0, at.right_z))
     found = []
-    for name, rate, holds, first, last in (
-        ("x", "u", (b.first.holds_x, b.last.holds_x), at.left_x if b.first.holds_height else 0, at.right_x),
-        ("y", "v", (b.first.holds_height, b.last.holds_height), 0, at.right_y),
-    ):
-        if name == "y" or along:
-            slot = Slot(name, "node", holds, moves, rate if moves else "", section=False)
-            found.append(b.unknown(slot, first, last))
+    for way in range(ways):
+        if way or along:
+            slot = Slot(PLACES[way], "node", _held(b, way), moves, SPEEDS[way] if moves else "", section=False)
+            found.append(b.unknown(slot, *ends[way]))
         else:
             # Nodes stay above the places where a straight, level filament has them.
             shift = at.left_x + 0.5 if b.first.holds_height else at.right_x - 0.5
-            found.append(b.stage(name, NODES, b.X[0] + shift))
-    return found[0], found[1]
+            found.append(b.stage("x", NODES, b.X[0] + shift))
+    return tuple(found)
 
 
-def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours, Neighbours, Neighbours]:
+def velocities(
+    b: Builder, ways: int = 2, *, along: bool = True
+) -> tuple[tuple[Neighbours, ...], tuple[Neighbours, ...]]:
     """Velocities of all nodes in rest lengths and time scales: those of held ones as zero, and as they move."""
-    inertia = b.equations.terms.inertia
     # A neck's gradient takes power where the last cell is stretched by a support that moves.
-    felt = _resists(b) or b.equations.neck is not None
-    if not _needs_velocities(b):
-        return Same(), Same(), Same(), Same()
-    at, plain, moved = b.supports, list[Neighbours](), list[Neighbours]()
-    for name, holds, last in (
-        ("u", (b.first.holds_x, b.last.holds_x), at.right_u * b.scale),
-        ("v", (b.first.holds_height, b.last.holds_height), at.right_v * b.scale),
-    ):
-        if name == "u" and not along:
+    felt, at, plain, moved = (
+        _resists(b) or b.equations.neck is not None,
+        b.supports,
+        list[Neighbours](),
+        list[Neighbours](),
+    )
+    for way, last in zip(range(ways), (at.right_u, at.right_v, at.right_w), strict=False):
+        if not _needs_velocities(b) or not (way or along):
             plain.append(Same())
             moved.append(Same())
             continue
-        slot = Slot(name, "node", holds, inertia, "", section=False)
+        holds = _held(b, way)
+        slot = Slot(SPEEDS[way], "node", holds, b.equations.terms.inertia, "", section=False)
         plain.append(b.unknown(slot))
-        still = not any(holds) or not holds[1] or ca.SX(last).is_zero()
-        moved.append(plain[-1] if still or not felt else b.unknown(slot, 0, last, f"{name}_moving"))
-    return plain[0], plain[1], moved[0], moved[1]
+        still = not felt or not holds[1] or ca.SX(last).is_zero()
+        moved.append(plain[-1] if still else b.unknown(slot, 0, last * b.scale, f"{SPEEDS[way]}_moving"))
+    return tuple(plain), tuple(moved)
 
 
 def branch_name(kind: str, branch: int) -> str:
@@ -429,8 +454,6 @@ def surface_force(b: Builder, stretch: Neighbours) -> tuple[ca.SX, list[Field]]:
     (force,) = derivatives(surface.energy(), (symbols.s,), values)
     pull = force * b.area_cell
     energies = [Field("surface", CELLS, b.length[0] * b.area_cell * printed(surface.energy(), values))]
-    if isinstance(stretch, Same):  # Of small deflections: no slope
-        return pull, energies
     values, density = {**_of_a_joint(b, stretch), h0_slope: ca.SX(0)}, surface.gradient_energy()
     if b.body.profile.nodes is not None:
         h, h_node = b.place("h_cell"), b.place("h_node")[0]

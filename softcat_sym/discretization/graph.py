@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from softcat_sym.discretization.grid import Grid
-from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule, shown_of_points, shown_of_section
 from softcat_sym.discretization.unknowns import Floats, Layout, Signature
 from softcat_sym.physics.terms import Terms
@@ -18,15 +17,14 @@ from softcat_sym.physics.terms import Terms
 if TYPE_CHECKING:
     import casadi as ca
 
-    from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.symbolic import Symbolic
+    from softcat_sym.discretization.symbolic import Filament, Symbolic
 
 
 class RecordedProgram(Protocol):
     """What its sites compute, written down when somebody asks for it."""
 
     @property
-    def program(self) -> Program:
+    def program(self) -> Filament:
         """The fields."""
         ...
 
@@ -44,14 +42,14 @@ class Graph:
     terms: Terms  # What they left of the equations
     conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
     signature: Signature  # What its sites compute, by name
-    rule: SectionRule | PointRule | None  # Points of a section that is resolved
+    rule: SectionRule | None  # Points of a section that is resolved
     recorded: RecordedProgram  # What writes down what its sites compute
     places: Mapping[str, Floats]  # Geometry of each site
     moving: Layout  # Where the differential and the algebraic unknowns stand
     still: Layout
 
     @property
-    def program(self) -> Program:
+    def program(self) -> Filament:
         """What its sites compute."""
         return self.recorded.program
 
@@ -61,7 +59,7 @@ class Graph:
         # Imported here: a run whose library is cached does without CasADi.
         from softcat_sym.discretization.symbolic import Symbolic
 
-        return Symbolic(self.program, self.places, self.grid.cells + 1, self.moving, self.still)
+        return Symbolic(self.program, self.places, self.moving, self.still)
 
     @property
     def parameters(self) -> tuple[str, ...]:

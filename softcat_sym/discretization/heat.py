@@ -11,7 +11,8 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
-from softcat_sym.discretization.cell import Builder, Mechanics, Sided, printed
+from softcat_sym.discretization.casadi_printer import printed
+from softcat_sym.discretization.cell import Builder, Mechanics, Sided
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS, NODES, WARMING
 from softcat_sym.physics import heat as sy

@@ -1,4 +1,4 @@
-"""A filament that does not shear: stretching on cells, bending on joints; and its small deflections."""
+"""A filament that does not shear: stretching on cells, bending on joints."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
+from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
     Mechanics,
@@ -15,13 +16,12 @@ from softcat_sym.discretization.cell import (
     mean_of_nodes,
     neck_force,
     positions,
-    printed,
     shown_chains,
     surface_force,
     velocities,
 )
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
-from softcat_sym.discretization.unknowns import CELLS, NODES, Slot
+from softcat_sym.discretization.unknowns import CELLS, Slot
 from softcat_sym.physics import conformation, symbols
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.section_response import BranchResponse, ViscousResponse
@@ -57,7 +57,7 @@ class Section:
     conformation: list[ca.SX] = field(default_factory=list)
 
 
-def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
+def linear_section(b: Builder, at: Strains) -> Section:
     """The section of the paper: a plastic strain linear through the thickness; stretching on cells, bending on joints.
 
     What has a potential is differentiated. What has none - the printed closure, and a finite stretch of a section that
@@ -67,7 +67,7 @@ def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
     for j, part in enumerate(response.parts):
         viscous = isinstance(part, ViscousResponse)
         flows = isinstance(part, BranchResponse) and part.means is not None
-        a_0, a_1 = _states(b, j, whole=whole) if flows else (Same(), Same())
+        a_0, a_1 = _states(b, j) if flows else (Same(), Same())
         cell = {**b.values, symbols.s: at.s[0], symbols.s_t: at.s_t[0], symbols.a_0: a_0[0], symbols.h0: b.h_cell}
         node = {**b.values_node, symbols.s: at.s_node[0], symbols.s_t: at.s_node_t[0], symbols.h0: b.h_node}
         node |= {symbols.theta_X: at.turning[0], symbols.theta_Xt: at.turning_t[0], symbols.a_1: a_1[0]}
@@ -159,14 +159,14 @@ def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: Section) 
     found.profiles = {chain_state(one): (float(one.power), 0.0) for one in chains.states}
 
 
-def _states(b: Builder, branch: int, *, whole: bool) -> tuple[Neighbours, Neighbours]:
-    """Plastic states of a branch: a_0 of every cell, or one of the filament; a_1 of every joint with a moment."""
+def _states(b: Builder, branch: int) -> tuple[Neighbours, Neighbours]:
+    """Plastic states of a branch: a_0 of every cell, a_1 of every joint with a moment."""
     terms = b.equations.terms
     mean: Neighbours = Same()
     bending: Neighbours = Same()
     free = (not b.first.holds_angle, not b.last.holds_angle)
     if terms.stretches:
-        slot = Slot(branch_name("a_0", branch), "whole" if whole else "cell", (False, False), True, "", section=False)
+        slot = Slot(branch_name("a_0", branch), "cell", (False, False), True, "", section=False)
         mean = b.unknown(slot)
     if terms.bending:
         bending = b.unknown(Slot(branch_name("a_1", branch), "node", free, True, "", section=False))
@@ -176,9 +176,9 @@ def _states(b: Builder, branch: int, *, whole: bool) -> tuple[Neighbours, Neighb
 def kirchhoff(b: Builder) -> Mechanics:
     """A filament whose sections stay normal to the centreline."""
     terms, line = b.equations.terms, b.equations.centreline
-    x, y = positions(b, along=terms.stretches)
-    u, v, *moved = velocities(b, along=terms.stretches)
-    slope = tuple(b.stage(f"slope_{n}", CELLS, (r[1] - r[0]) / b.length[0]) for n, r in (("x", x), ("y", y)))
+    places = positions(b, along=terms.stretches)
+    speeds, moved = velocities(b, along=terms.stretches)
+    slope = tuple(b.stage(f"slope_{n}", CELLS, (r[1] - r[0]) / b.length[0]) for n, r in zip("xy", places, strict=True))
     tangent = {symbols.x_X: slope[0][0], symbols.y_X: slope[1][0]}
     s = b.stage("s", CELLS, printed(line.stretch, tangent) if terms.stretches else ca.SX(1))
     s_node = b.nodes("s_node", b.averaged(s))
@@ -214,61 +214,19 @@ def kirchhoff(b: Builder) -> Mechanics:
     }
     energies = {"elastic": section.stored, "surface": surface}
     return Mechanics(
-        x,
-        y,
-        u,
-        v,
+        places,
+        speeds,
+        moved,
         s,
-        (force[0], force[1]),
+        force,
         section.plastic,
         energies,
         section.dissipation,
         shown,
         double_force=double_force,
         profiles=section.profiles,
-        moved=(moved[0], moved[1]),
         ageing=_aged(b, section, surface),
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
-        level=not terms.stretches,
-    )
-
-
-def small_deflection(b: Builder) -> Mechanics:
-    """A filament of small slope: one stretch for the whole, the mean elongation of its cells (2.13)."""
-    line = b.equations.centreline
-    y = positions(b, along=False)[1]
-    u, v, *_ = velocities(b, along=False)
-    slope = Same(1), b.stage("slope_y", CELLS, (y[1] - y[0]) / b.length[0])
-    tangent = {symbols.x_X: slope[0][0], symbols.y_X: slope[1][0]}
-    # Elongation of each cell at x_X = 1; what the mean has beyond it is the horizontal displacement U (2.13).
-    lengthening = b.stage("lengthening", CELLS, printed(line.stretch, tangent) - 1)
-    s = 1 + b.whole("elongation", b.length[0] * lengthening[0] / (0.5 if b.half else 1.0))
-    moved = b.running("displacement", b.length[0] * (s - 1 - lengthening[0]))
-    x = b.stage("x", NODES, b.X[0] + moved[0])
-    same, none = Same(s), Same()
-    turning = b.turning("turning", line.turning, slope)
-    section = linear_section(b, Strains(same, same, turning, none, none, none), whole=True)
-    pull, surface = surface_force(b, same)
-    transverse = (section.moment[1] - section.moment[0]) / b.length[0] / b.span
-    given = {**tangent, symbols.s: s, symbols.Q: section.tension + pull, symbols.M_X: transverse}
-    force = none, b.stage("force_y", CELLS, printed(b.equations.force.vertical, given))
-    shown = _shown(b, section, s, transverse, mean_of_nodes(turning) / s)
-    shown |= {"relative_thickness": ca.SX(1), **({"axial_force": section.tension + pull} if surface else {})}
-    energies = {"elastic": section.stored, "surface": surface}
-    return Mechanics(
-        x,
-        y,
-        u,
-        v,
-        same,
-        force,
-        section.plastic,
-        energies,
-        section.dissipation,
-        shown,
-        ageing=_aged(b, section, surface),
-        softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
-        level=True,
     )
 
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 import casadi as ca
 import sympy as sp
 
-from softcat_sym.discretization.cell import Builder, Mechanics, derivatives, printed
+from softcat_sym.discretization.casadi_printer import printed
+from softcat_sym.discretization.cell import Builder, Mechanics, derivatives
 from softcat_sym.discretization.end_springs import EndSpring, end_springs
 from softcat_sym.discretization.parameters import AREA
 from softcat_sym.discretization.stencil import Field, Neighbours
@@ -66,20 +67,20 @@ def outer_forces(b: Builder, of: Mechanics) -> Outer:
     """Forces of all densities; a density of a cell adds its share to the internal forces of the cells."""
     outer = Outer()
     for stated in b.equations.densities:
-        one = stated.level if of.level else stated
+        one = stated if b.equations.terms.stretches else stated.level
         (_of_cells if one.of_a_cell else _of_nodes)(b, of, one, outer)
     if b.body.supports.springs:
-        angles = [b.supports.left_angle], [b.supports.right_angle]
-        outer.springs = end_springs(b, (of.x, of.y), () if of.psi is None else (of.psi,), angles)
+        frame, clamps = ((), ((), ())) if of.turning is None else (of.turning.frame, of.turning.clamps)
+        outer.springs = end_springs(b, of.places, frame, clamps)
         outer.energies["supports"] = [one.stored for one in outer.springs]
     return outer
 
 
 def _of_nodes(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> None:
     speed = b.span / b.scale
-    moved = of.u if of.moved is None else of.moved[0], of.v if of.moved is None else of.moved[1]
     values = _given(b, b.area_node, b.h_node, b.X[0])
-    values |= {sy.x: of.x[0] * b.span, sy.y: of.y[0] * b.span, sy.x_t: moved[0][0] * speed, sy.y_t: moved[1][0] * speed}
+    values |= {one: place[0] * b.span for one, place in zip(_PLACES, of.places, strict=True)}
+    values |= {one: moved[0] * speed for one, moved in zip(_RATES, of.moved, strict=True)}
     length = b.node[0] * b.span / b.named[AREA]
     along = derivatives(densities.stored, _PLACES, values)
     across = derivatives(densities.dissipation, _RATES, values)
@@ -93,17 +94,17 @@ def _of_nodes(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
 
 def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> None:
     """Half of it at each node of a cell, with the cell's tangent: a mean velocity would not feel every other node."""
-    name, speed, moved, area = densities.label, b.span / b.scale, of.moved or (of.u, of.v), b.named[AREA]
+    name, speed, moved, area = densities.label, b.span / b.scale, of.moved, b.named[AREA]
     densities = densities.of(b.equations.centreline.stretch)
     values = _given(b, b.area_cell, b.h_cell, b.X[0])
-    for slope, slope_rate, position, velocity in zip(_TANGENT, _TANGENT_RATES, (of.x, of.y), moved, strict=True):
+    for slope, slope_rate, position, velocity in zip(_TANGENT, _TANGENT_RATES, of.places, moved, strict=True):
         values[slope] = (position[1] - position[0]) / b.length[0]
         values[slope_rate] = (velocity[1] - velocity[0]) / b.length[0] / b.scale
     pulls, masses = [], []
     half = b.length[0] / 2 / area
     inner = [ca.SX(0), ca.SX(0)]
     for end in (0, 1):
-        for place, rate, position, velocity in zip(_PLACES, _RATES, (of.x, of.y), moved, strict=True):
+        for place, rate, position, velocity in zip(_PLACES, _RATES, of.places, moved, strict=True):
             values |= {place: position[end] * b.span, rate: velocity[end] * speed}
         values[sy.X] = b.X[end] * b.span
         by_place = derivatives(densities.stored, (*_PLACES, *_TANGENT), values)
@@ -111,7 +112,7 @@ def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
         total = [one + two for one, two in zip(by_place, by_rate, strict=True)]
         if densities.kinetic != 0:
             # A node that is held has no momentum.
-            own = {rate: speed * unknown[end] for rate, unknown in zip(_RATES, (of.u, of.v), strict=True)}
+            own = {rate: speed * unknown[end] for rate, unknown in zip(_RATES, of.speeds, strict=True)}
             motion = _kinetics(densities.kinetic, {**values, **own})
             total = [one + two for one, two in zip(total, (*motion.turned, *motion.by_tangent), strict=True)]
             masses.append(
@@ -128,7 +129,7 @@ def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
     outer.on_cells.append((pulls[0], pulls[1]))  # type: ignore[arg-type]
     if masses:
         outer.masses_of_cells.append((masses[0], masses[1]))  # type: ignore[arg-type]
-    of.force = tuple(  # type: ignore[assignment]
+    of.force = tuple(
         b.stage(f"force_{way}_with_{name}", CELLS, of.force[k][0] + inner[k]) for k, way in enumerate("xy")
     )
 

@@ -26,6 +26,7 @@ from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
+from softcat_sym.scene.tables import frozen_below
 from softcat_sym.scene.temperature import PREFIX
 
 REST_LENGTH = "rest_length"
@@ -114,6 +115,7 @@ def _of_temperature(scene: Scene) -> dict[str, float]:
     begin, end = heat.heated or (0.0, 0.0)
     values: dict[str, object] = {name: getattr(heat, name) for name in type(heat).model_fields}
     values |= {"heated_begin": begin, "heated_end": end, "activation_temperature": heat.activation_temperature}
+    values["frozen"] = frozen_below(scene)
     found = {f"{PREFIX}{name}": float(value) for name, value in values.items() if isinstance(value, (int, float))}
     for name, value in values.items():
         found |= named_numbers(f"{PREFIX}{name}", value) if isinstance(value, History) else {}

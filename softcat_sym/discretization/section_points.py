@@ -9,25 +9,23 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.cell import (
     Builder,
     Values,
     branch_name,
     chain_state,
     derivatives,
-    printed,
     shown_chains,
 )
-from softcat_sym.discretization.sampling import OnePoint, Sampling, point_labels
-from softcat_sym.discretization.section_rule import POINT
+from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
 from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.clocks import State
+from softcat_sym.physics.clocks import Clock, State
 from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.reissner import FibreBranch, FibreHardening, ResolvedSection, SampledSection
+from softcat_sym.physics.reissner import FibreBranch, SampledSection
 from softcat_sym.physics.structure import speed
 
 _NO_STRESS = 1e-12
@@ -48,31 +46,36 @@ class Sampled:
     shown: dict[str, ca.SX]
 
 
-def sampled(b: Builder, section: SampledSection, rule: Sampling, values: Values) -> Sampled:
+def one_of(rule: SectionRule) -> SectionRule:
+    """A point that stands for all of a rule, for code that loops over points."""
+    return SectionRule.of_points({name: (ca.SX.sym(name),) for name in rule.tables}, stands_for_all=True)
+
+
+def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> Sampled:
     """Stress and flow at the points of a section, and their sums."""
-    if isinstance(rule, OnePoint):
-        for name, symbol in rule.symbols.items():
+    if rule.stands_for_all:
+        for name, (symbol,) in rule.tables.items():
             b.leaves.adopt(symbol, Leaf(FIBRE, name))
     places = [{_PLACES[name]: ca.SX(one) for name, one in place.items() if name != "weight"} for place in rule.places]
     points = [_Point(b, section, {**values, **place}) for place in places]
     plastic: dict[str, ca.SX] = {}
     profiles: dict[str, tuple[float, float]] = {}
-    clocks = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.clocks if clock.state]
-    for clock in clocks:
-        clock.set(b, rule, points)
+    followed = [(clock, clock.state) for clock in b.equations.clocks if clock.state is not None]
+    clocks = [(state, _follow_clock(b, rule, points, clock, state)) for clock, state in followed]
     for number, branch in enumerate(section.branches):
         plastic |= _add_branch(b, section, branch, rule, points, number)
         if branch.flow is not None:
             profiles |= _profiles(rule, _names(rule, "axial", number))
-    for clock in clocks:
-        plastic |= clock.rates(rule, points)
-    if b.equations.chains is not None and isinstance(section, ResolvedSection):
+    for state, names in clocks:
+        rates = [printed(state.rate, {**point.values, speed: point.speed}) for point in points]
+        plastic |= _projected(rule, names, rates)
+    if b.equations.chains is not None:
         plastic |= _add_chains(b, section, b.equations.chains, rule, points)
         for one in b.equations.chains.states:
             profiles |= _profiles(rule, [f"{chain_state(one)}_{label}" for label in rule.labels], one.power)
     for point in points:
         point.resist()
-    return _summed(b, section, rule, points, plastic, profiles, clocks)
+    return _summed(b, section, rule, points, plastic, profiles, [state for state, _ in clocks])
 
 
 _PLACES = {symbol.name: symbol for symbol in (symbols.zeta, *spatial.POINT)}
@@ -82,25 +85,25 @@ _PLACES = {symbol.name: symbol for symbol in (symbols.zeta, *spatial.POINT)}
 def _summed(
     b: Builder,
     section: SampledSection,
-    rule: Sampling,
+    rule: SectionRule,
     points: Sequence[_Point],
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
-    clocks: Sequence[_Followed],
+    states: Sequence[State],
 ) -> Sampled:
     weights = [place["weight"] for place in rule.places]
 
     def mean(name: str, values: Iterable[ca.SX], levers: Iterable[Any] | None = None) -> ca.SX:
         total = sum((value * weight for weight, value in zip(levers or weights, values, strict=True)), ca.SX(0))
-        return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
+        return b.total(name, total) if rule.stands_for_all else ca.SX(total)
 
     conjugate = (reissner.sigma_c, *(kind.stress for kind in section.kinds))
     stressed = [{**point.values, **dict(zip(conjugate, point.stress, strict=True))} for point in points]
     shown: dict[str, ca.SX] = {}
-    for label, point in zip(point_labels(rule), points, strict=True):
+    for label, point in zip(rule.point_labels, points, strict=True):
         found = {"yields": point.yields, "speed": point.speed, **shown_chains(point.conformation)}
         found |= {} if rule.is_spatial else {"axial": point.stress[0]}
-        found |= {clock.state.name: point.values[clock.state.shown] for clock in clocks}
+        found |= {state.name: point.values[state.shown] for state in states}
         if any(branch.hardening is not None for branch in section.branches):
             found["backstress"] = point.backstress
         shown |= {f"{POINT}{name}_{label}": value for name, value in found.items()}
@@ -123,18 +126,18 @@ def _summed(
     )
 
 
-def _names(rule: Sampling, kind: str, branch: int) -> list[str]:
+def _names(rule: SectionRule, kind: str, branch: int) -> list[str]:
     """The states of one kind, of a branch."""
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
 
 
-def _recalled(b: Builder, rule: Sampling, names: Sequence[str]) -> list[ca.SX]:
+def _recalled(b: Builder, rule: SectionRule, names: Sequence[str]) -> list[ca.SX]:
     """What states of these names make at every point."""
     states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
     return [_dot(row, states) for row in rule.recall]
 
 
-def _projected(rule: Sampling, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
+def _projected(rule: SectionRule, names: Sequence[str], rates: Sequence[ca.SX]) -> dict[str, ca.SX]:
     """Rates of states of these names, of the rates at every point."""
     return dict(zip(names, (_dot(row, rates) for row in rule.project), strict=True))
 
@@ -143,38 +146,24 @@ def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
     return sum((weight * value for weight, value in zip(weights, values, strict=True) if weight), ca.SX(0))
 
 
-def _profiles(rule: Sampling, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
+def _profiles(rule: SectionRule, names: Sequence[str], power: float = 1.0) -> dict[str, tuple[float, float]]:
     """What states of these names are of a strain that is linear through the thickness; of one fibre over its zeta."""
     mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.across
     return {name: (power * float(m), power * float(z)) for name, m, z in zip(names, mean, linear, strict=True)}
 
 
-@dataclass(frozen=True)
-class _Followed:
-    """A clock with a state at every point of a section."""
-
-    name: str
-    replaces: tuple[tuple[Any, Any], ...]
-    state: State
-
-    def _names(self, rule: Sampling) -> list[str]:
-        return [f"{self.name}_{label}" for label in rule.labels]
-
-    def set(self, b: Builder, rule: Sampling, points: Sequence[_Point]) -> None:
-        """What it makes of the constants at every point, by its state there."""
-        for point, state in zip(points, _recalled(b, rule, self._names(rule)), strict=True):
-            stated = {**point.values, self.state.symbol: state}
-            point.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
-            point.values[self.state.shown] = printed(self.state.value, stated)
-
-    def rates(self, rule: Sampling, points: Sequence[_Point]) -> dict[str, ca.SX]:
-        """Rates of its states, of the flow at every point."""
-        rates = [printed(self.state.rate, {**point.values, speed: point.speed}) for point in points]
-        return _projected(rule, self._names(rule), rates)
+def _follow_clock(b: Builder, rule: SectionRule, points: Sequence[_Point], clock: Clock, state: State) -> list[str]:
+    """What a clock makes of the constants at every point, by its state there; the names of its states."""
+    names = [f"{clock.name}_{label}" for label in rule.labels]
+    for point, here in zip(points, _recalled(b, rule, names), strict=True):
+        stated = {**point.values, state.symbol: here}
+        point.values |= {symbol: printed(value, stated) for symbol, value in clock.replaces}
+        point.values[state.shown] = printed(state.value, stated)
+    return names
 
 
 def _add_chains(
-    b: Builder, section: ResolvedSection, chains: ChainResponse, rule: Sampling, points: Sequence[_Point]
+    b: Builder, section: SampledSection, chains: ChainResponse, rule: SectionRule, points: Sequence[_Point]
 ) -> dict[str, ca.SX]:
     """Polymer chains at every point of a section; rates of their states."""
     names = [[f"{chain_state(one)}_{label}" for label in rule.labels] for one in chains.states]
@@ -189,12 +178,11 @@ def _add_chains(
 
 
 def _add_branch(
-    b: Builder, section: SampledSection, branch: FibreBranch, rule: Sampling, points: Sequence[_Point], number: int
+    b: Builder, section: SampledSection, branch: FibreBranch, rule: SectionRule, points: Sequence[_Point], number: int
 ) -> dict[str, ca.SX]:
     """A spring of every point, with its flow and its backstress; rates of their states."""
-    shears = not isinstance(section, ResolvedSection) or section.shears
     kinds = ("axial", "shear") if not rule.is_spatial else ("axial", "shear2", "shear3")
-    moving = len(kinds) if shears else 1
+    moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
     for row, symbol in zip(back, (backstress.axial, backstress.shear), strict=False):
@@ -217,7 +205,7 @@ def _add_branch(
 
 
 def _follow(
-    rule: Sampling, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
+    rule: SectionRule, points: Sequence[_Point], names: Sequence[str], rates: Sequence[ca.SX], drives: Sequence[ca.SX]
 ) -> dict[str, ca.SX]:
     """Rates of states; what these do not follow of the rates at the points costs no energy."""
     found = _projected(rule, names, rates)
@@ -279,7 +267,10 @@ class _Point:
         sheared = [ca.SX(flow[f"shear_rate_{k}"]) for k in range(len(kinds))]
         self.rates.append([ca.SX(flow["axial_rate"]), *sheared])
         if branch.hardening is not None:
-            self._harden(branch.hardening, values)
+            # The backstress stores energy, and follows the flow.
+            self.back_rates = [printed(rate, values) for rate in branch.hardening.rates]
+            self.backstress = printed(branch.hardening.stress, values)
+            self.energy += printed(branch.hardening.stored, values)
         self.dissipation += flow["dissipation"]
         self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
         self.yields = ca.fmax(self.yields, flow["yields"]) if self.flows else ca.SX(flow["yields"])
@@ -288,13 +279,7 @@ class _Point:
     def _press(self, stress: Sequence[ca.SX]) -> None:
         self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
 
-    def _harden(self, hardening: FibreHardening, values: Values) -> None:
-        """The backstress of what flows: it stores energy, and follows the flow."""
-        self.back_rates = [printed(rate, values) for rate in hardening.rates]
-        self.backstress = printed(hardening.stress, values)
-        self.energy += printed(hardening.stored, values)
-
-    def carry(self, section: ResolvedSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
+    def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
         values |= {conformation.strain: self.strain[0] - printed(section.relaxed, values)}

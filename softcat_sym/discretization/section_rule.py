@@ -7,14 +7,14 @@ of one rule both are the same.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import ClassVar
+from typing import Any
 
 import numpy as np
 
-from softcat_sym.discretization.point_rule import PointRule
-from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.discretization.unknowns import PER_FIBRE, Floats
 
 _MIN_IN_HALVES = 6
 """Points from which on rules in the two halves are as good as one for what is smooth."""
@@ -25,18 +25,47 @@ _MOMENT_POINTS = 200
 
 @dataclass(frozen=True)
 class SectionRule:
-    """Points through the thickness and the states that give them their plastic strain."""
+    """Points of a section, through its thickness or in both directions, and the states of their plastic strain."""
 
-    zeta: Floats  # shape (points,); Material coordinates and weights; the weights sum to one
-    weight: Floats
+    # Of every point its zeta, or in space what `POINT_TABLES` names, and its weight; the weights sum to one.
+    tables: Mapping[str, Any]
     recall: Floats  # shape (points, states); Plastic strain at the points of the states
     # shape (states, points); Rates of the states of the rates at the points; ``project @ recall`` is the identity.
     project: Floats
+    stands_for_all: bool = (
+        False  # Whether it is one point with symbols for its numbers, for code that loops over points
+    )
+
+    @classmethod
+    def of_points(cls, tables: Mapping[str, Any], *, stands_for_all: bool = False) -> SectionRule:
+        """Points with plastic states of their own."""
+        points = len(tables["weight"])
+        return cls(tables, np.eye(points), np.eye(points), stands_for_all)
+
+    @property
+    def zeta(self) -> Floats:
+        """Places through the thickness, shape (points,)."""
+        return np.asarray(self.tables["zeta"])
+
+    @property
+    def weight(self) -> Floats:
+        """Shares of the section, shape (points,)."""
+        return np.asarray(self.tables["weight"])
 
     @property
     def points(self) -> int:
         """Number of points."""
-        return len(self.zeta)
+        return len(self.tables["weight"])
+
+    @property
+    def states(self) -> int:
+        """Number of plastic states of one kind."""
+        return int(self.recall.shape[1])
+
+    @property
+    def is_spatial(self) -> bool:
+        """Whether the points are those of a filament in three dimensions."""
+        return "zeta" not in self.tables
 
     @property
     def is_of_fibres(self) -> bool:
@@ -46,38 +75,37 @@ class SectionRule:
     @property
     def labels(self) -> tuple[str, ...]:
         """What the plastic states of one kind are called, besides their kind."""
-        return tuple(str(number) for number in range(self.states))
+        return (PER_FIBRE,) if self.stands_for_all else tuple(map(str, range(self.states)))
 
     @property
-    def tables(self) -> dict[str, Floats]:
-        """Its numbers, by the names that code which loops over fibres has for them."""
-        return {"zeta": self.zeta, "weight": self.weight}
-
-    is_spatial: ClassVar[bool] = False
-    heading: ClassVar[str] = """\
-/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */"""
+    def point_labels(self) -> tuple[str, ...]:
+        """What the points are called."""
+        return (PER_FIBRE,) if self.stands_for_all else tuple(map(str, range(self.points)))
 
     @property
-    def places(self) -> list[dict[str, float]]:
+    def places(self) -> list[dict[str, Any]]:
         """Numbers of every point."""
-        return [
-            {"zeta": float(zeta), "weight": float(weight)} for zeta, weight in zip(self.zeta, self.weight, strict=True)
-        ]
+        return [{name: table[k] for name, table in self.tables.items()} for k in range(self.points)]
 
     @property
     def across(self) -> Floats:
-        """Place of every point through the thickness, from -1 to 1."""
-        return self.zeta
+        """Place of every point through the thickness, from -1 to 1; of one that stands for all over its own."""
+        if self.is_spatial:
+            return np.zeros(self.points)
+        return np.ones(1) if self.stands_for_all else self.zeta
 
     @property
     def label(self) -> str:
         """All of its numbers."""
-        return ", ".join(repr(part.tolist()) for part in (self.zeta, self.weight, self.recall, self.project))
+        return ", ".join(repr(np.asarray(part).tolist()) for part in (*self.tables.values(), self.recall, self.project))
 
     @property
-    def states(self) -> int:
-        """Number of plastic states of one kind."""
-        return int(self.recall.shape[1])
+    def heading(self) -> str:
+        """Comment above its tables in C."""
+        if self.is_spatial:
+            what = "Places of the points of a section, what a twist shears there, over half the thickness, and"
+            return f"/* {what} their shares of it. */"
+        return "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */"
 
 
 @lru_cache(maxsize=64)
@@ -91,7 +119,7 @@ def fibre_rule(section: str, fibres: int, *, halves: bool = False) -> SectionRul
     """
     split = halves and fibres >= _MIN_IN_HALVES and fibres % 2 == 0
     nodes, weights = _in_halves(section, fibres) if split else _gauss(section, fibres)
-    return SectionRule(nodes, weights, np.eye(fibres), np.eye(fibres))
+    return SectionRule.of_points({"zeta": nodes, "weight": weights})
 
 
 def order_rule(section: str, order: int, points: int) -> SectionRule:
@@ -100,7 +128,8 @@ def order_rule(section: str, order: int, points: int) -> SectionRule:
     values = polynomials(section, nodes, order)
     # <p_n^2> of Legendre's and of Chebyshev's.
     squares = [1 / (n + 1) ** 2 if section == "circle" else 1 / (2 * n + 1) for n in range(order + 1)]
-    return SectionRule(nodes, weights, values, weights * values.T / np.array(squares)[:, None])
+    tables = {"zeta": nodes, "weight": weights}
+    return SectionRule(tables, values, weights * values.T / np.array(squares)[:, None])
 
 
 def polynomials(section: str, places: Floats, order: int) -> Floats:
@@ -160,14 +189,14 @@ def shown_of_points(observed: dict[str, Floats]) -> dict[str, Floats]:
     return {kind: np.stack([observed.pop(name) for name in names], axis=1) for kind, names in rows.items()}
 
 
-def shown_of_section(points: dict[str, Floats], rule: SectionRule | PointRule) -> dict[str, Floats]:
+def shown_of_section(points: dict[str, Floats], rule: SectionRule) -> dict[str, Floats]:
     """What a run stores of a section that is resolved: means, limits and largest of what its points show.
 
     Parameters
     ----------
     points : dict
         Of each kind, whose name begins with `POINT`, shape (frames, points, cells).
-    rule : SectionRule or PointRule
+    rule : SectionRule
         Where the points are.
 
     Returns
@@ -180,7 +209,7 @@ def shown_of_section(points: dict[str, Floats], rule: SectionRule | PointRule) -
     kinds = {name.removeprefix(POINT): values for name, values in points.items()}
     yields, speed = kinds.pop("yields"), kinds.pop("speed")
     found = {"yielded_fraction": rule.weight @ yields, "plastic_rate": speed.max(axis=1)}
-    if isinstance(rule, SectionRule):
+    if not rule.is_spatial:
         axial = kinds.pop("axial")
         slope = rule.weight * rule.zeta / float(rule.weight @ rule.zeta**2)
         found |= dict(zip(("core_low", "core_high"), _core(rule.zeta, yields), strict=True))

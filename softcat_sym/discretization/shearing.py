@@ -1,115 +1,153 @@
-"""A filament that shears (geometrically exact in the plane), its section resolved point by point."""
+"""A filament that shears, in its plane or in space: a node has a place and a frame, a cell the whole section.
+
+A two-node element with one point along the filament, so that it neither locks in shear nor has a spurious mode.
+Stresses act on the conjugates of the cell's strains, and these on its nodes, each by virtual power.
+"""
 
 from __future__ import annotations
 
 import casadi as ca
 
+from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
     Mechanics,
+    Sided,
+    Turning,
     derivatives,
-    mean_of_nodes,
     neck_force,
     positions,
-    printed,
     surface_force,
     velocities,
 )
-from softcat_sym.discretization.sampling import OnePoint, Sampling
+from softcat_sym.discretization.frames import Angle, Frame, Quaternion
 from softcat_sym.discretization.section_points import Sampled, sampled
+from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
-from softcat_sym.discretization.unknowns import CELLS, Slot
-from softcat_sym.physics import reissner, symbols
+from softcat_sym.discretization.unknowns import CELLS
+from softcat_sym.physics import symbols
+from softcat_sym.physics.reissner import SampledSection
 
 
-def shearing(b: Builder, rule: Sampling) -> Mechanics:
-    """A filament that shears (geometrically exact in the plane), its section resolved point by point.
-
-    Positions and section angle live on nodes, the whole section on cells: a two-node element with one point along the
-    filament, so that it neither locks in shear nor has a spurious mode.
-    """
-    resolved = b.equations.resolved
-    if resolved is None:
-        raise ValueError("the section is not resolved: neither shear nor fibres are in force")
-    x, y = positions(b)
-    u, v, *moved = velocities(b)
-    psi, omega = angles(b)
-    slope_x, slope_y = ((r[1] - r[0]) / b.length[0] for r in (x, y))
-    at = {symbols.x_X: slope_x, symbols.y_X: slope_y, reissner.psi: mean_of_nodes(psi)}
-    strains = [*(printed(one, at) for one in resolved.strains), (psi[1] - psi[0]) / b.length[0] / b.span]
-    rates = [ca.SX(0)] * 3
-    if resolved.viscous is not None:
+def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanics:
+    """A filament whose sections turn by themselves, resolved point by point."""
+    frame: Frame = Quaternion() if rule.is_spatial else Angle()
+    places, (speeds, moved) = positions(b, frame.ways), velocities(b, frame.ways)
+    turn, spin = frame.unknowns(b)
+    length, size = b.length[0] * b.span, len(turn)
+    slope = [(r[1] - r[0]) / b.length[0] for r in places]
+    first, last = ([q[n] for q in turn] for n in (0, 1))
+    now, every = ca.vertcat(*slope, *first, *last), ca.SX.sym("slope_and_frames", frame.ways + 2 * size)
+    parts = ca.vertsplit(every)
+    expressions = ca.vertcat(*frame.strains(parts[: frame.ways], parts[frame.ways : -size], parts[-size:], length))
+    strains, rates = ca.vertsplit(ca.substitute(expressions, every, now)), [ca.SX(0)] * len(section.strains)
+    if section.viscous is not None:
         speed = [(r[1] - r[0]) / b.length[0] / b.scale for r in moved]
-        moving = {symbols.x_Xt: speed[0], symbols.y_Xt: speed[1], reissner.psi_t: mean_of_nodes(omega) / b.scale}
-        rates = [printed(one, {**at, **moving}) for one in resolved.strain_rates]
-        rates.append((omega[1] - omega[0]) / b.scale / b.length[0] / b.span)
-    if isinstance(rule, OnePoint):
-        # What all fibres see is looked up.
-        names = ("Lam", "Gam", "k")
-        strains = [b.stage(name, CELLS, one)[0] for name, one in zip(names, strains, strict=True)]
-        rates = [b.stage(f"{name}_t", CELLS, one)[0] for name, one in zip(names, rates, strict=True)]
-    by = (reissner.Lam, reissner.Gam, reissner.k)
-    values = {**b.values, symbols.h0: b.h_cell, **dict(zip(by, strains, strict=True))}
-    values |= dict(zip((reissner.Lam_t, reissner.Gam_t, reissner.k_t), rates, strict=True))
-    fibres = sampled(b, resolved, rule, values)
-    values |= fibres.means
-    # Stresses to the conjugates of the cell's strains, and these to forces on its nodes, each by virtual power.
-    n_1, n_2, couple = (b.area_cell * one for one in derivatives(resolved.cell.power, by, values))
-    turned_by = b.stage("couple", CELLS, couple)
-    at |= {reissner.n_1: n_1, reissner.n_2: n_2}
-    power = reissner.n_1 * resolved.strains[0] + reissner.n_2 * resolved.strains[1]
-    force_x, force_y, turn = derivatives(power, (symbols.x_X, symbols.y_X, reissner.psi), at)
-    turned = b.stage("turning_half", CELLS, -b.length[0] * b.span * turn / 2)
-    section = {
-        name: b.area_cell * printed(one, values)
-        for name, one in (("tension", resolved.cell.tension), ("moment", resolved.cell.moment))
-    }
-    section["shear_force"] = b.area_cell * printed(resolved.cell.shear_force, values)
-    # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
-    stretch = b.stage("stretch", CELLS, ca.sqrt(slope_x**2 + slope_y**2))
-    pull, surface = surface_force(b, stretch)
-    tension = b.stage("tension", CELLS, section["tension"]) if b.equations.neck is not None else Same()
-    double_force, necked = neck_force(b, stretch, tension)
-    along = (pull + necked) / stretch[0]
-    force = (
-        b.stage("force_x", CELLS, force_x + along * slope_x),
-        b.stage("force_y", CELLS, force_y + along * slope_y),
+        turning = [one / b.scale for n, q in ((0, first), (1, last)) for one in frame.rate(q, [o[n] for o in spin])]
+        rates = ca.vertsplit(ca.substitute(ca.jtimes(expressions, every, ca.vertcat(*speed, *turning)), every, now))
+    if rule.stands_for_all:
+        # What all points see is looked up.
+        strains = [b.stage(f"strain_{n}", CELLS, one)[0] for n, one in enumerate(strains)]
+        rates = [b.stage(f"strain_{n}_t", CELLS, one)[0] for n, one in enumerate(rates)]
+    values = {**b.values, symbols.h0: b.h_cell, **dict(zip(section.strains, strains, strict=True))}
+    values |= dict(zip(section.strain_rates, rates, strict=True)) | (
+        frame.natural(b) if b.equations.terms.curved else {}
     )
-
-    def torque(before: int | None, behind: int | None) -> ca.SX:
-        """Change of the couple and the moment of the forces about a node [Pa m]."""
-        ahead = ca.SX(0) if behind is None else turned_by[behind] + turned[behind]
-        return ahead if before is None else ahead - turned_by[before] + turned[before]
-
-    shown = {
-        **section,
-        "relative_thickness": printed(resolved.relative_thickness, values) * b.relative * b.thinned,
-        "curvature": strains[2] / strains[0],
-        "shear": strains[1] / strains[0],
-        **fibres.shown,
-        **({"axial_force": (force[0][0] * slope_x + force[1][0] * slope_y) / stretch[0]} if surface else {}),
-    }
+    points = sampled(b, section, rule, values)
+    conjugate = [b.area_cell * one for one in derivatives(section.power, section.strains, values | points.means)]
+    held = ca.SX.sym("conjugate", len(conjugate))
+    slopes = ca.jtimes(expressions, every, held, True)
+    found = ca.vertsplit(ca.substitute(slopes, ca.vertcat(every, held), ca.vertcat(now, *conjugate)))
+    # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
+    stretch = b.stage("stretch", CELLS, ca.sqrt(sum((one**2 for one in slope), ca.SX(0))))
+    pull, surface = surface_force(b, stretch)
+    tension = b.area_cell * next(iter(points.means.values())) / strains[0]
+    double_force, necked = neck_force(
+        b, stretch, b.stage("tension", CELLS, tension) if b.equations.neck is not None else Same()
+    )
+    along = (pull + necked) / stretch[0]
+    force = tuple(b.stage(f"force_{n}", CELLS, one + along * slope[n]) for n, one in enumerate(found[: frame.ways]))
+    on_first, on_last = (
+        [b.stage(f"torque_{side}_{n}", CELLS, -length * one) for n, one in enumerate(frame.torque(q, of))]
+        for side, q, of in (("first", first, found[frame.ways : -size]), ("last", last, found[-size:]))
+    )
+    balancing = frame.spins if b.slots[frame.names[0]].differential else frame.names[-len(frame.spins) :]
     volume = b.length[0] * b.area_cell
+    shown = {
+        "tension": tension,
+        "shear_force": conjugate[1],
+        "moment": -conjugate[-1],
+        "relative_thickness": printed(section.relative_thickness, values) * b.relative * b.thinned,
+        "curvature": strains[-1] / strains[0],
+        "shear": strains[1] / strains[0],
+        **points.shown,
+    }
+    if surface and not rule.is_spatial:
+        shown["axial_force"] = sum((f[0] * t for f, t in zip(force, slope, strict=True)), ca.SX(0)) / stretch[0]
+    if isinstance(frame, Quaternion):
+        shown |= _out_of_the_plane(b, strains, conjugate, points)
     return Mechanics(
-        x,
-        y,
-        u,
-        v,
+        places,
+        speeds,
+        moved,
         stretch,
         force,
-        fibres.plastic,
-        {"elastic": [Field("elastic", CELLS, volume * fibres.energy)], "surface": surface},
-        [Field("power_plastic", CELLS, volume * fibres.dissipation)],
+        points.plastic,
+        {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface},
+        [Field("power_plastic", CELLS, volume * points.dissipation)],
         shown,
-        psi,
-        omega,
-        torque,
         double_force,
-        fibres.profiles,
-        moved=(moved[0], moved[1]),
-        ageing=_aged(b, volume, fibres, surface),
-        softening=_softened(b, volume, fibres, surface),
+        points.profiles,
+        _aged(b, volume, points, surface),
+        _softened(b, volume, points, surface),
+        Turning(
+            turn,
+            spin,
+            frame.clamps(b),
+            {name: _both(*pair) for name, pair in zip(balancing, zip(on_first, on_last, strict=True), strict=True)},
+            lambda slopes: frame.torque([one[0] for one in turn], slopes),
+            _fixed(b, frame, turn, spin) if isinstance(frame, Quaternion) else {},
+            frame.dead_torque(b, turn) if isinstance(frame, Quaternion) and b.body.tip_torque else (),
+        ),
     )
+
+
+def _both(on_first: Neighbours, on_last: Neighbours) -> Sided:
+    """Torque on a node by the cells beside it [Pa m]."""
+
+    def torque(before: int | None, behind: int | None) -> ca.SX:
+        ahead = ca.SX(0) if behind is None else on_first[behind]
+        return ahead if before is None else ahead + on_last[before]
+
+    return torque
+
+
+def _fixed(
+    b: Builder, frame: Quaternion, turn: list[Neighbours], spin: list[Neighbours]
+) -> dict[str, dict[int, ca.SX]]:
+    """A pin leaves the normal free but does not let it spin: the filament would, without resistance."""
+    q = [one[0] for one in turn]
+    name, value = (
+        (frame.spins[0], frame.rate(q, [o[0] for o in spin])[1]) if frame.spins[0] in b.slots else ("q1", q[1])
+    )
+    pinned = (at for at, one in ((0, b.first), (-1, b.last)) if not (one.is_free or one.carries_moment))
+    return {name: dict.fromkeys(pinned, value)}
+
+
+def _out_of_the_plane(b: Builder, strains: list[ca.SX], conjugate: list[ca.SX], points: Sampled) -> dict[str, ca.SX]:
+    """What a run stores of the cells beside what it stores in the plane."""
+    Lam, _, third, twist, k_2, _ = strains
+    mean, bending, *_ = points.means.values()
+    return {
+        "curvature_2": k_2 / Lam,
+        "twist": twist,
+        "shear_3": third / Lam,
+        "shear_force_3": conjugate[2],
+        "torque": conjugate[3],
+        "moment_2": conjugate[4],
+        "stress_mean": mean,
+        "stress_bending": bending / float(b.equations.shape.zeta_squared),
+    }
 
 
 def _aged(b: Builder, volume: ca.SX, fibres: Sampled, surface: list[Field]) -> list[Field]:
@@ -126,16 +164,3 @@ def _softened(b: Builder, volume: ca.SX, fibres: Sampled, surface: list[Field]) 
         return []
     of_fibres = b.by_temperature(volume) * fibres.energy + volume * fibres.softening
     return [Field("fibres_softened", CELLS, of_fibres), *map(b.softened, surface)]
-
-
-def angles(b: Builder) -> tuple[Neighbours, Neighbours]:
-    """Section angles of all nodes and their rates, which an end that holds the angle gives."""
-    viscous, terms = b.equations.law.viscosity is not None, b.equations.terms
-    turns, rotary = terms.rotary_inertia or viscous, terms.rotary_inertia and terms.inertia
-    psi = b.unknown(
-        Slot("psi", "node", b.bends, turns, "omega" if turns else "", section=False),
-        0 if b.half else b.supports.left_angle,
-        b.supports.right_angle,
-    )
-    omega = b.unknown(Slot("omega", "node", b.bends, rotary, "", section=False)) if turns else Same()
-    return psi, omega

@@ -18,8 +18,6 @@ from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Where
 UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
 FIBRE, SUM = "fibre", "sum"
 """Where a fibre is and what it counts for; a sum over the fibres of a cell."""
-WHOLE = "whole"
-"""One number of the whole filament: a sum over its sites."""
 
 
 @dataclass(frozen=True, order=True)
@@ -33,7 +31,7 @@ class Leaf:
     @property
     def is_local(self) -> bool:
         """Whether it belongs to a site."""
-        return self.kind not in (PARAMETER, TIME, FIBRE, WHOLE)
+        return self.kind not in (PARAMETER, TIME, FIBRE)
 
     @property
     def is_each(self) -> bool:
@@ -86,7 +84,6 @@ class Field:
     where: Where  # The sites that compute `value`
     value: ca.SX  # Of leaves whose sites are distances
     ends: Mapping[int, ca.SX] = field(default_factory=dict)  # By site, from the last if negative
-    summed: str = ""  # ``whole``: all sites read the sum; ``before``: each node that of the cells before it
 
     @property
     def values(self) -> tuple[ca.SX, ...]:
@@ -154,16 +151,11 @@ class Spread:
             **{(PLACE, name): (0, ca.DM(np.asarray(values))) for name, values in places.items()},
             **{(UNKNOWN, name): column for name, column in unknowns.items()},
         }
-        # What no site has for itself: parameters, the time, sums over all sites.
-        self._shared = dict(shared)
+        self._shared = shared  # What no site has for itself: parameters and the time
 
     def take(self, one: Field) -> None:
         """Evaluate a field that later ones may read."""
-        column = self.values(one)
-        if one.summed == "whole":
-            self._shared[Leaf(WHOLE, one.name)] = ca.sum1(column)
-        first = 0 if 0 in one.ends else one.where.first
-        self._known[STAGED, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
+        self._known[STAGED, one.name] = (0 if 0 in one.ends else one.where.first), self.values(one)
 
     def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""

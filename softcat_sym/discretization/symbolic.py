@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.cell import Program
-from softcat_sym.discretization.stencil import PARAMETER, TIME, WHOLE, Field, Leaf, Spread
-from softcat_sym.discretization.unknowns import Floats, Layout
+from softcat_sym.discretization.unknowns import Floats, Layout, Signature
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
@@ -21,22 +19,41 @@ def tidy(*expressions: ca.SX) -> list[ca.SX]:
 
 
 @dataclass(frozen=True)
-class Expressions:
+class Evaluated:
     """What a filament is in terms of its unknowns, before common subexpressions are shared."""
 
-    rates: tuple[ca.SX, ca.SX]  # `ode` and `alg`
-    powers: tuple[ca.SX, ...]  # In the order of the program
+    rates: Mapping[str, ca.SX]  # Of each unknown: its rate, or what it balances
+    powers: tuple[ca.SX, ...]  # In the order of the signature
     observables: Mapping[str, ca.SX]  # What a trajectory shows
     support: tuple[ca.SX, ...]  # Force of the right support
+
+
+class Filament(Protocol):
+    """Equations of a filament on any grid."""
+
+    @property
+    def signature(self) -> Signature:
+        """Its unknowns, parameters and powers by name."""
+        ...
+
+    @property
+    def support(self) -> Sequence[Any]:
+        """Force of the right support; empty where it is not known."""
+        ...
+
+    def evaluate(
+        self, time: ca.SX, unknowns: Mapping[str, ca.SX], named: Mapping[str, ca.SX], places: Mapping[str, Floats]
+    ) -> Evaluated:
+        """Evaluate them, of unknowns and parameters by name and the geometry of all sites."""
+        ...
 
 
 @dataclass(frozen=True)
 class Symbolic:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures."""
 
-    program: Program  # What its sites compute
+    program: Filament
     places: Mapping[str, Floats]  # Geometry of each site
-    sites: int
     moving: Layout  # Where the differential and the algebraic unknowns stand
     still: Layout
 
@@ -48,7 +65,7 @@ class Symbolic:
     @cached_property
     def p(self) -> ca.SX:
         """Parameters, SI."""
-        return ca.vertcat(*(ca.SX.sym(name) for name in self.program.parameters))
+        return ca.vertcat(*(ca.SX.sym(name) for name in self.program.signature.parameters))
 
     @cached_property
     def x(self) -> ca.SX:
@@ -61,36 +78,22 @@ class Symbolic:
         return ca.SX.sym("z", len(self.still))
 
     @cached_property
-    def raw(self) -> Expressions:
+    def raw(self) -> Evaluated:
         """The expressions; a compiled run needs them only for what a trajectory shows."""
-        program = self.program
-        shared = {Leaf(PARAMETER, name): self.p[k] for k, name in enumerate(program.parameters)}
-        parts = {**self.moving.split(self.x), **self.still.split(self.z)}
-        unknowns = {slot.name: (int(slot.held[0]), parts[slot.name]) for slot in program.slots if slot.on != "whole"}
-        shared |= {Leaf(WHOLE, slot.name): parts[slot.name] for slot in program.slots if slot.on == "whole"}
-        shared |= {Leaf(TIME, "t"): self.t}
-        spread = Spread(program.leaves, self.sites, self.places, unknowns, shared)
-        for one in program.fields:
-            spread.take(one)
-        rates = {slot.name: spread.values(rate) for slot, rate in zip(program.slots, program.rates, strict=True)}
-        powers = tuple(
-            ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1)
-            for power in program.powers.values()
-        )
-        shown = {
-            name: spread.values(item)
-            if isinstance(item, Field)
-            else sum((ca.sum1(spread.values(one)) for one in item), ca.SX(0))
-            for name, item in program.shown.items()
-        }
-        ode, alg = (gathered(layout, rates) for layout in (self.moving, self.still))
-        support = tuple(spread.values(one) for one in program.support)
-        return Expressions((ca.SX(ode), ca.SX(alg)), powers, shown, support)
+        named = dict(zip(self.program.signature.parameters, ca.vertsplit(self.p), strict=True))
+        unknowns = {**self.moving.split(self.x), **self.still.split(self.z)}
+        return self.program.evaluate(self.t, unknowns, named, self.places)
+
+    @cached_property
+    def balances(self) -> tuple[ca.SX, ca.SX]:
+        """`ode` and `alg`, as built."""
+        ode, alg = (ca.SX(gathered(layout, self.raw.rates)) for layout in (self.moving, self.still))
+        return ode, alg
 
     @cached_property
     def rates(self) -> tuple[ca.SX, ca.SX]:
         """`ode` and `alg`: tidied when first asked for, which a compiled run never does."""
-        ode, alg = tidy(*self.raw.rates)
+        ode, alg = tidy(*self.balances)
         return ode, alg
 
     @property
@@ -108,7 +111,7 @@ class Symbolic:
         """(t, x, z, p) to what must vanish, to its derivative by z, and whether that is the same for all z."""
         inputs = [self.t, self.x, self.z, self.p]
         # As built: a handful of evaluations is not worth the search for common subexpressions.
-        alg = ca.densify(self.raw.rates[1])
+        alg = ca.densify(self.balances[1])
         jacobian = ca.jacobian(alg, self.z)
         linear = not ca.depends_on(jacobian, self.z)
         return ca.Function("residual", inputs, [alg]), ca.Function("jacobian", inputs, [jacobian]), linear

@@ -14,8 +14,10 @@ Floats = npt.NDArray[np.float64]
 PER_FIBRE = "#"
 """In the name of what stands for all fibres: the place of the fibre's number."""
 
-PLACES, TURN = ("x", "y", "z"), ("q0", "q1", "q2", "q3")
-"""Position of a node, and the quaternion of its section in three dimensions."""
+PLACES, SPEEDS = ("x", "y", "z"), ("u", "v", "w")
+"""Position of a node and its velocity."""
+TURN, SPIN = ("q0", "q1", "q2", "q3"), ("o1", "o2", "o3")
+"""Quaternion of its section in three dimensions, and the spin where a viscous stress asks for it."""
 
 WARMING = "warming"
 """The state of nodes that is their temperature over that at the start, less one."""

@@ -8,6 +8,7 @@ from softcat_sym.effects.law import may_have
 from softcat_sym.physics.beams import Beam, beam_between, beam_on_springs, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held, undeformed_area
+from softcat_sym.scene.tables import viscosity_factor
 
 _THROUGHOUT = 2.0
 """G over that of first yield from which the whole section yields."""
@@ -132,7 +133,7 @@ def hot_viscosity_factor(scene: Scene) -> float:
     heat = scene.temperature
     if not (heat.present and may_have(scene, "temperature")):
         return 1.0
-    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1])
+    return viscosity_factor(scene, heat.extremes(scene.run.duration)[1])
 
 
 def viscosity_of_chains(scene: Scene) -> float:

@@ -15,6 +15,7 @@ from softcat_sym.effects.scaling_estimates import gravity_of
 from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.tables import frozen_below, viscosity_factor
 from softcat_sym.scene.temperature import PREFIX
 
 _THICK = 0.1
@@ -37,6 +38,7 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
         conducts=stated.conductivity is not None,
         expands=stated.expansion != 0,
         partial=bool(stated.heated),
+        freezes=frozen_below(scene) is not None,
     )
     return replace(terms, heat=heat)
 
@@ -100,7 +102,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
         return Estimate(0.0, meaning)
     reached = coldest_and_hottest(scene, motion)
     for kelvin in reached:
-        flow, spring = stated.viscosity_factor(kelvin), stated.modulus_factor(kelvin)
+        flow, spring = viscosity_factor(scene, kelvin), stated.modulus_factor(kelvin)
         for factor, share in ((flow, motion.relaxed), (spring, 1.0)):
             change = max(change, share * (1 - min(factor, 1 / factor)) if factor > 0 else share)
     apart = max(abs(one - (stated.initial or 0.0)) for one in reached)

@@ -11,8 +11,8 @@ from softcat_sym.error_control.control import frames_of_first, refine_to_accurac
 from softcat_sym.error_control.estimate import LOOSER, Resolution
 from softcat_sym.progress import Clock
 from softcat_sym.results.breaking import Break, break_at_end, break_frame, first_break, refuse_broken, unbreakable
+from softcat_sym.results.out_of_plane_stability import OutOfPlaneInstability, perturbed_3d_scene
 from softcat_sym.results.run import Run
-from softcat_sym.results.sideways import Sideways, seeded
 from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import run_once, settling_time_of
 from softcat_sym.solvers.outcome import Outcome
@@ -82,12 +82,12 @@ def _repeated(run: Run, repeats: list[str]) -> Run:
 def _in_space(scene: Scene, run: Run, progress: Progress, finished: list[Run]) -> Run | None:
     """The run in three dimensions, where the planar one would not stay in its plane and nobody asked that it does."""
     found = run.summary["sideways"]
-    moved = seeded(scene) if found else None
+    moved = perturbed_3d_scene(scene) if found else None
     if moved is None:
         return None
     progress.stage("again, in three dimensions: it is unstable sideways")
     finished.clear()
-    spatial, planar = run_until_consistent(moved, progress, finished), Sideways(**found)
+    spatial, planar = run_until_consistent(moved, progress, finished), OutOfPlaneInstability(**found)
     changes = {"sideways": found, "dimensions_reason": f"in its plane it is {planar.found}"}
     return spatial.revised({**changes, "warnings": [*spatial.summary["warnings"], planar.followed]})
 
@@ -114,6 +114,8 @@ def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progres
     if end is None or break_frame(scene, run.fields) == 0:
         refuse_broken(scene)
     for _ in range(MAX_BREAK_SEARCH):
+        if end.time_s <= 0:
+            refuse_broken(scene)
         clock.set_aside()
         progress.stage("again, up to its break")
         brief = unbreakable(scene).replace({"run.duration": f"{end.time_s!r} s"})

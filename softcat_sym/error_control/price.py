@@ -54,18 +54,8 @@ def next_digit(
 ) -> Price:
     """Foretell what a run with the next digit would take: the loop that refines, on errors that are foretold.
 
-    Parameters
-    ----------
-    scene : Scene
-        What was run.
-    effects : Effects
-        What was in force.
-    answer : tuple of Resolution and Differences
-        At what the answer was found, and its estimated errors.
-    made : sequence of Timed
-        The answer and the runs beside it.
-    besides : float
-        Time that was spent on none of these [s], compilers apart.
+    `answer` is at what the answer was found, and its errors; `made` are that run and those beside it, and `besides` is
+    the time [s] that was spent on none of them, compilers apart.
     """
     at, found = answer
     digits = max(1, math.ceil(math.log10(scene.run.accuracy / found.total) - 1e-9)) if found.total > 0 else 1

@@ -21,47 +21,31 @@ from numpy.typing import NDArray
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.free_parameters import candidates
-from softcat_sym.fitting.measurements import FEWEST, Measurements, Series, Shapes, overrides_in, what_is_wrong
-from softcat_sym.fitting.result import Fit
-from softcat_sym.fitting.trackers import camera_in, comments_in
-from softcat_sym.scene.csv_reader import (
-    Wanted,
-    columns_in,
-    counted,
-    header_pattern,
-    is_pixels,
-    missing_rows,
-    number_in,
-    numbers_in,
-    refusal,
-    table_in,
-    text_of,
-    unit_of,
+from softcat_sym.fitting.measurements import (
+    FEWEST,
+    Measurements,
+    Plain,
+    Series,
+    Shapes,
+    camera_of,
+    comments_in,
 )
+from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import laws_with
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import NotAQuantity, shown, to_si
+from softcat_sym.scene.table_reader import (
+    counted,
+    known,
+    read_cells,
+    refusal,
+    sentence,
+    without,
+)
 
 Floats = NDArray[np.float64]
 
 _KIND = "contour"
-_NAME = header_pattern(("x", "y"))
-_AXES = {
-    one: Wanted(
-        one,
-        "length",
-        "m",
-        f"{one}_mm",
-        f"{one}_mm, {one}_m, {one}_um, or {one}_px with a line # camera.pixel = 0.05 mm",
-    )
-    for one in "xy"
-}
-_FORMS = {
-    "gap": "pillars.gap = 2.0, 6.0, the x of the left and the right edge of a gap, in the unit of the column x",
-    "height": "pillars.height = 6 mm",
-    "time": "pillars.time = 30 s, from when the strand was laid to the photograph",
-}
 _SIGNIFICANT, _LEAST_DROP = 3.0, 0.01
 """Standard errors, and share of the span, from which on a difference of the supports' heights is a drop."""
 _WINDOW = 8
@@ -184,82 +168,33 @@ def read_contour(path: str | os.PathLike[str]) -> Contour:
     filament.thickness = 0.41 mm`` and other values of the scene may stand there too.
     """
     file, accepted = Path(path), "a CSV file with the columns x_mm and y_mm"
-    text = text_of(file, _KIND, accepted)
-    overrides, faults = overrides_in(text)
-    (camera, wrong), cells = camera_in(text), table_in(text)
-    faults += wrong
-    if cells is None:
-        raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", accepted)])
-
-    def unit_in(name: str, unit: str) -> float:
-        if camera.pixel is not None and (is_pixels(unit) or not unit):
-            return camera.pixel
-        return unit_of(unit, _AXES[name].dimension, _AXES[name].si)
-
-    columns, wrong = columns_in(cells, _NAME, _AXES, unit_in)
+    text, cells = read_cells(file, _KIND, accepted, ("x", "y"))
+    overrides, values, faults = comments_in(text)
+    columns, wrong = cells.chosen(cells.columns(("x", "y"), camera_of(values).scale), ("x", "y"))
     if faults or wrong:
         raise refusal(_KIND, file, faults + wrong)
-    pillars, wrong = _pillars(text, columns["x"].unit)
-    table, more = numbers_in(cells, columns, lambda _, value: what_is_wrong(value))
-    if wrong or more:
-        raise refusal(_KIND, file, wrong + more)
-    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
-    if fault:
-        raise refusal(_KIND, file, [fault])
-    x, y = table["x"][~missing], table["y"][~missing]
-    if camera.pixel is not None and columns["y"].unit == camera.pixel:
-        y = -y
-    gaps = tuple(sorted(pillars["gap"]))
-    faults = [
-        Fault("pillars.gap", f"{left:g} m to {right:g} m has {counted(inside, 'point')}", f"at least {FEWEST} between")
-        for left, right in gaps
-        if (inside := int(np.sum((x > left) & (x < right)))) < FEWEST
-    ]
-    faults += [
-        Fault("pillars.gap", f"gaps overlap at {one[1]:g} m", "edges from left to right, a line for each gap")
-        for one, other in pairwise(gaps)
-        if other[0] < one[1]
-    ]
+    table, faults = cells.numbers([*columns.values()])
+    table, said, more = without(table, table.isna().any(axis=1), "number")
+    x, y = table["x"].to_numpy(), table["y"].to_numpy()
+    gaps = list[tuple[float, float]]()
+    for pair in values.get("pillars.gap", []):
+        left, right = (columns["x"].to_si(edge) if isinstance(edge, Plain) else edge for edge in pair)
+        gaps.append((left, right))
+    gaps.sort()
+    form = f"# {known('comments')['pillars.gap']['form']}; a line for each gap, from left to right"
+    wrong = [] if gaps else [Fault("pillars.gap", "no gap is named", form)]
+    for left, right in gaps:
+        inside = int(np.sum((x > left) & (x < right)))
+        if inside < FEWEST:
+            found = f"{left:g} m to {right:g} m has {counted(inside, 'point')}"
+            wrong.append(Fault("pillars.gap", found, f"at least {FEWEST} between; {form}"))
+    overlaps = [one[1] for one, other in pairwise(gaps) if other[0] < one[1]]
+    wrong += [Fault("pillars.gap", f"gaps overlap at {place:g} m", form) for place in overlaps]
+    faults += more or ([] if faults else wrong)
     if faults:
         raise refusal(_KIND, file, faults)
-    single = {key: pillars[key][0] if pillars[key] else None for key in ("height", "time")}
-    notes = (said,) if said else ()
-    return Contour(x, y, gaps, single["height"], single["time"], tuple(overrides.items()), file, notes)
-
-
-def _pillars(text: str, unit: float) -> tuple[dict[str, list[Any]], list[Fault]]:
-    """Gaps, height and time among the comments; plain numbers of a gap are in the unit of the column x."""
-    found: dict[str, list[Any]] = {key: [] for key in _FORMS}
-    faults = list[Fault]()
-    for where, key, value in comments_in(text, "pillars"):
-        if key not in _FORMS:
-            faults.append(Fault(where, "unknown key", "; ".join(_FORMS.values())))
-            continue
-        try:
-            if key == "gap":
-                edges = [_edge(part, unit) for part in value.replace(";", ",").split(",")]
-                valid = len(edges) == 2 and all(map(math.isfinite, edges)) and edges[0] < edges[1]
-                read: Any = tuple(edges)
-            else:
-                read = to_si(value, *(("length", "m") if key == "height" else ("time", "s")))
-                valid = 0 < read < math.inf and not found[key]
-        except NotAQuantity as error:
-            faults.append(Fault(where, str(error), _FORMS[key]))
-            continue
-        if valid:
-            found[key].append(read)
-        else:
-            faults.append(Fault(where, shown(value) if not found[key] or key == "gap" else "set again", _FORMS[key]))
-    if not found["gap"] and not faults:
-        faults.append(Fault("pillars.gap", "no gap is named", f"# {_FORMS['gap']}; a line for each gap"))
-    return found, faults
-
-
-def _edge(text: str, unit: float) -> float:
-    value = number_in(text.strip())
-    if value is None and is_pixels(text.strip().lstrip("+-.0123456789eE ")):
-        raise NotAQuantity(f"{shown(text.strip())} in pixels, which are plain numbers beside a column x_px")
-    return to_si(text.strip(), "length", "m") if value is None else value * unit
+    height, time = (values.get(f"pillars.{key}", [(None,)])[0][0] for key in ("height", "time"))
+    return Contour(x, y, tuple(gaps), height, time, tuple(overrides.items()), file, sentence(*cells.said, said))
 
 
 def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
@@ -269,6 +204,14 @@ def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
     edges are then off by, only what is significant is a drop of a support.
     """
     lines = [_centre_line(contour, *edges) for edges in contour.gaps]
+    accepted = f"a strand from edge to edge, of points at {FEWEST} distinct x at least"
+    faults = [
+        Fault(f"gap {number}", f"its points lie at {x.size} distinct x", accepted)
+        for number, (x, _) in enumerate(lines, start=1)
+        if x.size < FEWEST
+    ]
+    if faults:
+        raise refusal(_KIND, contour.path, faults)
     noise = float(np.median([_noise(*line) for line in lines]))
     edges = np.array(contour.gaps)
     ends = np.array([_edge_heights(contour, line, pair, noise) for line, pair in zip(lines, edges, strict=True)])
@@ -295,14 +238,17 @@ def level(contour: Contour) -> tuple[tuple[Gap, ...], float]:
 
 
 def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, Floats]:
-    """Points over one gap, x increasing; of an outline the middle between its edges."""
-    x, y = contour.x, contour.y
-    inside = (x > left) & (x < right)
+    """Points over one gap, x increasing, those of one x as their mean; of an outline the middle between its edges."""
+    inside = (contour.x > left) & (contour.x < right)
+
+    def line(one: NDArray[np.bool_]) -> tuple[Floats, Floats]:
+        x, place, count = np.unique(contour.x[one], return_inverse=True, return_counts=True)
+        return x, np.bincount(place, contour.y[one]) / count
+
     edges = [inside & contour.forth, inside & ~contour.forth]
     if not contour.is_outline or min(int(one.sum()) for one in edges) < FEWEST:
-        order = np.argsort(x[inside], kind="stable")
-        return x[inside][order], y[inside][order]
-    sorted_edges = [(x[one][order], y[one][order]) for one in edges for order in (np.argsort(x[one], kind="stable"),)]
+        return line(inside)
+    sorted_edges = [line(one) for one in edges]
     places = sorted_edges[0][0]
     both = (places >= sorted_edges[1][0][0]) & (places <= sorted_edges[1][0][-1])
     places = places[both]
@@ -311,7 +257,7 @@ def _centre_line(contour: Contour, left: float, right: float) -> tuple[Floats, F
 
 def _noise(x: Floats, y: Floats) -> float:
     """Standard deviation of a height, by second differences of a centre line."""
-    ahead = (x[1:-1] - x[:-2]) / np.where(x[2:] > x[:-2], x[2:] - x[:-2], 1.0)
+    ahead = (x[1:-1] - x[:-2]) / (x[2:] - x[:-2])
     off = y[1:-1] - (1 - ahead) * y[:-2] - ahead * y[2:]
     return float(np.sqrt(np.mean(off**2 / (1 + ahead**2 + (1 - ahead) ** 2))))
 
@@ -348,7 +294,8 @@ def _edge_heights(
 
 def _intercept(x: Floats, y: Floats, degree: int) -> tuple[float, float]:
     """Value at 0 of the polynomial through some points, and its standard error for points of standard error one."""
-    row = np.linalg.pinv(np.vander(x / np.abs(x).max(), degree + 1, increasing=True))[0]
+    # All points may be at 0.
+    row = np.linalg.pinv(np.vander(x / (np.abs(x).max() or 1.0), degree + 1, increasing=True))[0]
     return float(row @ y), float(np.linalg.norm(row))
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Chebyshev, chebyshev
@@ -27,22 +25,9 @@ TAUTEST = math.pi
 """w sqrt(8 H/g) of a taut string."""
 
 
-class CableModulus(NamedTuple):
-    """Constants of a Maxwell cable from its ringing."""
-
-    modulus: float  # E/(rho g L)
-    relaxation_time: float  # tau [s]; infinite without decay, negative where the oscillation grows
-
-
 def mode_number(frequency: float, sag: float, gravity: float) -> float:
     """R sqrt(8 H/g): between pi (taut) and 8.99 (inextensible) in the lowest symmetric mode."""
     return frequency * math.sqrt(8 * sag / gravity)
-
-
-def stiffness_number(mode: complex) -> complex:
-    """l^2 of a mode number 2x; infinite where 2x = `SLACKEST`."""
-    half = mode / 2
-    return 4 * half**3 / (half - cmath.tan(half))
 
 
 def sensitivity(mode: float) -> float:
@@ -51,20 +36,6 @@ def sensitivity(mode: float) -> float:
         return math.inf
     half = mode / 2
     return 3 - half * -(math.tan(half) ** 2) / (half - math.tan(half))
-
-
-def modulus_of(frequency: float, decay: float, sag: float, gravity: float, span: float) -> CableModulus | None:
-    """Modulus and relaxation time of a cable that rings at R with a decay rate d about a sag H."""
-    if not TAUTEST < mode_number(frequency, sag, gravity) < SLACKEST:
-        return None
-    # K s/(s + 1/tau) = l^2 for a complex s = -d + i R: its imaginary part gives tau, then its real part K.
-    inverse = 1 / stiffness_number(complex(frequency, decay) * math.sqrt(8 * sag / gravity))
-    reciprocal = inverse.real - decay / frequency * inverse.imag
-    if reciprocal <= 0:
-        return None
-    number = 1 / reciprocal
-    rate = -number * inverse.imag * (frequency**2 + decay**2) / frequency
-    return CableModulus(number / (512 * (sag / span) ** 3), 1 / rate if rate else math.inf)
 
 
 Floats = NDArray[np.float64]

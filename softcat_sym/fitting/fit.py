@@ -15,9 +15,9 @@ from scipy import stats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import everything, named
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.fitting.closed_form import first_guess
+from softcat_sym.fitting.closed_form import ClosedForm, constants_of, features_of
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
-from softcat_sym.fitting.features import FEWEST, Features, read_features
+from softcat_sym.fitting.features import Features
 from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
 from softcat_sym.fitting.free_parameters import with_values
 from softcat_sym.fitting.identifiability import Information, ResidualChecks, check_residuals
@@ -35,6 +35,7 @@ from softcat_sym.fitting.least_squares import (
 )
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
+from softcat_sym.fitting.priors import read_priors
 from softcat_sym.fitting.problem import CAMERA, FilamentProblem
 from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved, tighter
 from softcat_sym.fitting.result import (
@@ -48,8 +49,8 @@ from softcat_sym.fitting.result import (
     fitted_parameter,
 )
 from softcat_sym.interrupts import TimeLimitError, until
-from softcat_sym.scene.reading import SceneLike, as_scene
-from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
+from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, counting
@@ -83,6 +84,7 @@ class FitOptions(TypedDict, total=False):
     discrepancy: bool
     time_limit: float | None
     flow_curve: FlowCurve | str | os.PathLike[str] | None
+    priors: Mapping[str, str] | None
     progress: Progress | None
 
 
@@ -91,7 +93,8 @@ class _Task:
     """What is fitted to what, and how."""
 
     films: Measurements
-    features: list[Features | None]  # Of each film
+    features: list[Features | None]  # Of each film, and the constants that they give
+    closed: list[ClosedForm | None]
     free: tuple[str, ...]
     options: FitOptions
     curve: FlowCurve | None
@@ -154,7 +157,9 @@ def fit(
     discrepancy: bool = True,
     time_limit: float | None = None,
     flow_curve: FlowCurve | str | os.PathLike[str] | None = None,
+    priors: Mapping[str, str] | None = None,
     progress: Progress | None = None,
+    changes: Changes = (),
 ) -> Fit:
     """Fit parameters of a scene to films of its falling filament, by weighted least squares of the midpoint.
 
@@ -195,6 +200,11 @@ def fit(
     flow_curve : FlowCurve or path, optional
         Flow curve of the same material from a rheometer. Its readings are further residuals, weighted by their stated
         errors or by their scatter about the best fit of the same law.
+    priors : mapping of str to str, optional
+        For a posterior drawn afterwards (:func:`softcat_sym.fitting.posterior.posterior_of`), which has them from the
+        fit. The fit itself is without priors, but refuses what is no prior before it begins.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -210,7 +220,7 @@ def fit(
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
     if time_limit is not None and not time_limit > 0:
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
-    scene = as_scene(scene)
+    scene = as_scene(scene, changes)
     films = taken(measurements, scene)
     options: FitOptions = {
         "bounds": bounds,
@@ -223,10 +233,13 @@ def fit(
         "method": method,
         "calibrated": calibrated,
         "discrepancy": discrepancy,
+        "priors": priors or {},
     }
+    features = [features_of(film, own_scene(film, scene)) for film in films.series]
     task = _Task(
         films,
-        [_features(film, own_scene(film, scene)) for film in films.series],
+        features,
+        [_closed_form(film, seen, own_scene(film, scene)) for film, seen in zip(films.series, features, strict=True)],
         tuple(free),
         options,
         read_flow_curve(flow_curve) if isinstance(flow_curve, (str, os.PathLike)) else flow_curve,
@@ -289,8 +302,10 @@ ROUNDS = 8
 def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     """Fit once, with the effects that the scene's own values call for."""
     problem, options, loss = task.problem(scene), task.options, task.options["loss"]
+    priors = options["priors"] or {}
+    read_priors(priors, problem.free[: problem.asked])
     begin = time.perf_counter()
-    first = _initial_guesses(problem, scene, task.features)
+    first = _initial_guesses(problem, scene, task)
     started = time.perf_counter()
     problem.linearised(problem.typical)
     one = time.perf_counter() - started
@@ -318,8 +333,10 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     reading = known.spread.reading
     unit = reading if reading > 0 else 1.0
     fitted = [
-        FittedFilm.of(film, film.heights(best.q), unit, features, name=film.name or f"film {number}")
-        for number, (film, features) in enumerate(zip(problem.films, task.features, strict=True), start=1)
+        FittedFilm.of(film, film.heights(best.q), unit, seen, closed, name=film.name or f"film {number}")
+        for number, (film, seen, closed) in enumerate(
+            zip(problem.films, task.features, task.closed, strict=True), start=1
+        )
     ]
     left = [film.residuals for film in fitted]
     if loss.kind == "linear":
@@ -361,6 +378,7 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         camera=_camera_values(problem, best),
         theory=max((film.theory_size for film in problem.films), default=0.0),
         resolution=resolution,
+        priors=priors,
         late=inferred.late or time.monotonic() > task.deadline,
     )
 
@@ -502,31 +520,26 @@ def _missing_effects(found: Fit) -> list[str]:
     return [effect.name for effect in named(*names) if effect.name not in found.effects and not effect.dear]
 
 
-def _features(series: Series, scene: Scene) -> Features | None:
-    # The closed form and its features assume steady gravity.
-    if np.count_nonzero(series.time > 0) < FEWEST or not scene.load.gravity > 0 or scene.load.shake > 0:
+def _closed_form(film: Series, features: Features | None, scene: Scene) -> ClosedForm | None:
+    """Constants that the features of a film give, if they give any."""
+    try:
+        return None if features is None else constants_of(film, features, scene)
+    except SoftcatError:
         return None
-    return read_features(series.time, series.midpoint, series.std, scene.load.gravity, rest_length(scene))
 
 
-def _initial_guesses(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
+def _initial_guesses(problem: FilamentProblem, scene: Scene, task: _Task) -> list[Floats]:
     """Initial guesses: one tuned to the frequency of a ringing film, those of the closed form, the scene's own."""
     own, starts = np.clip(problem.typical, problem.lower, problem.upper), list[Floats]()
-    tuned = _tuned_to_frequency(problem, scene, features, own)
+    tuned = _tuned_to_frequency(problem, scene, task.features, own)
     if tuned is not None:
         starts.append(tuned)
-    for one in features:
-        if one is None or not scene.material.spec.is_linear_fluid:
-            continue
-        try:
-            guess = first_guess(one, scene.filament.density)
-        except SoftcatError:
-            # The film does not show what the closed form needs.
-            continue
+    for one in filter(None, task.closed):
         q = own.copy()
         for k, free in enumerate(problem.free):
-            if free.name in ("youngs_modulus", "viscosity"):
-                q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
+            value = getattr(one, free.name).value if free.name in ("youngs_modulus", "viscosity") else None
+            if value is not None:
+                q[k] = np.clip(free.scaled(value), problem.lower[k], problem.upper[k])
         starts.append(q)
     return [*starts, own]
 
@@ -544,7 +557,7 @@ def _tuned_to_frequency(
         count, heights = film.series.time.size, film.heights(q)
         if not np.isfinite(heights).all():
             return None
-        own = _features(
+        own = features_of(
             replace(film.series, midpoint=heights[:count], std=film.std[:count]), own_scene(film.series, scene)
         )
         if own is None or own.frequency.value is None or seen is None or seen.frequency.value is None:

@@ -15,53 +15,31 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize_scalar
 
+from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
-from softcat_sym.scene.csv_reader import (
-    CsvTable,
-    Wanted,
-    columns_in,
-    counted,
-    header_pattern,
-    missing_rows,
-    numbers_in,
-    refusal,
-    table_in,
-    text_of,
-    unit_of,
-)
+from softcat_sym.fitting.measurements import arrays_of
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
 from softcat_sym.scene.material import shear_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.table_reader import Cells, counted, implausible, read_cells, refusal, sentence, without
 from softcat_sym.scene.toml import read_overrides
-from softcat_sym.scene.units import NotAQuantity, did_you_mean
+from softcat_sym.scene.units import did_you_mean
 
 Floats = NDArray[np.float64]
 
-RATE, STRESS, STD = "shear_rate_1_s", "shear_stress_Pa", "shear_stress_std_Pa"
-"""Names of the columns that are read, with their SI units; that of standard errors may be missing."""
+RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
+"""Names of columns, with their SI units."""
 
-_STRESS_KIND = Wanted(STRESS, "stress", "Pa", STRESS, f"{STRESS}, shear_stress_kPa, or shear stress [Pa]")
-_KNOWN = {
-    "shear_rate": Wanted(RATE, "shear rate", "1/s", RATE, f"{RATE}, or shear rate [1/s]"),
-    "shear_stress": _STRESS_KIND,
-    "stress": _STRESS_KIND,
-    "shear_stress_std": Wanted(STD, "stress", "Pa", STD, f"{STD}, shear_stress_std_kPa, or no such column", True),
-}
-_NAME = header_pattern(_KNOWN)
+_KIND = "flow curve"
+_QUANTITIES = ("shear_rate", "shear_stress", "viscosity", "shear_stress_std")
 _SAMPLE = re.compile(r"sample(?:[_ ]?(?:id|name))?", re.IGNORECASE)
 """Name of a column with the sample of each row."""
 
-_TURNS = frozenset({"rpm", "rps"})
-"""Units of a rotational speed, which Pint converts to 1/s although it is not a shear rate."""
-
 FEWEST = 4
 """Smallest number of distinct rates: one more than Herschel-Bulkley has constants."""
-
-# Range of rheometers, in 1/s or Pa: numbers outside of it have a wrong unit.
-_LEAST, _MOST = 1e-12, 1e12
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,30 +53,17 @@ class FlowCurve:
     std: Floats | None = None  # shape (points,); Standard errors of the stresses [Pa], for a fit together with films
 
     def __post_init__(self) -> None:
-        faults = []
-        for name, column in (("shear_rate", RATE), ("shear_stress", STRESS), ("std", STD)):
-            if getattr(self, name) is None:
-                continue
-            try:
-                values = np.array(getattr(self, name), dtype=np.float64)
-            except (TypeError, ValueError):
-                raise _refusal(self.path, [Fault(name, "not a list of numbers", f"numbers, as in {column}")]) from None
-            values.flags.writeable = False
+        names = ("shear_rate", "shear_stress", *(() if self.std is None else ("std",)))
+        arrays, faults = arrays_of({name: getattr(self, name) for name in names}, _wrong)
+        for name, values in arrays.items():
             object.__setattr__(self, name, values)
-            found = (_implausible(value) for value in values.flat)
-            faults += [Fault(f"{name}[{k}]", *wrong) for k, wrong in enumerate(found) if wrong]
-        rate, stress = self.shear_rate, self.shear_stress
-        errors = stress if self.std is None else self.std
-        if rate.ndim != 1 or not rate.shape == stress.shape == errors.shape:
-            found_shapes = f"rates of shape {rate.shape}, stresses of shape {stress.shape}"
-            raise _refusal(self.path, [Fault("", found_shapes, "lists of the same length")])
         # Rates that agree to six digits are repetitions of one rate.
-        distinct = len({f"{value:.6g}" for value in rate})
+        distinct = 0 if faults else len({f"{value:.6g}" for value in self.shear_rate})
         if not faults and distinct < FEWEST:
             accepted = f"at least {FEWEST}: Herschel-Bulkley alone has three constants"
             faults = [Fault("", f"{counted(distinct, 'distinct shear rate')}", accepted)]
         if faults:
-            raise _refusal(self.path, faults)
+            raise refusal(_KIND, self.path, faults)
 
     @property
     def decades(self) -> float:
@@ -128,63 +93,51 @@ class FlowCurve:
 
 
 def read_flow_curve(path: str | os.PathLike[str], sample: str | None = None) -> FlowCurve:
-    """Read a flow curve from a CSV file in UTF-8.
+    """Read a flow curve from a table, or from what a rheometer exports.
 
-    Its header names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit (``shear_stress_kPa``, ``Shear rate
-    [1/s]``, ``Stress / Pa``); other columns, empty lines and lines that start with ``#`` are not read. Cells are
-    separated by commas, or by semicolons or tabs, then with decimal points or commas; rows without a number are left
-    out, up to a third of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names
-    several.
+    Its columns are a shear rate and a shear stress or a viscosity, in any unit (``shear_rate_1_s``, ``Stress [kPa]``,
+    units in a line of their own). Rows without positive numbers, as below the least torque, are left out, up to a third
+    of them. `sample` names the rows to take where a column ``sample`` (or ``sample_id``) names several.
     """
-    file = Path(path)
-    cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
-    if cells is None:
-        raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    columns, faults = columns_in(cells, _NAME, _KNOWN, _unit)
+    file, accepted = Path(path), f"a CSV file with the columns {RATE} and {STRESS}"
+    _, cells = read_cells(file, _KIND, accepted, _QUANTITIES)
+    columns = cells.columns(_QUANTITIES)
+    read = {one.quantity for one in columns if one.fault is None}
+    by_viscosity = "viscosity" in read and "shear_stress" not in read
+    needed = ("shear_rate", "viscosity" if by_viscosity else "shear_stress")
+    chosen, faults = cells.chosen([one for one in columns if one.quantity in (*needed, _QUANTITIES[-1])], needed)
     if faults:
-        raise _refusal(file, faults)
+        raise refusal(_KIND, file, faults)
     cells = _of_sample(cells, sample, file)
-    table, faults = numbers_in(cells, columns, lambda _, value: _implausible(value))
-    if faults:
-        raise _refusal(file, faults)
-    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
-    if fault:
-        raise _refusal(file, [fault])
-    std = table[STD][~missing] if STD in table else None
-    return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else (), std)
+    table, faults = cells.numbers([*chosen.values()])
+    table, said, too_many = without(table, ~(table > 0).all(axis=1), "positive number")
+    if faults or too_many:
+        raise refusal(_KIND, file, faults + too_many)
+    if by_viscosity:
+        table = table.assign(shear_stress=table["shear_rate"] * table["viscosity"])
+        cells.said.append("computed stresses, rate times viscosity")
+    std = table["shear_stress_std"].to_numpy() if "shear_stress_std" in table else None
+    rate, stress = (table[name].to_numpy() for name in ("shear_rate", "shear_stress"))
+    return FlowCurve(rate, stress, file, sentence(*cells.said, said), std)
 
 
-def _unit(name: str, unit: str) -> float:
-    if unit.lower() in _TURNS:
-        raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
-    return unit_of(unit, _KNOWN[name].dimension, _KNOWN[name].si)
-
-
-def _of_sample(table: CsvTable, sample: str | None, file: Path) -> CsvTable:
+def _of_sample(cells: Cells, sample: str | None, file: Path) -> Cells:
     """Take the rows of one sample."""
-    place = next((k for k, name in enumerate(table.header) if _SAMPLE.fullmatch(name.strip())), len(table.header))
-    of = [cells[place] if place < len(cells) else "" for _, cells in table.rows]
+    place = next((k for k, name in enumerate(cells.header) if _SAMPLE.fullmatch(name)), len(cells.header))
+    of = [row[place] if place < len(row) else "" for _, row in cells.rows]
     names = [name for name in dict.fromkeys(of) if name]
     if sample is None and len(names) < 2:
-        return table
+        return cells
     if sample not in names:
         found = f"no sample {sample!r}{did_you_mean(sample, names)}" if sample else counted(len(names), "sample")
-        raise _refusal(file, [Fault("", found, f"--sample with one of {', '.join(names) or 'a column sample_id'}")])
-    return replace(table, rows=[row for row, name in zip(table.rows, of, strict=True) if name == sample])
+        accepted = f"--sample with one of {', '.join(names) or 'a column sample_id'}"
+        raise refusal(_KIND, file, [Fault("", found, accepted)])
+    return replace(cells, rows=[row for row, name in zip(cells.rows, of, strict=True) if name == sample])
 
 
-def _implausible(value: float) -> tuple[str, str] | None:
-    if not math.isfinite(value):
-        return f"{value} is not finite", "a positive number"
-    if value <= 0:
-        return f"{value:g} is not positive", "a positive number: magnitudes, the fit is of relative residuals"
-    if not _LEAST <= value <= _MOST:
-        return f"{value:g} is outside of the range of a rheometer", f"a number from {_LEAST:g} to {_MOST:g}"
-    return None
-
-
-def _refusal(path: Path | None, faults: list[Fault]) -> SoftcatError:
-    return refusal("flow curve", path, faults)
+def _wrong(name: str, value: float) -> tuple[str, str] | None:
+    is_positive = "a positive number: magnitudes, the fit is of relative residuals"
+    return implausible(name, value) or (None if value > 0 else (f"{value:g} is not positive", is_positive))
 
 
 def shear_stress(law: LawSpec, tau_Y: float, k: float, n: float, shear_rate: Floats) -> Floats:
@@ -423,7 +376,7 @@ _POOR = 0.1
 
 
 @dataclass(frozen=True, eq=False)
-class FlowCurveFit:
+class FlowCurveFit(Drawable):
     """Fits of all laws to a flow curve.
 
     Attributes
@@ -436,6 +389,13 @@ class FlowCurveFit:
 
     curve: FlowCurve
     candidates: tuple[Candidate, ...]
+
+    def __repr__(self) -> str:
+        laws = [f"{one.law}, {100 * one.relative_rms:.2g} % rms" for one in self.candidates]
+        points = counted(len(self.curve.shear_rate), "point")
+        return "\n  ".join(
+            [f"FlowCurveFit of {points}, the best law first", *laws, ".candidates, .overrides(), .plot()"]
+        )
 
     def to_dict(self, law: str | None = None) -> dict[str, Any]:
         """Content of ``flow_curve.json``, with the law that is handed on to a scene."""

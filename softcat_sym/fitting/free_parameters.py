@@ -25,6 +25,7 @@ from softcat_sym.scene.material import FROM_SHEAR, Material, poisson_in_shear, t
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
+from softcat_sym.scene.tables import frozen_below
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.thixotropy import Thixotropy
 from softcat_sym.scene.units import (
@@ -297,7 +298,8 @@ def _of_temperature(scene: Scene) -> Iterator[FreeParameter]:
         unit = _unit(kind)
         if name in _KELVIN or is_history(value):
             # Beyond these a law of the viscosity has no value.
-            most = heat.extremes(scene.run.duration)[0] * (1 - 1e-9) if name == "T_0" else math.inf
+            ends = name == "T_0" and frozen_below(scene) is None
+            most = heat.extremes(scene.run.duration)[0] * (1 - 1e-9) if ends else math.inf
             bounds, number = (float(value) / 1.5, min(1.5 * float(value), most)), float(value)
             one = replace(_signed(path, unit, number, number / 10, bounds), limits=(0.0, most))
             if is_history(value):

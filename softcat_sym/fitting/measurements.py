@@ -1,322 +1,57 @@
-"""Films of falling filaments, read from CSV files of spreadsheets and image trackers."""
+"""Films of falling filaments: their data, and how they are read from tables of spreadsheets and image trackers."""
 
 from __future__ import annotations
 
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
-from softcat_sym.fitting.trackers import Camera, camera_in, in_rows
-from softcat_sym.scene.csv_reader import (
-    Column,
-    CsvTable,
-    Table,
-    absent,
-    counted,
-    header_pattern,
-    is_pixels,
-    listed,
-    missing_rows,
-    named,
-    numbers_in,
-    refusal,
-    table_in,
-    text_of,
-    unit_of,
-)
 from softcat_sym.scene.scene import known_keys
-from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
+from softcat_sym.scene.table_reader import (
+    NOTHING,
+    Cells,
+    counted,
+    implausible,
+    is_pixels,
+    known,
+    listed,
+    number_in,
+    read_cells,
+    refusal,
+    scale_of,
+    sentence,
+    without,
+)
+from softcat_sym.scene.units import NotAQuantity, shown, to_si, unknown_key
 
-TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
+Floats = NDArray[np.float64]
 VERTICAL, HORIZONTAL = "vertical_force", "horizontal_force"
-"""Quantities of columns; STD is the standard error of the midpoint or of y, that of a force begins with its name."""
-
 WAYS = (HORIZONTAL, VERTICAL)
 """Forces of the right support on the filament, outwards and upwards."""
 
-_OF_FORCE = {way: f"{way}_{STD}" for way in WAYS}
-FORCE, FRAME = "force", "frame"
-_TIME_UNITS, _LENGTH_UNITS, _FORCE_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um"), ("N", "mN", "uN")
-
-# For a name before its unit: the quantity, and whether it counts downwards.
-_KNOWN = {
-    "time": (TIME, False),
-    "t": (TIME, False),
-    "midpoint": (MIDPOINT, False),
-    "sag": (MIDPOINT, True),
-    "deflection": (MIDPOINT, True),
-    "midpoint_std": (STD, False),
-    "sag_std": (STD, False),
-    "deflection_std": (STD, False),
-    "x": (X, False),
-    "y": (Y, False),
-    "y_std": (STD, False),
-    **{name: (name, False) for pair in _OF_FORCE.items() for name in pair},
-    FORCE: (FORCE, False),
-    FRAME: (FRAME, False),
-}
-_NAME = header_pattern(_KNOWN)
-
-
-def columns_of(table: CsvTable, camera: Camera) -> tuple[dict[str, Column], list[Fault]]:
-    """Find the columns to read; others are ignored."""
-    where = f"line {table.line}"
-    candidates: dict[str, list[Column]] = {}
-    unreadable: dict[str, Fault] = {}
-    unknown: list[Fault] = []
-    for place, name in enumerate(table.header):
-        match = _NAME.fullmatch(name.strip())
-        if match is None:
-            continue
-        known, unit, bracketed = named(match)
-        quantity, down = _KNOWN[known]
-        try:
-            si = _si(quantity, unit, camera)
-        except NotAQuantity as found:
-            fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
-            if bracketed and not is_pixels(unit):
-                # Text in brackets is meant as a unit, even if another column has the quantity with a known unit.
-                unknown.append(fault)
-            unreadable.setdefault(quantity, fault)
-            continue
-        candidates.setdefault(quantity, []).append(Column(name, place, si, down))
-    found_columns = {quantity: several[0] for quantity, several in candidates.items()}
-    # Frames replace times where there are none.
-    of_frames = found_columns.pop(FRAME, None), unreadable.pop(FRAME, None)
-    candidates.pop(FRAME, None)
-    if TIME not in {*found_columns, *unreadable}:
-        found_columns |= {} if of_frames[0] is None else {TIME: of_frames[0]}
-        unreadable |= {} if of_frames[1] is None else {TIME: of_frames[1]}
-    # A tracker may write further columns in pixels: columns with a known unit suffice.
-    there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
-    unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
-    faults = [
-        Fault(where, f"{len(several)} columns for one quantity: {', '.join(c.name for c in several)}", "one of them")
-        for quantity, several in candidates.items()
-        if len(several) > 1 and quantity not in unneeded
-    ]
-    for quantity in unneeded:
-        found_columns.pop(quantity, None)
-        unreadable.pop(quantity, None)
-    # A known name with an unknown unit (time_stamp) is ignored if the quantity has another column with a known unit.
-    faults += [
-        fault for quantity, fault in unreadable.items() if quantity not in found_columns and fault not in unknown
-    ]
-    return found_columns, unknown + faults + _missing(table, {*found_columns, *unreadable})
-
-
-def _si(quantity: str, unit: str, camera: Camera) -> float:
-    """SI value of the unit of a column; the camera gives that of frames and pixels."""
-    if quantity == FORCE:
-        raise NotAQuantity("a force without its direction")
-    if quantity == FRAME:
-        if camera.fps is None:
-            raise NotAQuantity("frames without a frame rate: write # camera.fps = 240 in the file")
-        return 1 / camera.fps
-    in_pixels = is_pixels(unit) or (not unit and quantity in (X, Y))
-    if in_pixels and camera.pixel is not None:
-        return camera.pixel
-    try:
-        return unit_of(unit, *_dimension(quantity))
-    except NotAQuantity as found:
-        hint = ": # camera.pixel = 0.05 mm in the file" if in_pixels else ""
-        raise NotAQuantity(f"{found}{hint}") from None
-
-
-def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
-    """Faults of a combination of columns that is neither a midpoint over time, nor whole shapes, nor forces."""
-    faults, where = [], f"line {table.line}"
-    if TIME not in there:
-        faults.append(absent("column of times", "time_s", _names(TIME), table, _NAME))
-    if MIDPOINT in there and there & {X, Y}:
-        accepted = "either midpoint_m, or x_m and y_m; two files for both"
-        faults.append(Fault(where, "both a midpoint and points of a whole shape", accepted))
-    elif Y in there and X not in there:
-        faults.append(Fault(where, "y without x", "x_m too for whole shapes; midpoint_m for the midpoint alone"))
-    elif X in there and Y not in there:
-        faults.append(Fault(where, "x without y", "both for whole shapes; midpoint_m for the midpoint alone"))
-    elif Y in there and there & {*WAYS}:
-        faults.append(Fault(where, "forces beside points of a whole shape", "two files for both"))
-    elif not there & {MIDPOINT, Y, FORCE, *WAYS}:
-        faults.append(absent("column of midpoints", "midpoint_m", _names(MIDPOINT), table, _NAME))
-    return faults
-
-
-def _dimension(quantity: str) -> tuple[str, str]:
-    return ("time", "s") if quantity == TIME else ("force", "N") if FORCE in quantity else ("length", "m")
-
-
-def _names(quantity: str) -> str:
-    if FORCE in quantity:
-        forces = WAYS if quantity == FORCE else (quantity,)
-        return ", ".join(f"{name}_{unit}" for name in forces for unit in _FORCE_UNITS)
-    if quantity in (TIME, FRAME):
-        return "time_s, " + ", ".join(f"time_{unit}" for unit in _TIME_UNITS[1:])
-    if quantity == MIDPOINT:
-        names = ", ".join(f"midpoint_{unit}" for unit in _LENGTH_UNITS)
-        return f"{names}; or sag_m, positive down"
-    stem = "midpoint_std" if quantity == STD else quantity
-    return ", ".join(f"{stem}_{unit}" for unit in _LENGTH_UNITS)
-
-
-_DOTTED = re.compile(r"(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b(?P<rest>.*)")
-_FORM = "key = value, such as # filament.span = 5 mm"
-
-
-def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
-    """Read the overrides among the comments of a file."""
-    tables = {name: keys for name, keys in known_keys().items() if name}
-    overrides: dict[str, str] = {}
-    faults: list[Fault] = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        comment = line.strip()
-        match = _DOTTED.match(comment.lstrip("#").strip()) if comment.startswith("#") else None
-        if match is None:
-            continue
-        where, table, path = f"line {number}", match["table"], f"{match['table']}.{match['key']}"
-        assigned = match["rest"].lstrip().startswith("=")
-        # A spreadsheet ends a short line with the separators of its empty cells.
-        value = match["rest"].lstrip().removeprefix("=").split(" #")[0].rstrip(",;\t ").lstrip()
-        if table not in tables:
-            near = get_close_matches(table, tables, n=1, cutoff=0.75)
-            # A setting of another program (camera.fps = 60) is a comment; a misspelt table of a scene is a fault.
-            if assigned and near:
-                faults.append(
-                    Fault(where, f"unknown table in {shown(path)} (did you mean '{near[0]}'?)", ", ".join(tables))
-                )
-        elif match["key"] not in tables[table]:
-            unknown = unknown_key(path, tables)
-            faults += [Fault(f"{where}, {path}", unknown.found, unknown.accepted)] if assigned else []
-        elif not assigned or not value:
-            faults.append(Fault(where, f"{shown(comment)} sets nothing", _FORM))
-        elif path in overrides:
-            faults.append(Fault(where, f"{path} set again", "each key once"))
-        else:
-            overrides[path] = value
-    return overrides, faults
-
-
-Floats = NDArray[np.float64]
 SAME_TIME = 1e-9
 """Difference of two times, as a share of the last time, below which they are equal up to rounding."""
-
-# Shares of the range of heights: motion before the release, and difference of two readings at one time, at most.
-_AT_REST, _SAME = 0.05, 0.1
-# Standard errors by which two readings of one height may differ.
-_DEVIATIONS = 6.0
-
-
-def repaired(table: Table, row: Callable[[int], str]) -> tuple[Table, tuple[str, ...], list[Fault]]:
-    """Correct faults whose correction is unambiguous: missing rows, early rows, their order and repeated times."""
-    notes: list[str] = []
-    faults: list[Fault] = []
-    rows = np.arange(table[TIME].size)
-    for step in (_without_missing, _from_release, _in_order, _once):
-        table, rows, said, fault = step(table, rows, row)
-        notes += [said] if said else []
-        if fault:
-            faults.append(fault)
-            break
-    return table, tuple(notes), faults
-
-
-Step = tuple[Table, NDArray[np.intp], str, Fault | None]
-
-
-def _kept(table: Table, rows: NDArray[np.intp], which: NDArray[np.generic]) -> tuple[Table, NDArray[np.intp]]:
-    return {name: values[which] for name, values in table.items()}, rows[which]
-
-
-def _without_missing(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    missing, said, fault = missing_rows(table, lambda k: row(int(rows[k])))
-    return *(_kept(table, rows, ~missing) if said else (table, rows)), said, fault
-
-
-def _from_release(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    early = table[TIME] < 0
-    count = int(early.sum())
-    if not count:
-        return table, rows, "", None
-    found = f"{counted(count, 'row')} before time 0 ({listed(rows[early], row)})"
-    height = table[next(name for name in (MIDPOINT, Y, FORCE) if name in table)]
-    accepted = "times counted from the release of the filament, which is time 0"
-    if count == rows.size:
-        return table, rows, "", Fault("", "all times are before 0", accepted)
-    if FORCE not in table and np.ptp(height[early]) > _AT_REST * np.ptp(height):
-        return table, rows, "", Fault("", f"{found} in which the filament moves already", accepted)
-    why = "" if FORCE in table else ": nothing moves in them"
-    return *_kept(table, rows, ~early), f"Left out {found}, the release{why}.", None
-
-
-def _in_order(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    if np.all(np.diff(table[TIME]) >= 0):
-        return table, rows, "", None
-    first = int(np.flatnonzero(np.diff(table[TIME]) < 0)[0]) + 1
-    said = f"Sorted the rows by time; {row(int(rows[first]))} was the first to go back."
-    return *_kept(table, rows, np.argsort(table[TIME], kind="stable")), said, None
-
-
-def _once(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    time = table[TIME]
-    later = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1:]
-    table = {**table, TIME: time[later][np.cumsum(later) - 1]}
-    return _no_point_twice(table, rows, row) if Y in table else _averaged(table, rows, row)
-
-
-def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    """One reading for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
-    name, unit = (FORCE, "N") if FORCE in table else (MIDPOINT, "m")
-    time, height, std = table[TIME], table[name], table.get(STD)
-    distinct, first, counts = np.unique(time, return_index=True, return_counts=True)
-    if distinct.size == time.size:
-        return table, rows, "", None
-    lowest, highest = np.minimum.reduceat(height, first), np.maximum.reduceat(height, first)
-    apart = highest - lowest
-    allowed = _SAME * np.ptp(height) + (0.0 if std is None else _DEVIATIONS * np.maximum.reduceat(std, first))
-    repeated = counts > 1
-    if np.any(repeated & (apart > allowed)):
-        worst = int(np.argmax(np.where(repeated, apart - allowed, -np.inf)))
-        same = rows[time == distinct[worst]]
-        pair = f"{lowest[worst]:g} {unit} and {highest[worst]:g} {unit}"
-        found = f"{name}s of {pair} at the same time, {distinct[worst]:g} s"
-        where = listed(same, row)
-        return table, rows, "", Fault(where, found, "one of them at a time; one file for each filament")
-    weight = np.ones_like(height) if std is None else (std.max() / std) ** 2
-    total = np.add.reduceat(weight, first)
-    averaged = {TIME: distinct, name: np.add.reduceat(weight * height, first) / total}
-    if std is not None:
-        averaged[STD] = std.max() / np.sqrt(total)
-    count = int(repeated.sum())
-    places = listed(rows[np.isin(time, distinct[repeated])], row)
-    said = f"Averaged the {name}s at {counted(count, 'time')} that occurred more than once ({places})."
-    return averaged, rows[first], said, None
-
-
-def _no_point_twice(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    points = np.column_stack([table[TIME], table[X], table[Y]])
-    _, first = np.unique(points, axis=0, return_index=True)
-    if first.size == rows.size:
-        return table, rows, "", None
-    count = rows.size - first.size
-    repeat = "repeats another" if count == 1 else "repeat others"
-    said = f"Left out {counted(count, 'point')} of the shapes that {repeat}."
-    return *_kept(table, rows, np.sort(first)), said, None
-
 
 FEWEST = 5
 """Smallest number of distinct times, or points of shapes: with fewer, trend and noise cannot be separated."""
 
-# Largest magnitude of a number, and smallest standard error, in SI units.
-_MOST, _FINEST = 1e12, 1e-15
 # Largest range of heights that is rounding error, as a share of the largest height.
 _ROUNDING = 1e-12
+# Shares of the range of heights: motion before the release, and difference of two readings at one time, at most.
+_AT_REST, _SAME = 0.05, 0.1
+# Standard errors by which two readings of one height may differ.
+_DEVIATIONS = 6.0
+# Smallest likelihood of DeepLabCut at which a point is kept.
+_LIKELY = 0.6
 
 
 @dataclass(frozen=True, eq=False)
@@ -332,7 +67,7 @@ class Shapes:
     level_std: float = 0.0  # Standard error of the supports' level, where that was read from the same picture [m]
 
     def __post_init__(self) -> None:
-        faults = _adopt(self, ("time", "x", "y", "std"))
+        faults = _adopt_in_time(self, ("time", "x", "y", "std"))
         if not faults and self.time.size < FEWEST:
             faults = [Fault("", counted(self.time.size, "point"), f"at least {FEWEST}")]
         if not faults and _is_constant(self.y):
@@ -356,7 +91,7 @@ class Forces:
     std: Floats | None = None  # shape (n,); Standard errors [N]; None if they are not known
 
     def __post_init__(self) -> None:
-        faults = _adopt(self, ("time", "force", "std"))
+        faults = _adopt_in_time(self, ("time", "force", "std"))
         if self.way not in WAYS:
             faults.append(Fault("way", shown(self.way), ", ".join(WAYS)))
         if not faults and self.time.size < FEWEST:
@@ -389,9 +124,7 @@ class Series:
         object.__setattr__(self, "overrides", dict(self.overrides))
         object.__setattr__(self, "forces", tuple(self.forces))
         object.__setattr__(self, "notes", tuple(self.notes))
-        faults = _adopt(self, ("time", "midpoint", "std"))
-        if not faults:
-            faults = self._too_little()
+        faults = _adopt_in_time(self, ("time", "midpoint", "std")) or self._too_little()
         if faults:
             raise refusal("measurements", self.path, faults)
 
@@ -400,10 +133,8 @@ class Series:
             return []
         repeats = np.flatnonzero(np.diff(self.time) <= SAME_TIME * self.time[-1:])
         if repeats.size:
-            again = int(repeats[0]) + 1
-            return [
-                Fault(f"time[{again}]", f"{self.time[again]:g} s again", "each time once (Measurements.of averages)")
-            ]
+            again, accepted = int(repeats[0]) + 1, "each time once (Measurements.of averages)"
+            return [Fault(f"time[{again}]", f"{self.time[again]:g} s again", accepted)]
         if self.time.size < FEWEST:
             accepted = f"at least {FEWEST}: fewer say nothing about a material"
             return [Fault("", counted(self.time.size, "distinct time"), accepted)]
@@ -466,92 +197,222 @@ class Measurements:
         SoftcatError
             With every fault at once.
         """
-        given = {TIME: time, MIDPOINT: midpoint} | ({} if std is None else {STD: std})
-        table, faults = {}, []
-        for name, values in given.items():
-            try:
-                table[name] = np.ma.filled(np.ma.array(values, dtype=np.float64), np.nan)
-            except (TypeError, ValueError):
-                faults.append(Fault(name, "not a list of numbers", "numbers in s or m"))
-        if not faults:
-            if STD in table and table[STD].ndim == 0:
-                table[STD] = np.full(table[TIME].shape, table[STD])
-            faults = _unequal(table)
-        if not faults:
-            faults = [fault for name, values in table.items() for fault in _implausible(name, values, missing=True)]
+        given = {"time": time, "midpoint": midpoint} | ({} if std is None else {"std": std})
+        arrays, faults = arrays_of(given, lambda name, value: None if np.isnan(value) else implausible(name, value))
         if faults:
             raise refusal("measurements", None, faults)
-        corrected, notes, faults = repaired(table, lambda k: f"index {k}")
+        table = pd.DataFrame(arrays, [f"index {k}" for k in range(arrays["time"].size)])
+        table, said, faults = repaired(table)
         if faults:
             raise refusal("measurements", None, faults)
-        one = Series(corrected[TIME], corrected[MIDPOINT], corrected.get(STD), overrides=overrides or {}, notes=notes)
-        return cls((one,))
+        columns = {name: table[name].to_numpy() for name in table}
+        return cls((Series(**columns, overrides=overrides or {}, notes=sentence(*said)),))
 
 
-def _adopt(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Fault]:
-    """Replace the fields of a frozen owner by read-only copies, and return their faults."""
-    table: dict[str, Floats] = {}
-    for name in names:
-        if getattr(owner, name) is None:
-            continue
+def arrays_of(
+    given: Mapping[str, Any], wrong: Callable[[str, float], tuple[str, str] | None]
+) -> tuple[dict[str, Floats], list[Fault]]:
+    """Arrays of one length that cannot be written to, and the faults of their numbers."""
+    arrays, faults = dict[str, Floats](), list[Fault]()
+    for name, values in given.items():
         try:
-            values = np.array(getattr(owner, name), dtype=np.float64)
+            arrays[name] = np.ma.filled(np.ma.array(values, dtype=np.float64, copy=True), np.nan)
         except (TypeError, ValueError):
-            return [Fault(name, "not a list of numbers", "numbers in SI units")]
-        values.flags.writeable = False
+            faults.append(Fault(name, "not a list of numbers", "numbers in SI units"))
+            continue
+        if name == "std" and not arrays[name].ndim and "time" in arrays:
+            arrays[name] = np.full(arrays["time"].shape, arrays[name])
+        arrays[name].flags.writeable = False
+    shapes = {values.shape for values in arrays.values()}
+    if not faults and (len(shapes) > 1 or len(next(iter(shapes))) != 1):
+        found = ", ".join(f"{name} of shape {values.shape}" for name, values in arrays.items())
+        return arrays, [Fault("", found, "lists of the same length")]
+    for name, values in arrays.items():
+        judged = ((k, wrong(name, value)) for k, value in enumerate(values.flat))
+        faults += [Fault(f"{name}[{k}]", *fault) for k, fault in judged if fault]
+    return arrays, faults
+
+
+def _adopt_in_time(owner: Series | Shapes | Forces, names: tuple[str, ...]) -> list[Fault]:
+    """Replace the fields of a frozen owner by read-only copies, and return their faults."""
+    given = {name: getattr(owner, name) for name in names if getattr(owner, name) is not None}
+    arrays, faults = arrays_of(given, implausible)
+    for name, values in arrays.items():
         object.__setattr__(owner, name, values)
-        table[name] = values
-    faults = _unequal(table)
     if faults:
         return faults
-    faults = [fault for name, values in table.items() for fault in _implausible(name, values)]
-    time = table["time"]
-    if not faults and time.size and time.min() < 0:
-        faults = [Fault(f"time[{int(time.argmin())}]", f"{time.min():g} s, before the release", "times from 0 s on")]
-    back = np.flatnonzero(np.diff(time) < 0)
-    if not faults and back.size:
-        k = int(back[0])
-        found = f"{time[k + 1]:g} s after {time[k]:g} s"
-        faults = [Fault(f"time[{k + 1}]", found, "times in increasing order (Measurements.of sorts)")]
-    return faults
-
-
-def _unequal(table: Mapping[str, Floats]) -> list[Fault]:
-    shapes = {values.shape for values in table.values()}
-    if len(shapes) == 1 and len(next(iter(shapes))) == 1:
-        return []
-    found = ", ".join(f"{name} of shape {values.shape}" for name, values in table.items())
-    return [Fault("", found, "lists of the same length")]
-
-
-def _implausible(name: str, values: Floats, missing: bool = False) -> list[Fault]:
-    """Faults of numbers that cannot be measurements; with `missing`, NaN marks a missing measurement."""
-    faults = []
-    positive = name == STD
-    for k in np.flatnonzero(~(np.abs(values) <= _MOST) | (positive & ~(values >= _FINEST))).tolist():
-        if not (missing and np.isnan(values[k])):
-            faults.append(Fault(f"{name}[{k}]", *what_is_wrong(float(values[k]), positive) or ("", "")))
-    return faults
-
-
-def what_is_wrong(value: float, is_std: bool = False) -> tuple[str, str] | None:
-    """Return why a number in SI units cannot be a time or height, or, with `is_std`, an error; None if it can."""
-    accepted = "a positive number" if is_std else "a finite number"
-    if not np.isfinite(value):
-        return f"{value} is not finite", accepted
-    if is_std and value <= 0:
-        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
-    if abs(value) > _MOST or (is_std and value < _FINEST):
-        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
-    return None
+    time = arrays["time"]
+    if time.size and time.min() < 0:
+        return [Fault(f"time[{int(time.argmin())}]", f"{time.min():g} s, before the release", "times from 0 s on")]
+    back, accepted = np.flatnonzero(np.diff(time) < 0)[:1], "times in increasing order (Measurements.of sorts)"
+    return [Fault(f"time[{k + 1}]", f"{time[k + 1]:g} s after {time[k]:g} s", accepted) for k in back]
 
 
 def _is_constant(values: Floats) -> bool:
     return bool(np.ptp(values) <= _ROUNDING * np.max(np.abs(values)))
 
 
+def repaired(table: pd.DataFrame) -> tuple[pd.DataFrame, list[str], list[Fault]]:
+    """Correct faults whose correction is unambiguous: missing rows, early rows, their order and repeated times."""
+    table, said, faults = without(table, table.isna().any(axis=1), "number")
+    name, notes = next(one for one in ("midpoint", "y", "force") if one in table), [said]
+    early = table["time"] < 0
+    if early.any() and not faults:
+        found = f"{counted(int(early.sum()), 'row')} before time 0 ({listed(table.index[early])})"
+        accepted = "times counted from the release of the filament, which is time 0"
+        if early.all():
+            faults = [Fault("", "all times are before 0", accepted)]
+        elif name != "force" and np.ptp(table[name][early]) > _AT_REST * np.ptp(table[name]):
+            faults = [Fault("", f"{found} in which the filament moves already", accepted)]
+        notes.append(f"left out {found}, the release")
+        table = table[~early]
+    if faults or table.empty:
+        return table, notes, faults
+    back = np.flatnonzero(np.diff(table["time"]) < 0)
+    if back.size:
+        notes.append(f"sorted the rows by time ({table.index[back[0] + 1]} was the first to go back)")
+        table = table.sort_values("time", kind="stable")
+    time = table["time"].to_numpy()
+    later = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1]
+    table = table.assign(time=time[later][np.cumsum(later) - 1])
+    if name != "y":
+        table, said, faults = _averaged(table, name)
+        return table, [*notes, said], faults
+    twice = table.duplicated(["time", "x", "y"])
+    if twice.any():
+        notes.append(f"left out {counted(int(twice.sum()), 'point')} of the shapes that occurred before")
+    return table[~twice], notes, []
+
+
+def _averaged(table: pd.DataFrame, name: str) -> tuple[pd.DataFrame, str, list[Fault]]:
+    """One reading for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
+    groups = table.groupby("time")
+    repeated = groups.size() > 1
+    if not repeated.any():
+        return table, "", []
+    low, high = groups[name].min()[repeated], groups[name].max()[repeated]
+    excess = high - low - _SAME * np.ptp(table[name])
+    std = table.get("std", pd.Series(1.0, table.index))
+    excess -= _DEVIATIONS * groups["std"].max()[repeated] if "std" in table else 0.0
+    if excess.max() > 0:
+        worst, unit = excess.idxmax(), "N" if name == "force" else "m"
+        found = f"{name}s of {low[worst]:g} {unit} and {high[worst]:g} {unit} at the same time, {worst:g} s"
+        where = listed(table.index[table["time"] == worst])
+        return table, "", [Fault(where, found, "one of them at a time; one file for each filament")]
+    weighted = table.assign(weight=(std.max() / std) ** 2)
+    weighted[name] *= weighted["weight"]
+    sums = weighted.groupby("time")[[name, "weight"]].sum()
+    averaged = {"time": sums.index, name: sums[name] / sums["weight"], "std": std.max() / np.sqrt(sums["weight"])}
+    where = listed(table.index[table["time"].isin(repeated.index[repeated])])
+    said = f"averaged the {name}s at {counted(int(repeated.sum()), 'time')} that occurred more than once ({where})"
+    return pd.DataFrame({one: np.asarray(averaged[one]) for one in table}), said, []
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Conversion of frames into seconds and of pixels into metres."""
+
+    fps: float | None = None  # [1/s]
+    pixel: float | None = None  # Length of a pixel [m]
+    origin: tuple[float, float] = (0.0, 0.0)  # Pixel halfway between the supports, at their level
+    release: float | None = None  # Frame of the release; the first one by default
+    unit: float | None = None  # SI value of lengths without a unit, upwards [m]
+    time: float | None = None  # SI value of times without a unit [s]
+
+    def scale(self, quantity: str, unit: str) -> tuple[float, float]:
+        """SI value of the unit of a film's column, and the number at which its quantity is zero."""
+        if quantity == "force":
+            raise NotAQuantity("a force without its direction")
+        if quantity in ("frame", "slice"):
+            if self.fps is None or self.fps <= 0:
+                raise NotAQuantity("frames without a frame rate")
+            # ImageJ counts the slices of a stack from one.
+            return 1 / self.fps, float(quantity == "slice") if self.release is None else self.release
+        own = {"time": self.time, "x": self.unit, "y": self.unit}.get(quantity)
+        if own is not None and not unit:
+            return own, 0.0
+        if self.pixel is None or not (is_pixels(unit) or (not unit and quantity in ("x", "y"))):
+            return scale_of(quantity, unit)
+        # A picture's rows count downwards.
+        zero = dict(zip("xy", self.origin, strict=True)).get(quantity, 0.0)
+        return -self.pixel if quantity == "y" else self.pixel, zero
+
+
+_COMMENT = re.compile(r"#\s*(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b\s*(?P<rest>.*)")
+
+
+class Plain(float):
+    """A number without a unit."""
+
+
+Values = dict[str, list[tuple[float, ...]]]
+"""Of the comments about the camera and pillars by their keys, one for each line."""
+
+
+def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
+    """Read the comments ``# table.key = value``: values of the scene for this film only, and those of `Values`.
+
+    Comments of other programs are ignored.
+    """
+    tables = {name: keys for name, keys in known_keys().items() if name}
+    overrides, values, faults = dict[str, str](), Values(), list[Fault]()
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = _COMMENT.match(line.strip())
+        if match is None:
+            continue
+        table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
+        # A spreadsheet ends a short line with the separators of its empty cells.
+        value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
+        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ())
+        if value is None and not is_of_scene:
+            continue
+        if is_of_scene and value and path not in overrides:
+            overrides[path] = value
+        elif is_of_scene:
+            accepted = "each key once" if value else "key = value, such as # filament.span = 5 mm"
+            faults.append(Fault(where, "set again" if value else "sets nothing", accepted))
+        elif path in known("comments"):
+            faults += _read_comment(values, path, value or "", where)
+        elif table in tables:
+            unknown = unknown_key(path, tables)
+            faults.append(Fault(where, unknown.found, unknown.accepted))
+        elif near := get_close_matches(table, (*tables, "pillars"), n=1, cutoff=0.75):
+            faults.append(Fault(where, f"unknown key (did you mean table '{near[0]}'?)", ", ".join(known("comments"))))
+    return overrides, values, faults
+
+
+def _read_comment(values: Values, path: str, text: str, where: str) -> list[Fault]:
+    kind = known("comments")[path]
+    parts = [part.strip() for part in (re.split(r"[,;]|(?<=\d)\s+(?=[-\d])", text) if kind["count"] > 1 else [text])]
+    try:
+        if path in values and path != "pillars.gap":
+            raise NotAQuantity("set again")
+        if any(is_pixels(part.lstrip("+-.0123456789eE ")) for part in parts):
+            raise NotAQuantity(f"{shown(text)} in pixels, which are plain numbers beside a column x_px")
+        numbers = [number_in(part) if kind["plain"] else None for part in parts]
+        pairs = zip(parts, numbers, strict=True)
+        found = tuple(to_si(part, kind["dimension"]) if number is None else Plain(number) for part, number in pairs)
+        if len(found) != kind["count"] or not np.all(np.isfinite(found)) or (not kind["plain"] and found[0] <= 0):
+            raise NotAQuantity(shown(text))
+    except NotAQuantity as error:
+        return [Fault(where, str(error), kind["form"])]
+    values.setdefault(path, []).append(found)
+    return []
+
+
+def camera_of(values: Values) -> Camera:
+    """The camera of a file's comments."""
+    found = {path.partition(".")[2]: lines[0] for path, lines in values.items() if path.startswith("camera.")}
+    across, down = found.pop("origin", (0.0, 0.0))
+    return Camera(origin=(across, down), **{name: numbers[0] for name, numbers in found.items()})
+
+
 _KIND = "measurements"
 _ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m, or time_s and vertical_force_N"
+_CLOCKS = ("time", "frame", "slice")
+_FORMS: tuple[tuple[str, ...], ...] = (("midpoint",), ("x", "y"), (HORIZONTAL,), (VERTICAL,), ("force",))
+_STDS = ("std", f"{HORIZONTAL}_std", f"{VERTICAL}_std")
+_QUANTITIES = (*_CLOCKS, *(one for form in _FORMS for one in form), *_STDS, "likelihood")
 
 
 def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
@@ -560,13 +421,11 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
     Parameters
     ----------
     paths : path or sequence of paths
-        CSV files in UTF-8, one for each filament, whose header names ``time_s`` and ``midpoint_m`` with perhaps
-        ``midpoint_std_m``, or ``time_s``, ``x_m`` and ``y_m`` with perhaps ``y_std_m``, in any unit (``time_ms``,
-        ``midpoint [mm]``); ``sag_mm`` or ``deflection_mm`` counts downwards. ``vertical_force_N`` (upwards) and
-        ``horizontal_force_N`` (outwards) of the right support, with perhaps ``vertical_force_std_N``, stand beside the
-        midpoint or alone; either may have rows in which the other is empty. Other columns are not read. Cells are
-        separated by commas, or by semicolons or tabs, then with decimal points or commas. Lines that start with ``#``
-        are comments; ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
+        Tables, one for each filament, with ``time_s`` and ``midpoint_m`` (and perhaps ``midpoint_std_m``), or
+        ``time_s``, ``x_m`` and ``y_m``, in any unit (``time_ms``, ``midpoint [mm]``; ``sag_mm`` counts downwards), or
+        as trackers write them. ``vertical_force_N`` (upwards) and ``horizontal_force_N`` (outwards) of the right
+        support stand beside the midpoint or alone; either may have rows in which the other is empty. Lines that start
+        with ``#`` are comments; ``# filament.span = 5 mm`` sets a value of the scene for this filament only.
 
     Returns
     -------
@@ -578,106 +437,108 @@ def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike
     SoftcatError
         With the faults of all files, and their lines.
     """
-    given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
-    files = [Path(path) for path in given]
+    files = [Path(path) for path in ([paths] if isinstance(paths, (str, os.PathLike)) else paths)]
     if not files:
         raise refusal(_KIND, None, [Fault("", "no file", _ACCEPTED)])
-    repeated = sorted({str(file) for file in files if sum(_same(file, other) for other in files) > 1})
+    places = [os.path.realpath(file) for file in files]
+    repeated = sorted({str(file) for file, place in zip(files, places, strict=True) if places.count(place) > 1})
     if repeated:
         found = f"{', '.join(repeated)} named twice, so the same filament would count twice"
         raise refusal(_KIND, None, [Fault("", found, "each file once")])
-    series, refused = [], []
+    series, refused = list[Series](), list[str]()
     for file in files:
         try:
             series.append(_series(file))
         except SoftcatError as error:
-            refused.append(str(error))
+            message = str(error)
+            refused.append(message if str(file) in message else f"{_KIND} {file}: {message}")
     if refused:
         raise SoftcatError("\n".join(refused))
     return Measurements(tuple(series))
 
 
-def _same(one: Path, other: Path) -> bool:
-    return os.path.realpath(one) == os.path.realpath(other)
-
-
-def _placed(table: Table, columns: Mapping[str, Column], camera: Camera) -> tuple[Table, tuple[str, ...]]:
-    """Count times from the release, and positions from halfway between the supports, as the camera's comments state."""
-    placed, notes = dict(table), []
-    if camera.release and columns[TIME].name.lower() == FRAME and camera.fps is not None:
-        placed[TIME] = table[TIME] - camera.release / camera.fps
-    if camera.pixel is not None and X in columns and columns[X].unit == camera.pixel:
-        across, down = (camera.pixel * place for place in camera.origin)
-        placed |= {X: table[X] - across, Y: down - table[Y]}
-        notes.append(f"Counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards.")
-    return placed, tuple(notes)
-
-
-def _parts(table: Table) -> dict[str, tuple[Table, NDArray[np.intp]]]:
-    """Split a table into heights, with an empty name, and forces; if there are several, each with its filled rows."""
-    names = {"": MIDPOINT if MIDPOINT in table else Y, **{way: way for way in WAYS}}
-    names = {part: name for part, name in names.items() if name in table}
-    found = {}
-    for part, name in names.items():
-        given = {one: table[one] for one in (TIME, MIDPOINT, X, Y, STD) if one in table}
-        if part:
-            given = {TIME: table[TIME], FORCE: table[part]}
-            given |= {STD: table[_OF_FORCE[part]]} if _OF_FORCE[part] in table else {}
-        rows = np.flatnonzero(~np.isnan(table[name]) | (len(names) == 1))
-        found[part] = {one: values[rows] for one, values in given.items()}, rows
-    return found
-
-
 def _series(file: Path) -> Series:
-    text = text_of(file, _KIND, _ACCEPTED)
-    overrides, faults = overrides_in(text)
-    cells, (camera, wrong) = table_in(text), camera_in(text)
-    if wrong:
-        raise refusal(_KIND, file, faults + wrong)
-    if cells is None:
-        raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", _ACCEPTED)])
-    cells, tracker = in_rows(cells)
-    columns, wrong = columns_of(cells, camera)
-    if wrong:
-        raise refusal(_KIND, file, faults + wrong)
-    table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity.endswith(STD)))
-    if faults or wrong:
-        raise refusal(_KIND, file, faults + wrong)
-    table, said = _placed(table, columns, camera)
-    notes = [*([f"Read as a table of {tracker}."] if tracker else []), *said]
-    parts: dict[str, Table] = {}
-    for name, (part, rows) in _parts(table).items():
-        lines = [cells.rows[k][0] for k in rows]
-        parts[name], said, wrong = repaired(part, lambda k, lines=lines: f"line {lines[k]}")  # type: ignore[misc]
-        notes += [one for one in said if one not in notes]
-        faults += wrong
+    text, cells = read_cells(file, _KIND, _ACCEPTED, _QUANTITIES)
+    overrides, values, faults = comments_in(text)
+    camera = camera_of(values)
+    # The first line of an export of Tracker is the name of its track; times are in s, and lengths in m by default.
+    above = text.splitlines()[cells.line - 2] if cells.line > 1 else ""
+    if camera == Camera() and re.fullmatch(r"\w+", above.strip()) and {"t", "x", "y"} <= {*cells.header}:
+        camera = Camera(unit=1.0, time=1.0)
+        cells.said.append("took Tracker's t in s, x and y in m")
+    parts, more = _parts(_one_point_a_row(cells, camera), camera)
+    faults += more
+    arrays = dict[str, dict[str, Any]]()
+    for form, part in parts.items() if not faults else ():
+        table, said, more = repaired(part)
+        cells.said += said
+        faults += more
+        arrays[form] = {name: table[name].to_numpy() for name in table}
     if faults:
         raise refusal(_KIND, file, faults)
-    try:
-        return _of_parts(parts, columns, overrides, file, notes)
-    except SoftcatError as error:
-        message = str(error)
-        raise SoftcatError(message if str(file) in message else f"{_KIND} {file}: {message}") from None
+    midpoint = arrays.get("midpoint", {"time": np.empty(0), "midpoint": np.empty(0)})
+    shapes = Shapes(**arrays["y"]) if "y" in arrays else None
+    forces = tuple(Forces(**arrays[way], way=way) for way in WAYS if way in arrays)
+    return Series(**midpoint, shapes=shapes, forces=forces, overrides=overrides, path=file, notes=sentence(*cells.said))
 
 
-def _of_parts(
-    parts: Mapping[str, Table],
-    columns: Mapping[str, Column],
-    overrides: Mapping[str, str],
-    file: Path,
-    notes: Sequence[str],
-) -> Series:
-    """One film from the parts of its table."""
-    forces = tuple(
-        Forces(parts[way][TIME], parts[way][FORCE], way, parts[way].get(STD)) for way in WAYS if way in parts
-    )
-    table = parts.get("", {})
-    empty, std, said = np.empty(0), table.get(STD), tuple(notes)
-    if MIDPOINT not in table:
-        shapes = Shapes(table[TIME], table[X], table[Y], std) if table else None
-        return Series(empty, empty, None, shapes, overrides, file, said, forces)
-    down = columns[MIDPOINT].down
-    if down:
-        said = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *said)
-    midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
-    return Series(table[TIME], midpoint, std, None, overrides, file, said, forces)
+def _one_point_a_row(cells: Cells, camera: Camera) -> Cells:
+    """Split rows that hold the points of a picture side by side; pictures are counted where no column has them."""
+    columns = cells.columns(_QUANTITIES, camera.scale)
+    x, y, likelihoods = ([one for one in columns if one.quantity == name] for name in ("x", "y", "likelihood"))
+    sets = list(zip(x, y, *([likelihoods] if likelihoods else []), strict=False))
+    # Two units of one quantity are two columns for it, and refused.
+    if len(x) != len(y) or len(x) < 2 or len({(one.unit, other.unit) for one, other, *_ in sets}) > 1:
+        return cells
+    clock = next((one for one in columns if one.quantity in _CLOCKS), None)
+    rows = list[tuple[int, list[str]]]()
+    for number, (line, row) in enumerate(cells.rows):
+        if any(row[len(cells.header) :]):  # which is refused
+            rows.append((line, row))
+            continue
+        row = row + [""] * (len(cells.header) - len(row))
+        when = str(number) if clock is None else row[clock.place]
+        points = [[row[one.place] for one in point] for point in sets]
+        # A point that the tracker did not find gives no row.
+        rows += [(line, [when, *point]) for point in points if not any(text.lower() in NOTHING for text in point)]
+    cells.said.append(f"read {len(sets)} points side by side")
+    header = ["frame" if clock is None else clock.name]
+    header += [f"{one.quantity}_{one.unit_name}".rstrip("_") for one in sets[0]]
+    units = tuple(cells.units[one.place] if one else "" for one in (clock, *sets[0])) if cells.units else ()
+    return replace(cells, header=header, rows=rows, units=units)
+
+
+def _parts(cells: Cells, camera: Camera) -> tuple[dict[str, pd.DataFrame], list[Fault]]:
+    """Split a table into midpoints, points of shapes ("y") and forces, in SI."""
+    columns = cells.columns(_QUANTITIES, camera.scale)
+    named, read = {one.quantity for one in columns}, {one.quantity for one in columns if one.fault is None}
+    clock = next((one for there in (read, named) for one in _CLOCKS if one in there), "time")
+    whole = [form for form in _FORMS if {*form} <= read]
+    needed = whole or [max(_FORMS, key=lambda form: len(named & {*form}))]
+    quantities = (clock, *(one for form in needed for one in form))
+    # A tracker may write further columns, in pixels.
+    unneeded = {"midpoint", "x", "y", *_CLOCKS} - {*quantities}
+    chosen, faults = cells.chosen([one for one in columns if one.quantity not in unneeded], quantities)
+    if ("x", "y") in whole and len(whole) > 1:
+        found = f"points of whole shapes beside {', '.join(name for form in whole if len(form) == 1 for name in form)}"
+        faults.append(Fault(f"line {cells.line}", found, "two files for both"))
+    if faults:
+        return {}, faults
+    table, faults = cells.numbers([*chosen.values()])
+    table = table.rename(columns={clock: "time"})
+    doubtful = table.pop("likelihood") < _LIKELY if "likelihood" in table else None
+    if doubtful is not None and doubtful.any():
+        cells.said.append(f"left out {counted(int(doubtful.sum()), 'point')} with a likelihood below {_LIKELY}")
+        table = table[~doubtful]
+    turned = [one.name for one in chosen.values() if one.sign < 0]
+    cells.said += [f"turned the sign of {name}, which counts downwards by its name" for name in turned]
+    if "x" in chosen and chosen["x"].unit == camera.pixel:
+        cells.said.append(f"counted pixels from {camera.origin[0]:g}, {camera.origin[1]:g}, downwards")
+    parts = dict[str, pd.DataFrame]()
+    for form in whole:
+        name = form[-1]
+        std = f"{name}_std" if name in WAYS else "std"
+        part = table[[one for one in ("time", *form, std) if one in table]]
+        part = part.rename(columns={std: "std"} | ({name: "force"} if name in WAYS else {}))
+        parts[name] = part[table[name].notna()] if len(whole) > 1 else part
+    return parts, faults

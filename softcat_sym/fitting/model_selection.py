@@ -16,10 +16,12 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
 from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.flow_curve import REPLACED
+from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
 from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
+from softcat_sym.fitting.priors import read_priors
 from softcat_sym.fitting.problem import Filmed
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
@@ -413,21 +415,21 @@ Bounds = Mapping[str, tuple[object, object]]
 
 
 def _fitted(films: Measurements, scene: Scene, also_free: Sequence[str], options: FitOptions) -> Fit:
-    """Fit all constants of the scene's own law, within their bounds among those of all laws."""
+    """Fit all constants of the scene's own law, with their bounds and priors among those of all laws."""
     names = [*constants_of(scene.material.law), *also_free]
     leaves = {name.rpartition(".")[2] for name in names}
-    bounds = options.get("bounds") or {}
-    own = {name: pair for name, pair in bounds.items() if name.rpartition(".")[2] in leaves}
-    bounded: FitOptions = {**options, "bounds": own}
+    bounds = {name: one for name, one in (options.get("bounds") or {}).items() if name.rpartition(".")[2] in leaves}
+    priors = {name: one for name, one in (options.get("priors") or {}).items() if name.rpartition(".")[2] in leaves}
+    own: FitOptions = {**options, "bounds": bounds, "priors": priors}
     # Films without corrections: a fit makes and notes its own.
-    return fit(films, scene, names, **bounded)
+    return fit(films, scene, names, **own)
 
 
 def fit_law(
     measurements: Films, scene: Scene, law: str, *, also_free: Sequence[str] = (), **options: Unpack[FitOptions]
 ) -> Fit:
     """Fit every constant of one law, which may differ from the scene's; the arguments are those of :func:`fit_laws`."""
-    _refuse([law], also_free, options.get("bounds") or {}, fewest=1)
+    _refuse([law], also_free, options, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     return _fitted(read, scene_of_law(scene, law, checked(read, scene)), also_free, options)
 
@@ -456,7 +458,8 @@ def fit_laws(
     also_free : sequence of str
         Further free parameters, such as ``["time_offset"]``.
     **options
-        As for :func:`softcat_sym.fitting.fit`; each law takes the bounds of its own constants, and the time limit.
+        As for :func:`softcat_sym.fitting.fit`; each law takes bounds and priors of its own constants, and the time
+        limit.
         With ``profiles``, by default not, the law that ranks first is fitted again, with profile likelihoods.
 
     Raises
@@ -464,9 +467,14 @@ def fit_laws(
     SoftcatError
         If a law is unknown or named twice, or none can be fitted.
     """
-    _refuse(laws, also_free, options.get("bounds") or {})
+    _refuse(laws, also_free, options)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     seen, loss, progress = checked(read, scene), options.get("loss", LINEAR), options.get("progress")
+    for law in laws:
+        # A fit that refuses a prior is a law that cannot be fitted; this refuses the prior before any is.
+        own = {one.name: one for one in candidates(scene_of_law(scene, law, seen)) if not one.trouble}
+        priors = {name: text for name, text in (options.get("priors") or {}).items() if name in own}
+        read_priors(priors, [own[name] for name in priors])
     quick: FitOptions = {**options, "profiles": False}
     again: FitOptions = {**quick, "starts": 0, "progress": None}
     fits: dict[str, Fit] = {}
@@ -520,7 +528,7 @@ def _is_better(one: Fit, former: Fit | None, loss: Loss) -> bool:
     return one.outcome.converged and values["again"] < values["former"]
 
 
-def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:
+def _refuse(laws: Sequence[str], also_free: Sequence[str], options: FitOptions, fewest: int = 2) -> None:
     faults = [
         Fault(f"law {law}", f"cannot be fitted{did_you_mean(law, FITTED)}", ", ".join(FITTED))
         for law in laws
@@ -536,7 +544,12 @@ def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewes
         accepted = "names that are not constants of a law, such as time_offset or density"
         faults += [Fault(f"free {name}", "a constant of a law is free without being named", accepted) for name in own]
         known = {*constants, *(name.rpartition(".")[2] for name in also_free)}
-        unknown = [name for name in bounds if name.rpartition(".")[2] not in known]
-        faults += [Fault(f"bounds of {name}", "not free in any law", ", ".join(sorted(known))) for name in unknown]
+        named = {"bounds": options.get("bounds") or {}, "prior": options.get("priors") or {}}
+        faults += [
+            Fault(f"{what} of {name}", "not free in any law", ", ".join(sorted(known)))
+            for what, names in named.items()
+            for name in names
+            if name.rpartition(".")[2] not in known
+        ]
     if faults:
         raise SceneError(faults)

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.measurements import VERTICAL, Forces, Measurements, Series, Shapes, read_measurements
-from softcat_sym.scene.csv_reader import refusal
 from softcat_sym.scene.scene import (
     Scene,
     gravity_time,
@@ -22,6 +21,7 @@ from softcat_sym.scene.scene import (
     stress_free_length,
     undeformed_area,
 )
+from softcat_sym.scene.table_reader import refusal
 from softcat_sym.scene.tables import farthest
 from softcat_sym.scene.toml import read_overrides
 

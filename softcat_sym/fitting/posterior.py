@@ -164,8 +164,9 @@ def posterior_of(
 ) -> Posterior:
     """Draw from the posterior of a fit's parameters, with the fit's noise, camera and theory error.
 
-    `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them; the other
-    arguments are those of :func:`sample`. A fit without an optimum, or with a robust loss, is refused.
+    `priors` has the prior of each parameter, as :func:`softcat_sym.fitting.priors.read_priors` takes them, by default
+    those that the fit was given; the other arguments are those of :func:`sample`. A fit without an optimum, or with a
+    robust loss, is refused.
     """
     if fit.loss.kind != "linear":
         raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
@@ -173,7 +174,10 @@ def posterior_of(
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
     problem = Marginal(fit.problem, fit.starts.best)
     fit.problem.deadline = math.inf
-    best, read = fit.starts.best.q[: fit.problem.asked], read_priors(priors or {}, problem.free)
+    best, read = (
+        fit.starts.best.q[: fit.problem.asked],
+        read_priors(fit.priors if priors is None else priors, problem.free),
+    )
     seen = {film.name: film.measured for film in fit.films}
     how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
     noise = fit.information.spread

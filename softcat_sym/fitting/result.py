@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from softcat_sym import drawing
+from softcat_sym.fitting.closed_form import ClosedForm
 from softcat_sym.fitting.features import Features
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.identifiability import (
@@ -25,8 +27,8 @@ from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem, Filmed
 from softcat_sym.fitting.resolution import Moved
-from softcat_sym.scene.csv_reader import counted
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.table_reader import counted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -120,13 +122,16 @@ class FittedFilm:
     is_force: NDArray[np.bool_]  # shape (n,); Which readings are forces of a support [N]
     # Features that are read without a model; None if the film is too short, or gravity is shaken.
     features: Features | None
+    closed: ClosedForm | None  # Constants that they give, if the theory holds for the scene
     name: str  # File or number
 
     @classmethod
-    def of(cls, film: Filmed, model: Floats, unit: float, features: Features | None, name: str) -> FittedFilm:
+    def of(
+        cls, film: Filmed, model: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
+    ) -> FittedFilm:
         """Compare a film with the heights of its model; `unit` is the noise over the film's standard errors."""
         residuals = (model - film.data) / (unit * film.std)
-        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, name)
+        return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, closed, name)
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """The film with some of its readings."""
@@ -198,6 +203,8 @@ class Fit(drawing.Drawable):
         Final cells, fibres and tolerance, and by how much they move the constants.
     late : bool
         Whether the time limit passed before all steps of the fit.
+    priors : mapping of str to str
+        Priors that a posterior of this fit has; the fit is without them.
     message : str
         Why a run of the fitted filament fails; empty if it does not.
     """
@@ -226,6 +233,7 @@ class Fit(drawing.Drawable):
     theory: float
     resolution: Moved | None
     late: bool
+    priors: Mapping[str, str]
     message: str = ""
 
     def plot(self, what: str = "curves") -> Figure:
@@ -336,7 +344,14 @@ class Fit(drawing.Drawable):
                 "autocorrelation": checks.autocorrelation,
                 "chi_square": None if checks.size is None else vars(checks.size),
             },
-            "features": [{"film": film.name, **_features_dict(film.features)} for film in self.films],
+            "features": [
+                {
+                    "film": film.name,
+                    **features_dict(film.features),
+                    "closed_form": None if film.closed is None else film.closed.to_dict(),
+                }
+                for film in self.films
+            ],
             "films": [
                 {"name": film.name, "path": None if one.path is None else str(one.path), "readings": film.time.size}
                 for film, one in zip(self.films, series, strict=True)
@@ -410,7 +425,8 @@ _OF_CAMERA = ("value", "std", "known_to")
 _OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
 
 
-def _features_dict(features: Features | None) -> dict[str, Any]:
+def features_dict(features: Features | None) -> dict[str, Any]:
+    """Entries of the features of a film in ``fit.json``."""
     readings = {} if features is None else {name: getattr(features, name) for name in FEATURES}
     return {
         "_".join(filter(None, (name, FEATURES[name][1]))): {"value": one.value, "std": one.error, "reason": one.reason}

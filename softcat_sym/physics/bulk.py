@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, E, enter, sigma
 
 nu = enter("nu", r"\nu", ONE, "elastic Poisson's ratio", "3.6")
 sigma_eq = enter("sigma_eq", r"\sigma_{eq}", STRESS, "equivalent tensile stress, sqrt 3 tau", "3.5", positive=True)
-sigma_trial = enter(
-    "sigma_trial", r"\sigma_{eq}^{tr}", STRESS, "equivalent stress if a step were elastic", "3.8", positive=True
-)
 step = enter("step", r"\Delta t", TIME, "time step of an implicit update", "3.8", positive=True)
 
 _AXES = ("1", "2", "3")
@@ -82,67 +77,14 @@ def dissipation(rate: sp.Expr) -> sp.Expr:
     return sigma_eq * rate.subs(sigma, sigma_eq)
 
 
-def return_residual(rate: sp.Expr) -> sp.Expr:
-    """Zero where an implicit exponential-map step ends: sig_eq + 3 mu dt phi(sig_eq) - sig_trial.
-
-    With Fp_new = exp(dt Lp) Fp the stress deviator keeps the direction of the trial and only shrinks, by
-    sig_eq/sig_trial, so that one scalar equation is left for each point.
-    """
-    return sigma_eq + 3 * shear_modulus() * step * rate.subs(sigma, sigma_eq) - sigma_trial
-
-
-@dataclass(frozen=True, slots=True)
-class BulkLaw:
-    """The chain from elastic strain to plastic rate for one point."""
-
-    strain: sp.Matrix  # Symbols of the elastic Hencky strain, a 3 x 3 tensor or three principal values (as a diagonal)
-    stress: sp.Matrix  # Mandel stress in these symbols
-    equivalent: sp.Expr  # sig_eq in the symbols of ``mandel``
-    flow: sp.Matrix  # Lp in the symbols of ``mandel`` and ``sigma_eq``
-    dissipation: sp.Expr  # Plastic power per reference volume, in ``sigma_eq``
-    residual: sp.Expr  # Scalar equation of an implicit step, in ``sigma_eq``, ``sigma_trial`` and ``step``
-
-
-def general(rate: sp.Expr) -> BulkLaw:
-    """Law for a symmetric 3 x 3 elastic strain."""
-    return _law(elastic_strain, mandel_stress(elastic_strain), mandel, rate)
-
-
-def principal(rate: sp.Expr) -> BulkLaw:
-    """Law in principal axes."""
-    strain = _diagonal(elastic_strain)
-    return _law(strain, mandel_stress(strain), _diagonal(mandel), rate)
-
-
-def plane_stress(rate: sp.Expr) -> BulkLaw:
-    """Law in principal axes with M_33 = 0: Ee_33 is eliminated, ``strain[2, 2]`` gives it in the other two.
-
-    Lp_33 does not vanish. What an implicit step makes of it stands in :mod:`softcat_sym.physics.bulk`: sum and
-    difference of the stresses relax each by itself, and one scalar equation in sig_eq is left.
-    """
-    strain = sp.diag(elastic_strain[0, 0], elastic_strain[1, 1], width_strain())
-    stress = mandel_stress(strain).applyfunc(sp.factor)
-    return _law(strain, stress, sp.diag(mandel[0, 0], mandel[1, 1], 0), rate)
+def flat_strain() -> sp.Matrix:
+    """Elastic strain in principal axes of plane stress, M_33 = 0: Ee_33 in the other two. Lp_33 does not vanish."""
+    return sp.diag(elastic_strain[0, 0], elastic_strain[1, 1], width_strain())
 
 
 def width_strain() -> sp.Expr:
     """Ee_33 = -nu/(1 - nu) (Ee_11 + Ee_22) that makes M_33 vanish."""
     return -nu * (elastic_strain[0, 0] + elastic_strain[1, 1]) / (1 - nu)
-
-
-def _diagonal(tensor: sp.Matrix) -> sp.Matrix:
-    return sp.diag(*(tensor[i, i] for i in range(3)))
-
-
-def _law(strain: sp.Matrix, stress: sp.Matrix, symbols: sp.Matrix, rate: sp.Expr) -> BulkLaw:
-    return BulkLaw(
-        strain=strain,
-        stress=stress,
-        equivalent=equivalent_stress(symbols),
-        flow=plastic_flow(symbols, rate),
-        dissipation=dissipation(rate),
-        residual=return_residual(rate),
-    )
 
 
 _PLANE = ("11", "12", "21", "22")
@@ -219,11 +161,8 @@ def trial_strains() -> dict[sp.Symbol, sp.Expr]:
 
 
 def stiffness() -> dict[sp.Symbol, sp.Expr]:
-    """M_1 + M_2 = K_+ (Ee_1 + Ee_2) and M_1 - M_2 = K_- (Ee_1 - Ee_2): K_+ = E/(1 - nu), K_- = E/(1 + nu).
-
-    From :func:`softcat_sym.physics.bulk.plane_stress`, into which the flow rule does not enter.
-    """
-    stress = plane_stress(no_flow()).stress.subs(_PRINCIPAL)
+    """M_1 + M_2 = K_+ (Ee_1 + Ee_2) and M_1 - M_2 = K_- (Ee_1 - Ee_2): K_+ = E/(1 - nu), K_- = E/(1 + nu)."""
+    stress = mandel_stress(flat_strain()).applyfunc(sp.factor).subs(_PRINCIPAL)
     return {
         stiffness_sum: sp.cancel((stress[0, 0] + stress[1, 1]) / strain_sum),
         stiffness_gap: sp.cancel((stress[0, 0] - stress[1, 1]) / strain_gap),

@@ -11,7 +11,6 @@ from functools import lru_cache
 import sympy as sp
 
 from softcat_sym.physics import backstress, loads, sections
-from softcat_sym.physics import closures as closure
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.conformation import respond as respond_chains
@@ -32,7 +31,7 @@ from softcat_sym.physics.laws import Constant, Law, law_of
 from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.reissner import ResolvedSection, resolve
-from softcat_sym.physics.section_response import SectionResponse, Shape, respond
+from softcat_sym.physics.section_response import CLOSURES, SectionResponse, Shape, respond
 from softcat_sym.physics.structure import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
@@ -146,7 +145,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     contraction = shape.contraction if terms.thins else sections.NONE
     strain, clocks = TRUE_STRAIN if terms.finite else SMALL_STRAIN, clocks_of(terms)
     centreline, law = LARGE_ROTATION if terms.large_rotation else SMALL_SLOPE, law_in_force(terms, clocks)
-    closed = closure.CLOSURES[closure_name](strain, contraction)
+    closed = CLOSURES[closure_name](strain, contraction)
     outline = Shape(
         shape,
         contraction,

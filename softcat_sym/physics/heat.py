@@ -43,6 +43,7 @@ T_V = _kelvin("T_V", "T_V", "temperature of infinite viscosity", "Fulcher 1925")
 C_1 = enter("C_1", "C_1", ONE, "first constant of Williams, Landel and Ferry", "Williams et al. 1955", positive=True)
 C_2 = _kelvin("C_2", "C_2", "second constant of Williams, Landel and Ferry", "Williams et al. 1955")
 B_A = _kelvin("B_A", "B_A", "activation energy over the gas constant", "Arrhenius 1889")
+T_F = _kelvin("theta_F", r"\vartheta_F", "temperature below which a strand is frozen", "THEORY 4")
 alpha_T = enter("alpha_T", r"\alpha_T", ONE, "coefficient of linear thermal expansion", "Timoshenko 1925")
 heat_source = enter("D_h", r"\mathcal{D}", _POWER, "plastic and viscous power per unit material length", "THEORY 4")
 viscosity_factor = enter("a_T", "a_T", ONE, "viscosity over the stated one", "Ferry 1980")
@@ -66,10 +67,11 @@ _OF_C = {
     "C2": C_2,
     "activation_temperature": B_A,
     "expansion": alpha_T,
+    "frozen": T_F,
 }
 
 
-def shift(law: str, *, by_reference: bool) -> sp.Expr:
+def shift(law: str, *, by_reference: bool, freezes: bool = False) -> sp.Expr:
     """Viscosity over the one that the material states, of the temperature.
 
     Parameters
@@ -79,12 +81,15 @@ def shift(law: str, *, by_reference: bool) -> sp.Expr:
         ``arrhenius``, or ``constant``.
     by_reference : bool
         Whether VFT is one at the reference temperature; otherwise A says how large it is.
+    freezes : bool
+        Whether temperatures are below where VFT or WLF end: the viscosity stays what it is where the strand is frozen.
     """
+    T = sp.Piecewise((T_F, temperature < T_F), (temperature, True)) if freezes else temperature
     if law == "vft":
         at_reference = -B_V / (reference - T_V) if by_reference else A_V
-        return sp.exp(sp.log(10) * (at_reference + B_V / (temperature - T_V)))
+        return sp.exp(sp.log(10) * (at_reference + B_V / (T - T_V)))
     if law == "wlf":
-        return sp.exp(-sp.log(10) * C_1 * (temperature - reference) / (C_2 + temperature - reference))
+        return sp.exp(-sp.log(10) * C_1 * (T - reference) / (C_2 + T - reference))
     return sp.exp(B_A / temperature - B_A / reference) if law == "arrhenius" else sp.S.One
 
 
@@ -192,7 +197,8 @@ def heat_of(warming: Warming, law: Law) -> Heat:
         varies = varying(warming.modulus)
         modulus, numbers = varies.value.xreplace({t: temperature}), (*numbers, *varies.constants)
     coefficient = CORRELATIONS[warming.exchange]() if warming.exchange in CORRELATIONS else transfer
-    viscosity, factors = shift(warming.law, by_reference=warming.by_reference), dict[sp.Symbol, sp.Expr]()
+    viscosity = shift(warming.law, by_reference=warming.by_reference, freezes=warming.freezes)
+    factors = dict[sp.Symbol, sp.Expr]()
     if viscosity != 1:
         # Of chains the modulus stays: the time in which they relax goes with their viscosity.
         factors |= dict.fromkeys((*_named(law, "viscosity", eta), *_named(law, "relaxation_time")), viscosity)

@@ -11,7 +11,7 @@ import sympy as sp
 from softcat_sym.physics import backstress
 from softcat_sym.physics.bulk import shear_modulus, sigma_eq
 from softcat_sym.physics.kinematics import mass_per_length
-from softcat_sym.physics.laws import Branch, Law
+from softcat_sym.physics.laws import Law
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
 from softcat_sym.physics.symbols import (
@@ -30,9 +30,7 @@ from softcat_sym.physics.symbols import (
     s,
     sigma,
     x_X,
-    x_Xt,
     y_X,
-    y_Xt,
     zeta,
 )
 
@@ -291,18 +289,6 @@ def growing(flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, *, 
     )
 
 
-def strain_rates(strains: Iterable[sp.Expr], moving: Iterable[tuple[sp.Symbol, sp.Symbol]]) -> tuple[sp.Expr, ...]:
-    """Rates of strains, of what they are made of and its rates."""
-    pairs = tuple(moving)
-    return tuple(sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in pairs)) for strain in strains)
-
-
-def director_rates() -> tuple[sp.Expr, sp.Expr]:
-    """Rates of (Lam, Gam), of (r_X, psi) and their rates."""
-    first, second = strain_rates(director_strains(), ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t)))
-    return first, second
-
-
 def rotary_inertia(section: Section) -> sp.Expr:
     """Rho I_0 = lambda_0 (h_0/2)^2 <zeta^2>, of the undeformed section.
 
@@ -345,19 +331,20 @@ class SampledSection:
     viscous: ViscousFibre | None  # What acts beside them
     # Means over the section, by name: their symbol, of the stresses conjugate to the strains, times a lever.
     means: Mapping[str, tuple[sp.Symbol, sp.Expr, sp.Expr]]
+    strains: tuple[sp.Symbol, ...]  # Of the cell: stretch, shears, curvatures; and their rates
+    strain_rates: tuple[sp.Symbol, ...]
+    power: sp.Expr  # Of the means in the strains, per unit rest length and undeformed area
+    relative_thickness: sp.Expr  # h/h0 of Lam
+    shears: bool = True  # Whether shear is physics here; otherwise it is only kept small
+    relaxed: sp.Expr = sp.S.Zero  # Strain of a fibre where the filament is as curved as it is by nature
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ResolvedSection(SampledSection):
     """What one cell of a filament in its plane with a resolved section consists of."""
 
-    shears: bool  # Whether shear is physics here; otherwise it is only kept small
-    strains: tuple[sp.Expr, sp.Expr]  # (Lam, Gam) of (r_X, psi), and their rates
-    strain_rates: tuple[sp.Expr, sp.Expr]
     cell: ShearingCell  # The chain from strains to forces
-    relative_thickness: sp.Expr  # h/h0 of Lam
     rotary_inertia: sp.Expr  # rho I0, undeformed
-    relaxed: sp.Expr  # Strain of a fibre where the filament is as curved as it is by nature
 
 
 def resolve(
@@ -371,60 +358,73 @@ def resolve(
         (mean + more * zeta if shrinks else sp.Integer(0))
         for mean, more in (natural_strains(shape), natural_strains(shape, rates=True))
     )
+    strains = (cell.axial_strain, cell.shear_strain)
+    pairs = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
     return ResolvedSection(
-        point_strains=(cell.axial_strain, cell.shear_strain),
+        point_strains=strains,
         kinds=IN_PLANE,
-        branches=tuple(
-            _branch(shape, cell, branch, relaxed + natural, shear=shear, hardens=hardens) for branch in law.branches
-        ),
-        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, natural_rate, shear=shear),
+        branches=fibre_branches(shape, law, cell.carry, relaxed + natural, shear=shear, hardens=hardens),
+        viscous=viscous_fibre(shape, law, strains, pairs, natural_rate, cell.carry if shear else sp.S.Zero),
         means={
             "axial": (sigma_mean, sigma_c, sp.S.One),
             "axial_zeta": (sigma_zeta, sigma_c, zeta),
             "shear": (tau_mean, tau_f, sp.S.One),
         },
+        strains=tuple(strain for strain, _ in pairs),
+        strain_rates=tuple(rate for _, rate in pairs),
+        power=cell.power,
+        relative_thickness=cell.thickness / h0,
         shears=shear,
-        strains=director_strains(),
-        strain_rates=director_rates(),
-        cell=cell,
-        relative_thickness=(cell.thickness / h0).subs(s, Lam),
-        rotary_inertia=rotary_inertia(shape),
         relaxed=relaxed,
+        cell=cell,
+        rotary_inertia=rotary_inertia(shape),
     )
 
 
-def _branch(
-    shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr, *, shear: bool, hardens: bool
-) -> FibreBranch:
-    modulus, shearing = stiffness(shape, branch.modulus), sp.factor(shear_modulus().subs(E, branch.modulus))
-    flow = hardening = None
-    if branch.flow is not None:
-        share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
-        flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share, cell.carry)
-        if hardens:
-            flow, hardening = hardened(flow, share, cell.carry, shear=shear)
-    if branch.growth is not None:
-        flow = growing(flow, branch.growth, cell.carry, shear=shear)
-    spring = fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear)
-    return FibreBranch(branch.modulus, spring, flow, hardening)
+def fibre_branches(
+    shape: Section,
+    law: Law,
+    carry: sp.Expr = CARRY,
+    relaxed: sp.Expr = sp.S.Zero,
+    shears: tuple[Shear, ...] = IN_PLANE,
+    *,
+    shear: bool = True,
+    hardens: bool = False,
+) -> tuple[FibreBranch, ...]:
+    """The springs of a law at a point of a section, with their flow rules; without `shear` sections are kept square."""
+    share, found = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One, []
+    for branch in law.branches:
+        flow = hardening = None
+        if branch.flow is not None:
+            rate = branch.flow.rate
+            flow = fibre_flow(rate, share, carry, shears) if shear else axial_flow(rate, share, carry)
+            if hardens:
+                flow, hardening = hardened(flow, share, carry, shear=shear)
+        if branch.growth is not None:
+            flow = growing(flow, branch.growth, carry, shear=shear)
+        modulus, shearing = stiffness(shape, branch.modulus), sp.factor(shear_modulus().subs(E, branch.modulus))
+        spring = fibre_spring(modulus, shearing, carry, relaxed, shear=shear, shears=shears)
+        found.append(FibreBranch(branch.modulus, spring, flow, hardening))
+    return tuple(found)
 
 
-def rayleigh(
-    along: sp.Expr, viscosity: sp.Expr, carry: sp.Expr = CARRY, shears: tuple[Shear, ...] = IN_PLANE
-) -> sp.Expr:
-    """Half the power of a viscous stress: `along` the fibre, eta/3 (Trouton) in the shear of the whole deformation.
+def viscous_fibre(
+    shape: Section,
+    law: Law,
+    strains: Iterable[sp.Expr],
+    pairs: Iterable[tuple[sp.Symbol, sp.Symbol]],
+    natural_rate: sp.Expr = sp.S.Zero,
+    carry: sp.Expr = CARRY,
+    shears: tuple[Shear, ...] = IN_PLANE,
+) -> ViscousFibre | None:
+    """The viscous stress at a point: along it, and eta/3 (Trouton) in the shear of the whole deformation.
 
-    The stretch carries that shear as well.
+    The stretch carries that shear as well; `pairs` are the strains of the cell with their rates.
     """
+    if law.viscosity is None:
+        return None
+    moving = tuple(pairs)
+    axial, *sheared = (sp.Add(*(sp.diff(strain, one) * rate for one, rate in moving)) for strain in strains)
     square = sp.Add(*((one.rate + carry * one.total * eps_t) ** 2 for one in shears))
-    return along * eps_t**2 / 2 + viscosity * square / 6
-
-
-def _viscous(
-    shape: Section, cell: ShearingCell, viscosity: sp.Expr, natural_rate: sp.Expr, *, shear: bool
-) -> ViscousFibre:
-    axial_rate, shear_rate = strain_rates(
-        (cell.axial_strain, cell.shear_strain), ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
-    )
-    potential = rayleigh(resistance(shape, viscosity), viscosity, cell.carry if shear else sp.S.Zero)
-    return ViscousFibre(potential, (axial_rate - natural_rate, shear_rate), natural_rate)
+    potential = resistance(shape, law.viscosity) * eps_t**2 / 2 + law.viscosity * square / 6
+    return ViscousFibre(potential, (axial - natural_rate, *sheared), natural_rate)

@@ -7,30 +7,23 @@ are Gamma = R^T r_X = (Lam, Gam_2, Gam_3) and kappa = (k_1, k_2, k_3), twist and
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
-from softcat_sym.physics.bulk import shear_modulus
 from softcat_sym.physics.laws import Law
 from softcat_sym.physics.reissner import (
     CARRY,
-    FibreBranch,
     Gam,
     Gam_t,
     Lam,
     Lam_t,
     SampledSection,
     Shear,
-    ViscousFibre,
-    fibre_flow,
-    fibre_spring,
-    rayleigh,
+    fibre_branches,
     sigma_c,
-    strain_rates,
+    viscous_fibre,
 )
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, E, enter, h0
+from softcat_sym.physics.symbols import ONE, PER_LENGTH, RATE, STRESS, enter, h0, s
 
 SOURCE = "THEORY3D"
 Three = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -139,14 +132,7 @@ def power(correction: sp.Expr) -> sp.Expr:
     return mean * sp.log(Lam) + root * (Gam * mean_2 + Gam_3 * mean_3) / Lam + bent
 
 
-@dataclass(frozen=True, slots=True)
-class SpatialSection(SampledSection):
-    """What one cell of a filament in three dimensions consists of."""
-
-    power: sp.Expr
-
-
-def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSection:
+def spatial_section(shape: Section, law: Law, *, natural: bool) -> SampledSection:
     """A section that shrinks both ways; that of a sheet does not twist without warping, and is refused.
 
     Raises
@@ -158,25 +144,17 @@ def spatial_section(shape: Section, law: Law, *, natural: bool) -> SpatialSectio
         raise ValueError("a sheet twists and bends as a plate: take a rectangle")
     if law.chains is not None or any(branch.growth is not None for branch in law.branches):
         raise ValueError("chains and springs that grow are those of a filament in its plane")
-    correction, viscosity, (second, third) = shape.shear_correction, law.viscosity, tau
+    correction, (second, third) = shape.shear_correction, tau
     strains = point_strain(correction, natural=natural)
     of_points = (sigma_c, sigma_c * Y, sigma_c * Z, second, third, second * W_2 + third * W_3)
-    return SpatialSection(
+    return SampledSection(
         point_strains=strains,
         kinds=SHEARS,
-        branches=tuple(
-            FibreBranch(
-                branch.modulus,
-                fibre_spring(branch.modulus, shear_modulus().subs(E, branch.modulus), shears=SHEARS),
-                None if branch.flow is None else fibre_flow(branch.flow.rate, shears=SHEARS),
-            )
-            for branch in law.branches
-        ),
-        viscous=None
-        if viscosity is None
-        else ViscousFibre(
-            rayleigh(viscosity, viscosity, shears=SHEARS), strain_rates(strains, zip(STRAINS, RATES, strict=True))
-        ),
+        branches=fibre_branches(shape, law, shears=SHEARS),
+        viscous=viscous_fibre(shape, law, strains, zip(STRAINS, RATES, strict=True), shears=SHEARS),
         means={mean.name: (mean, of_point, sp.S.One) for mean, of_point in zip(MEANS, of_points, strict=True)},
+        strains=STRAINS,
+        strain_rates=RATES,
         power=power(correction),
+        relative_thickness=shape.contraction.thickness.subs(s, Lam) / h0,
     )

@@ -74,6 +74,7 @@ class Warming:
     conducts: bool = False  # Along the filament
     expands: bool = False
     partial: bool = False  # Whether a part only is in the furnace
+    freezes: bool = False  # Whether some of it cools below where the law of the viscosity ends
 
 
 @dataclass(frozen=True, slots=True)

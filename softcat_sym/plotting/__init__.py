@@ -3,7 +3,8 @@
 from softcat_sym.drawing import plot as plot
 
 DRAWN_IN = {
-    "Run": "run", "Fit": "fit", "Posterior": "posterior", "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
+    "Run": "run", "Fit": "fit", "ClosedForm": "fit", "Posterior": "posterior",
+    "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
     "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "pricing", "WorkPrecision": "accuracy",
     "Validation": "validate", "Result": "validate", "FlowCurveFit": "flow_curve", "Experiment": "design",
 }  # fmt: skip

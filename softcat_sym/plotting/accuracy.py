@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
@@ -32,46 +34,6 @@ def front(runs: pd.DataFrame) -> pd.DataFrame:
     return ranked[ranked["error"] < ranked["error"].cummin().shift(fill_value=np.inf)]
 
 
-def work_precision_figure(runs: pd.DataFrame, title: str, caption: str = "", floor: float | None = None) -> Figure:
-    """Draw error against time from columns problem, program, kind, seconds, error: a panel a problem, on equal axes."""
-    drawn = runs[np.isfinite(runs["error"].astype(float))]
-    if drawn.empty:
-        raise ValueError("there is no run with an error to draw")
-    problems, programs = (list(dict.fromkeys(runs[name])) for name in ("problem", "program"))
-    columns = min(2, len(problems))
-    rows = -(-len(problems) // columns)
-    height = (4.2 if len(problems) == 1 else 2.7 * rows) + 0.2 * -(-len(programs) // 4)
-    useful = drawn["error"][drawn["error"] <= _USELESS]
-    highest = 1.6 * float((useful if len(useful) else drawn["error"]).max())
-    with style.styled():
-        figure, body = style.sheet(title, height=height, notes=f"{caption} {_CAPTION}".strip(), columns=122)
-        panels = body.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
-        for axes, problem in zip(panels.flat, problems, strict=False):
-            for number, program in enumerate(programs):
-                own = drawn[(drawn["problem"] == problem) & (drawn["program"] == program)]
-                look = {"color": _COLOURS[number % len(_COLOURS)], "marker": _MARKS[number % len(_MARKS)]}
-                axes.loglog(own["seconds"], own["error"], linestyle="none", markersize=3, alpha=0.3, mew=0, **look)
-                best, line = front(own), "--" if (own["kind"] == "rival").any() else "-"
-                label = printable(program, 50)
-                axes.loglog(best["seconds"], best["error"], linestyle=line, markersize=4, label=label, **look)
-            if floor:
-                axes.axhspan(floor / 10, floor, color=style.FILAMENT, lw=0, zorder=0)
-            axes.set_title(printable(problem), fontsize=9, loc="left", parse_math=False)
-            axes.grid(True)
-        for axes in panels.flat[len(problems) :]:
-            axes.remove()
-        first = panels.flat[0]
-        first.margins(0.05)
-        lowest = float(drawn["error"].min())
-        first.set_ylim(min(lowest, floor or lowest) / 1.6, highest)
-        for axis in (first.xaxis, first.yaxis):
-            plain_log(axis)
-        body.supxlabel("seconds of the processor", fontsize=9)
-        body.supylabel("relative error", fontsize=9)
-        legend(body, "upper left", handles=first.get_legend_handles_labels()[0], ncols=4)
-    return figure
-
-
 def _refusals(found: WorkPrecision) -> list[str]:
     """Why programs have no answer at all."""
     return [f"{found.names[key]}: {why}" for key, why in found.refusals.items()]
@@ -80,12 +42,40 @@ def _refusals(found: WorkPrecision) -> list[str]:
 @drawing.plot.register(WorkPrecision)
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
-    runs = found.runs[~found.runs["key"].isin(found.refusals)].assign(problem=found.scene.title or found.name)
+    runs = found.runs[~found.runs["key"].isin(found.refusals)].astype({"seconds": float, "error": float})
+    drawn, programs = runs[np.isfinite(runs["error"])], list(dict.fromkeys(runs["program"]))
+    if drawn.empty:
+        raise ValueError("there is no run with an error to draw")
     caption = f"{found.sentence} Reference: {found.reference.note}. Shaded: below what it can tell."
     if found.refusals:
         caption += f" Without an answer: {'; '.join(_refusals(found))}."
-    runs = runs.astype({"seconds": float, "error": float})
-    return work_precision_figure(runs, "What accuracy costs: error of the midpoint", caption, found.reference.floor)
+    useful = drawn["error"][drawn["error"] <= _USELESS]
+    lowest, floor = float(drawn["error"].min()), found.reference.floor
+    with style.styled():
+        figure, body = style.sheet(
+            "What accuracy costs: error of the midpoint", height=4.2 + 0.2 * -(-len(programs) // 4),
+            notes=f"{caption} {_CAPTION}", columns=122,
+        )  # fmt: skip
+        axes = body.subplots()
+        for program, colour, marker in zip(programs, cycle(_COLOURS), cycle(_MARKS), strict=False):
+            own, look = drawn[drawn["program"] == program], {"color": colour, "marker": marker}
+            axes.loglog(own["seconds"], own["error"], linestyle="none", markersize=3, alpha=0.3, mew=0, **look)
+            best, line = front(own), "--" if (own["kind"] == "rival").any() else "-"
+            label = printable(program, 50)
+            axes.loglog(best["seconds"], best["error"], linestyle=line, markersize=4, label=label, **look)
+        if floor:
+            axes.axhspan(floor / 10, floor, color=style.FILAMENT, lw=0, zorder=0)
+        axes.set_title(printable(found.scene.title or found.name), fontsize=9, loc="left", parse_math=False)
+        axes.grid(True)
+        axes.margins(0.05)
+        highest = float((useful if len(useful) else drawn["error"]).max())
+        axes.set(ylim=(min(lowest, floor or lowest) / 1.6, 1.6 * highest))
+        for axis in (axes.xaxis, axes.yaxis):
+            plain_log(axis)
+        body.supxlabel("seconds of the processor", fontsize=9)
+        body.supylabel("relative error", fontsize=9)
+        legend(body, "upper left", handles=axes.get_legend_handles_labels()[0], ncols=4)
+    return figure
 
 
 def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:

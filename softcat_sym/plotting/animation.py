@@ -14,7 +14,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
-from matplotlib.figure import Figure
 from matplotlib.patches import Patch, PathPatch, Polygon
 from matplotlib.path import Path as Outline
 from matplotlib.ticker import MaxNLocator
@@ -24,26 +23,27 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
-from softcat_sym.plotting.run import largest_sag, yielded_label
+from softcat_sym.plotting.run import Sheet, yielded_label
 from softcat_sym.plotting.section import (
     Floats,
+    Magnification,
     Section,
     array,
+    largest_sag,
     outline,
     quads_outside,
     section_at,
-    vertical_stretch,
     yielding_of,
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
-from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
+from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
     from PIL.Image import Image as Picture
 
-    from softcat_sym.plotting.units import Summary
+    from softcat_sym.plotting.units import Summary, Unit
     from softcat_sym.scene.scene import Scene
 
 STRIPS = 8
@@ -52,7 +52,7 @@ STRIPS = 8
 _ZETA = np.linspace(-1.0, 1.0, STRIPS + 1)
 _AMID = 0.5 * (_ZETA[1:] + _ZETA[:-1])
 
-_FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending", "midpoint")
+_FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending")
 
 
 def moments_of(data: Fields, scene: Scene, count: int) -> dict[str, Floats]:
@@ -152,13 +152,25 @@ def write_film(
 
 
 class Pictures(ABC):
-    """Moments of a run, drawn in one figure."""
+    """Moments of a run, drawn in one figure with a clock and the midpoint's trace.
 
-    figure: Figure
-    note: str  # What they cannot show
+    Attributes
+    ----------
+    figure : Figure
+        What every moment is drawn in.
+    times : ndarray
+        The moments [s].
+    note : str
+        What they cannot show.
+    """
 
-    @abstractmethod
-    def __len__(self) -> int: ...
+    def __init__(self, sheet: Sheet, times: Floats, height: float, width: int) -> None:
+        self._sheet, self.times, self.note = sheet, times, film_note(times, sheet.data, sheet.summary)
+        self.figure = new_figure(WIDTH, height)
+        self.figure.set_dpi(width / WIDTH)
+
+    def __len__(self) -> int:
+        return self.times.size
 
     @abstractmethod
     def picture(self, number: int) -> NDArray[np.uint8]:
@@ -177,15 +189,50 @@ class Pictures(ABC):
         drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
         return drawn
 
+    def head(self) -> Any:
+        """Title, how the run ended, what the film cannot show, and the clock, which moves."""
+        height, left, right = self.figure.get_figheight(), _LEFT / WIDTH, 1 - _RIGHT / WIDTH
+        title, summary = style.printable(self._sheet.scene.title, 70) or "Filament", self._sheet.summary
+        ending = style.printable(" · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key)), 90)
+        place: dict[str, Any] = {"y": 1 - 0.14 / height, "va": "top"}
+        below: dict[str, Any] = {"y": 1 - 0.45 / height, "va": "top"}
+        self.figure.text(left, s=title, fontsize=16, fontweight="bold", parse_math=False, **place)
+        self.figure.text(left, s=ending, fontsize=_FONT, color=style.GREY, **below)
+        self.figure.text(right, s=self.note, ha="right", fontsize=0.85 * _FONT, color=style.VERMILLION, **below)
+        self._now = self.figure.text(right, s="", ha="right", fontsize=16, **place)
+        return self._now
+
+    def trace(self, ruler: Unit, width: float) -> tuple[Any, ...]:
+        """The midpoint against time: all of it in grey, what has passed in blue."""
+        axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, width, _TRACE)
+        time, height = self._sheet.curves("midpoint")
+        self._curve = time, ruler.of(height[:, 0])
+        axes.plot(*self._curve, color="#d0d4d8", linewidth=1.6)
+        _plain(axes, 7, 4)
+        self._sheet.axis.dress(axes, 7)
+        axes.set_xlabel(self._sheet.axis.label, fontsize=_FONT)
+        axes.set_ylabel(f"midpoint [{ruler.symbol}]", fontsize=_FONT)
+        axes.margins(y=0.12)
+        (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2)
+        (self._dot,) = axes.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
+        return self._past, self._dot
+
+    def go_to(self, number: int) -> None:
+        """Move the clock and the trace to a moment."""
+        clock, now = self._sheet.clock, float(self._sheet.axis.unit.of(self.times[number]))
+        time, height = self._curve
+        end, here = int(np.searchsorted(time, now, side="right")), float(np.interp(now, time, height))
+        self._past.set_data(np.append(time[:end], now), np.append(height[:end], here))
+        self._dot.set_data([now], [here])
+        largest = float(clock.of(self.times[-1]))
+        decimals = 3 if largest < 10 else 2 if largest < 100 else 1
+        self._now.set_text(f"t = {clock.of(self.times[number]):.{decimals}f} {clock.symbol}")
+
 
 def animation_of(data: Fields, summary: Summary, scene: Scene, moments: int, width: int) -> Pictures:
     """The film of a run in its plane, or in space."""
-    if "quaternion" not in data:
-        return Animation(data, summary, scene, moments, width)
-    data, summary = shown_part(data, summary)
-    time = array(data, "time")
-    times = np.linspace(time[0], time[-1], moments)
-    return SpatialAnimation(data, summary, scene, times, film_note(times, data, summary), width)
+    kind = SpatialAnimation if "quaternion" in data else Animation
+    return kind(data, summary, scene, moments, width)
 
 
 def _gif(animation: Pictures, path: Path, step: Callable[[str], None]) -> None:
@@ -263,37 +310,35 @@ class Animation(Pictures):
     def __init__(
         self, data: Fields, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
     ) -> None:
-        data, summary = shown_part(data, summary)
-        self._run, self._scene, self.film = data, scene, moments_of(data, scene, moments)
-        self.times: Floats = self.film["time"]
-        self.note = film_note(self.times, data, summary)
-        outlines = np.stack([outline(self._section(k)) for k in range(len(self))])
+        sheet = Sheet.of(data, summary, scene, style.SCREEN)
+        self._scene, film = scene, moments_of(sheet.data, scene, moments)
+        larger = Magnification.of(largest_sag(film["y"]), scene.filament.thickness, scene.filament.span)
+        self.film = larger.drawn(film)
+        outlines = np.stack([outline(self._section(k)) for k in range(len(film["time"]))])
         low, high = outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))
-        self._largest = float(np.quantile([self._stress(k) for k in range(len(self))], 0.995))
+        self._largest = float(np.quantile([self._stress(k) for k in range(len(outlines))], 0.995))
         self._ruler = length_unit(float(np.abs([low, high]).max()), scene.filament.span)
-        self._clock = time_unit(float(np.abs(self.times).max()))
         self._over = scene.material.yield_stress or stress_unit(self._largest).size
         # The largest scale at which every moment fits; what it leaves free is shared by both sides.
-        stretch = vertical_stretch(largest_sag(self.film["y"]), scene.filament.thickness, scene.filament.span)
         across = WIDTH - _LEFT - _RIGHT
-        extent = 1.04 * (high - low) + np.array([0.0, 0.7 * scene.filament.thickness])
-        scale = min(across / extent[0], _TALLEST / (stretch * extent[1]))
-        tall = max(_LOWEST, scale * stretch * extent[1])
-        half = np.array([across / scale, tall / (scale * stretch)]) / 2
+        extent = 1.04 * (high - low) + np.array([0.0, 0.7 * scene.filament.thickness * larger.thickness / larger.sag])
+        scale = min(across / extent[0], _TALLEST / (larger.sag * extent[1]))
+        tall = max(_LOWEST, scale * larger.sag * extent[1])
+        half = np.array([across / scale, tall / (scale * larger.sag)]) / 2
         with style.styled():
-            self.figure: Figure = new_figure(WIDTH, _BOTTOM + _TRACE + _BETWEEN + tall + _TOP)
-            self.figure.set_dpi(width / WIDTH)
+            super().__init__(sheet, film["time"], _BOTTOM + _TRACE + _BETWEEN + tall + _TOP, width)
             self.axes = axes_in_inches(self.figure, _LEFT, _BOTTOM + _TRACE + _BETWEEN, across, tall)
             limits = self._ruler.of(np.array([-half, half]) + (low + high) / 2).T
             self.axes.set(xlim=limits[0], ylim=limits[1])
             _plain(self.axes, 9, max(2, int(tall / 0.45)))
-            scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+            scaled = f" ({larger})" if str(larger) else ""
             self.axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
             self.axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
-            self._moving = [*self._filament(), *self._trace(), self._head(summary), *stamp(self.figure, summary)]
+            moving = [*self._filament(), *self.trace(self._ruler, 0.6 * across), self.head()]
+            self._moving = [*moving, *stamp(self.figure, sheet.summary)]
             for artist in self._moving:
                 artist.set_animated(True)
-            self._legend(yielded_label(data, scene))
+            self._legend(yielded_label(sheet.data, scene), is_linear_part="core_low" in sheet.data)
             self._background: Any = None
 
     def _section(self, number: int) -> Section:
@@ -304,9 +349,6 @@ class Animation(Pictures):
         """Magnitude of the axial stress amid every strip of every cell [Pa]."""
         mean, slope = self.film["stress_mean"][number], self.film["stress_bending"][number]
         return np.asarray(np.abs(mean + np.multiply.outer(_AMID, slope)).ravel())
-
-    def __len__(self) -> int:
-        return self.times.size
 
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
@@ -323,8 +365,7 @@ class Animation(Pictures):
 
     def _show(self, number: int) -> None:
         """Move everything to where it is at a moment."""
-        ruler, clock, film = self._ruler, self._clock, self.film
-        section, time, midpoint = self._section(number), float(self.times[number]), float(film["midpoint"][number])
+        ruler, film, section = self._ruler, self.film, self._section(number)
         grid = ruler.of([section.at(float(zeta)) for zeta in _ZETA])
         strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
         self._body.set_verts(list(strips))
@@ -333,27 +374,7 @@ class Animation(Pictures):
         yielded = quads_outside(section, film["low"][number], film["high"][number])
         self._yielded.set_path(Outline.make_compound_path_from_polys(ruler.of(yielded)))
         self._yielded.set_visible(bool(len(yielded)))
-        times = array(self._run, "time")
-        past = times <= time
-        heights = np.append(array(self._run, "midpoint")[past], midpoint)
-        self._past.set_data(clock.of(np.append(times[past], time)), ruler.of(heights))
-        self._dot.set_data([clock.of(time)], [ruler.of(midpoint)])
-        largest = float(clock.of(self.times[-1]))
-        decimals = 3 if largest < 10 else 2 if largest < 100 else 1
-        self._now.set_text(f"t = {clock.of(time):.{decimals}f} {clock.symbol}")
-
-    def _head(self, summary: Summary) -> Any:
-        """Title, how the run ended, what the film cannot show, and the clock, which moves."""
-        height, left, right = self.figure.get_figheight(), _LEFT / WIDTH, 1 - _RIGHT / WIDTH
-        title = style.printable(self._scene.title, 70) or "Filament"
-        ending = style.printable(" · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key)), 90)
-        place: dict[str, Any] = {"y": 1 - 0.14 / height, "va": "top"}
-        below: dict[str, Any] = {"y": 1 - 0.45 / height, "va": "top"}
-        self.figure.text(left, s=title, fontsize=16, fontweight="bold", parse_math=False, **place)
-        self.figure.text(left, s=ending, fontsize=_FONT, color=style.GREY, **below)
-        self.figure.text(right, s=self.note, ha="right", fontsize=0.85 * _FONT, color=style.VERMILLION, **below)
-        self._now = self.figure.text(right, s="", ha="right", fontsize=16, **place)
-        return self._now
+        self.go_to(number)
 
     def _filament(self) -> tuple[Any, ...]:
         """Body coloured by stress, hatched where it yields, its edge; behind it the shape it started from."""
@@ -368,26 +389,12 @@ class Animation(Pictures):
         self.axes.add_artist(self._edge)
         return self._body, self._yielded, self._edge
 
-    def _trace(self) -> tuple[Any, ...]:
-        """The midpoint against time, by all frames of the run: all of it in grey, what has passed in blue."""
-        axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, 0.6 * (WIDTH - _LEFT - _RIGHT), _TRACE)
-        time, height = self._clock.of(array(self._run, "time")), self._ruler.of(array(self._run, "midpoint"))
-        axes.plot(time, height, color="#d0d4d8", linewidth=1.6)
-        axes.set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
-        axes.set_xlabel(f"time [{self._clock.symbol}]", fontsize=_FONT)
-        axes.set_ylabel(f"midpoint [{self._ruler.symbol}]", fontsize=_FONT)
-        _plain(axes, 7, 4)
-        axes.margins(y=0.12)
-        (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2)
-        (self._dot,) = axes.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
-        return self._past, self._dot
-
-    def _legend(self, label: str) -> None:
+    def _legend(self, label: str, *, is_linear_part: bool) -> None:
         """The colour bar of the stress, and what hatching and dashes mean."""
         left = _LEFT + 0.67 * (WIDTH - _LEFT - _RIGHT)
         bar = axes_in_inches(self.figure, left, _BOTTOM + _TRACE - 0.2, WIDTH - _RIGHT - left, 0.18)
         # Of a section resolved fibre by fibre, this is the linear stress nearest to what its fibres bear.
-        what = "linear part of the axial stress" if "core_low" in self._run else "axial stress"
+        what = "linear part of the axial stress" if is_linear_part else "axial stress"
         limit = self._scene.material.yield_stress
         unit = f" [{stress_unit(self._largest).symbol}]" if limit is None else " / yield stress"
         drawn = self.figure.colorbar(self._body, cax=bar, orientation="horizontal")
@@ -407,37 +414,23 @@ _SPATIAL_HEIGHT = 8.0
 class SpatialAnimation(Pictures):
     """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
 
-    def __init__(self, data: Fields, summary: Summary, scene: Scene, times: Floats, note: str, width: int) -> None:
-        time = array(data, "time")
-        self.times, self.note = times, note
-        nearest = np.abs(time[:, None] - times).argmin(axis=0)
-        tubes = {frame: tube(data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
+    def __init__(self, data: Fields, summary: Summary, scene: Scene, moments: int, width: int) -> None:
+        sheet = Sheet.of(data, summary, scene, style.SCREEN)
+        times = np.linspace(sheet.time[0], sheet.time[-1], moments)
+        nearest = np.abs(sheet.time[:, None] - times).argmin(axis=0)
+        tubes = {frame: tube(sheet.data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
         corners = np.concatenate([one.reshape(-1, 3) for one in tubes.values()])
         low, high = corners.min(axis=0), corners.max(axis=0)
         ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
-        self._clock = time_unit(float(np.abs(times).max()))
         self._shapes = [ruler.of(tubes[frame]) for frame in nearest.tolist()]
-        self._shown = [(float(time[frame]), float(array(data, "midpoint")[frame])) for frame in nearest.tolist()]
-        self._ruler = ruler
         with style.styled():
-            self.figure: Figure = new_figure(WIDTH, _SPATIAL_HEIGHT)
-            self.figure.set_dpi(width / WIDTH)
-            self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
+            super().__init__(sheet, times, _SPATIAL_HEIGHT, width)
+            self.axes: Axes3D = self.figure.add_axes((0.0, 0.27, 1.0, 0.66), projection="3d")
             frame_tube(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
-            title = style.printable(scene.title, 70) or "Filament"
-            self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
-            self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
-            self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
-            below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
-            below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
-            below.set_xlabel(f"time [{self._clock.symbol}]")
-            below.set_ylabel(f"midpoint [{ruler.symbol}]")
-            (self._dot,) = below.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
-            style.stamp(self.figure, summary)
+            self.head()
+            self.trace(ruler, WIDTH - _LEFT - _RIGHT)
+            stamp(self.figure, sheet.summary)
         self._body: Poly3DCollection | None = None
-
-    def __len__(self) -> int:
-        return len(self._shapes)
 
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
@@ -446,9 +439,7 @@ class SpatialAnimation(Pictures):
             if self._body is not None:
                 self._body.remove()
             self._body = draw_tube(self.axes, self._shapes[number])
-            time, height = self._shown[number]
-            self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
-            self._now.set_text(f"t = {self._clock.text(time)}")
+            self.go_to(number)
             canvas.draw()
         return self.pixels()
 

@@ -8,27 +8,36 @@ from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import cycle
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
+from rich.console import Console, RenderableType
+from rich.table import Table
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
-from softcat_sym.plotting.section import Section, outline, quads_outside, section_at, vertical_stretch, yielding_of
-from softcat_sym.plotting.style import headed, png, printable, shown_part
+from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
+from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
+from softcat_sym.plotting.style import headed, png, printable
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
+from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
+from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.studies.card import Card
-from softcat_sym.studies.card_rules import Rule, percent, smay_modulus_needed, unusual
+from softcat_sym.solvers.run_cost import run_cost
+from softcat_sym.studies.card import CAUSES, SPAN, Card
+from softcat_sym.studies.card_rules import Rule, elastic_sags, percent, smay_modulus_needed, unusual
 
 RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)
@@ -41,6 +50,8 @@ _INCOMPRESSIBLE = 3.0
 def verdict(card: Card) -> tuple[bool, str]:
     """Whether the card may be trusted, and one sentence that stands on top of it."""
     outcome = card.run.outcome
+    if card.pending and outcome.is_success:
+        return False, card.incomplete
     if outcome is Outcome.broken:
         return True, f"It breaks: {card.summary['message'].removeprefix('it breaks ')}."
     if not outcome.is_success:
@@ -59,15 +70,13 @@ def facts(card: Card) -> list[tuple[str, str]]:
         if None not in numbers:
             limits = "G = {:.3g}; yields from {:.3g}, no catenary rests above {:.4g}; ".format(*numbers)
         rows.append(("arrest", limits + proof["text"]))
-    rows.append(("longest span", f"none found: {card.span_text}"))
+    if SPAN not in card.pending:
+        rows.append(("longest span", f"none found: {card.span_text}"))
     if card.span is not None:
         span, sag = card.span.span, card.span.sag
         sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
         sags += ", and a longer one breaks" if card.span.breaks else ""
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
-        if card.surface is not None and card.surface.span_added is not None:
-            added = length_unit(card.surface.span_added).text(card.surface.span_added)
-            sags += f", {added} of it by surface tension"
         rows[-1:] = [
             ("longest span", sags),
             *([] if card.span.breaks else [("it grows as", powers or "nothing that is known here")]),
@@ -101,6 +110,9 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
     yield "surface tension", f"pulls with {pull}{carried}; sag without it {bare}"
     if hold.span_text and hold.span_text != card.span_text:
         yield "span without it", f"none found: {hold.span_text}"
+    elif hold.span_without is not None:
+        added = "" if hold.span_added is None else f": it adds {length_unit(hold.span_added).text(hold.span_added)}"
+        yield "span without it", length_unit(hold.span_without).text(hold.span_without) + added
     if hold.rule_spans:
         names = {rule.key: rule.name for rule in card.rules}
         spans = (f"{names[key]} {length_unit(span).text(span)}" for key, span in hold.rule_spans.items())
@@ -156,35 +168,98 @@ def rule_texts(rule: Rule) -> tuple[str, str, str, str, str]:
     )
 
 
+_BARE: dict[str, Any] = {"box": None, "padding": (0, 1, 0, 0)}
+_LABEL, _RULE, _NUMBER = 18, 24, 9
+"""Characters of the first columns, so that rows printed one by one stand below each other."""
+
+
+def row_of(label: str, text: str, style: str = "") -> Table:
+    """A row for a terminal."""
+    return text_table(("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), **_BARE)
+
+
+def lines(card: Card) -> dict[str, RenderableType]:
+    """What a terminal shows of a card, line by line, of what is known; the key of a line is its words."""
+    sound, sentence = verdict(replace(card, pending=()))
+    found: dict[str, RenderableType] = {sentence: Text(sentence, style="bold green" if sound else "bold red")}
+    for label, text in facts(card):
+        if label != "note":
+            found[f"{label} {text}"] = row_of(label, text, "yellow" if label == "warning" else "")
+    idle, rows = dict[str, list[str]](), [RULE_HEADINGS]
+    for rule in card.rules:
+        if rule.predicted is None:
+            idle.setdefault(rule.text, []).append(rule.name)
+        elif rule.text or CAUSES not in card.pending:
+            rows.append((rule.name, *rule_texts(rule)[1:]))
+    for name, *numbers, text in rows if rows[1:] else []:
+        cells = (name.ljust(_RULE), *(one.rjust(_NUMBER) for one in numbers), text)
+        style = "green" if text == "holds" else "bold" if name == RULE_HEADINGS[0] else ""
+        found[" ".join(cells)] = text_table(("",) * len(cells), [cells], styles=[style], whole=range(4), **_BARE)
+    for why, names in idle.items():
+        listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
+        found[why] = Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim")
+    return found
+
+
+def foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
+    """Regime, sag, where it stops, and closed forms of the elastic sag: all that needs no run."""
+    effects, span = choose_effects(scene), scene.filament.span
+    regime, sag = expected_regime(scene, effects.names), expected_sag(scene)
+
+    def length(value: float) -> str:
+        return length_unit(value, span).text(value)
+
+    yield "expected", ", ".join(filter(None, [regime_words(regime.name), regime.near]))
+    yield "because", regime.reason
+    yield "expected sag", f"about {significant(100 * sag)} % of the span, {length(sag * span)}"
+    if regime.stopping_depth_exact is not None:
+        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
+    if sags := elastic_sags(scene):
+        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
+    if cost := run_cost(scene, effects).text:
+        yield "cost of a run", cost
+
+
+class CardPrinter:
+    """Prints what is known of a card line by line, as soon as it is known; nothing twice."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self.card: Card | None = None  # As far as it is
+        self._quiet, self._printed = quiet, set[str]()
+
+    def foresee(self, scene: Scene) -> None:
+        """Print the scene's title, and what can be said before anything is integrated."""
+        if not self._quiet:
+            self._print(Text(scene.title or "Filament", style="bold"), *(row_of(*row) for row in foreseen(scene)))
+
+    def hear(self, card: Card) -> None:
+        """Take note of what is known by now."""
+        self.card, known = card, lines(card)
+        if not self._quiet:
+            self._print(*(line for words, line in known.items() if words not in self._printed))
+        self._printed |= known.keys()
+
+    @staticmethod
+    def _print(*found: RenderableType) -> None:
+        console = Console()
+        for line in found:
+            with console.capture() as shown:
+                console.print(line, markup=False, highlight=False)
+            # By way of print, as bars on the same terminal replace its stream.
+            print(shown.get(), end="", flush=True)
+
+
 LIVE = "live.html"
 
 
 @drawing.report.register(Card)
-def card_report(card: Card, command: str = "", live: str = "") -> Report:
-    """Facts and rules, and a page with the picture; a live page beside it if there is its text.
+def card_report(card: Card, command: str = "", live: str = "", figure: Figure | None = None) -> Report:
+    """Facts and rules, and a page with the picture, if it is not drawn yet; a live page beside it if there is its text.
 
     Notes are on the page and in the scene; on a terminal they would take the room of the rules.
     """
-    sound, sentence = verdict(card)
-    rows = [row for row in facts(card) if row[0] != "note"]
-    styles = ["yellow" if name == "warning" else "" for name, _ in rows]
-    plain: dict[str, Any] = {"whole": (0,), "box": None, "padding": (0, 1, 0, 0)}
-    shown: list[Any] = [Text(sentence, style="bold green" if sound else "bold red")]
-    shown.append(text_table(("", ""), rows, styles=styles, **plain))
-    applied = [rule for rule in card.rules if rule.predicted is not None]
-    if applied:
-        cells = [(rule.name, *rule_texts(rule)[1:]) for rule in applied]
-        looks: dict[str, Any] = {"padding": (0, 1, 0, 0), "show_edge": False}
-        styles = ["green" if rule.holds else "" for rule in applied]
-        shown.append(text_table(RULE_HEADINGS, cells, right=_NUMBERS, whole=_NUMBERS, styles=styles, **looks))
-    idle: dict[str, list[str]] = {}
-    for rule in card.rules:
-        if rule.predicted is None:
-            idle.setdefault(rule.text, []).append(rule.name)
-    for why, names in idle.items():
-        listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
-        shown.append(Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim"))
-    figure = None if card.descent is None else card_figure(card)
+    if figure is None and card.descent is not None:
+        figure = card_figure(card)
     files = {
         "card.html": partial(card_page, card, figure, command, LIVE if live else ""),
         "card.json": card.to_dict,
@@ -193,7 +268,7 @@ def card_report(card: Card, command: str = "", live: str = "") -> Report:
         "card.png": figure,
         LIVE: live or None,
     }
-    return Report(files, shown, card.scene.title or "Filament")
+    return Report(files, list(lines(card).values()), card.scene.title or "Filament")
 
 
 _TALLEST, _FLATTEST, _LOW = 1.7, 0.55, 2.1
@@ -201,95 +276,105 @@ _WIDE = style.WIDTH - 0.85
 _DEEPEST = 2.5
 """A rule that predicts more than this many times the sag is only named."""
 
-_LINES = (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, style.GREY, style.GREEN)
+_AGREE = 0.01
+"""Relative difference of rules that share a line."""
+
+_LINES = tuple(
+    zip(
+        (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, style.GREY, style.GREEN),
+        ("--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), "--", "-."),
+        strict=True,
+    )
+)
 
 
 @drawing.plot.register(Card)
 def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
-    fields, summary = shown_part(card.run.fields, card.summary)
-    card = replace(card, run=replace(card.run, fields=fields))
-    ends, filament = card.scene.ends, card.scene.filament
-    section = section_at(fields, -1, [one.holds_angle for one in ends.supports])
-    stretch = vertical_stretch(float(np.ptp(section.y)), filament.thickness, filament.span)
-    wide, high = np.ptp(outline(section), axis=0)
-    tall = min(max(1.1 * float(high / wide) * stretch * _WIDE, _FLATTEST), _TALLEST)
-    scaled = "" if stretch == 1 else f", heights and thickness × {stretch:g}"
+    sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene, style.SCREEN), card.scene.filament
+    larger = Magnification.of(largest_sag(array(sheet.data, "y")[-1:]), filament.thickness, filament.span)
+    (shape,) = shapes_of(larger.drawn(sheet.data), card.scene, [len(sheet.time) - 1])
+    wide, high = np.ptp(shape.outline, axis=0)
+    tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
+    scaled = f", {larger}" if str(larger) else ""
     with style.styled():
-        figure, body = headed(card.scene, f"shape at the end{scaled}", summary, height=tall + _LOW + 1.1)
+        figure, body = headed(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
         axes = body.subplot_mosaic(
             [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
         )
-        _draw_shape(axes["shape"], card, section, stretch)
-        _draw_descent(axes["descent"], card)
+        _draw_end(axes["shape"], sheet, shape, larger)
+        _draw_descent(axes["descent"], sheet, card)
         _draw_exponents(axes["span"], card)
     return figure
 
 
-def _draw_shape(axes: Axes, card: Card, section: Section, stretch: float) -> None:
-    """The filament with what has yielded; one scale along both axes but for the stretch."""
-    unit = length_unit(card.scene.filament.span)
-    body = unit.of(outline(section))
-    (inside,) = axes.fill(*body.T, facecolor=style.FILAMENT, edgecolor="none", zorder=2)
-    if card.scene.material.yield_stress is not None:
-        core = yielding_of(card.run.data, card.scene)
+def _draw_end(axes: Axes, sheet: Sheet, shape: Shape, larger: Magnification) -> None:
+    """The filament with what has yielded; one scale along both axes but for what is magnified."""
+    unit, ever = length_unit(sheet.scene.filament.span), np.empty((0, 4, 2))
+    if sheet.scene.material.yield_stress is not None:
+        core = yielding_of(sheet.data, sheet.scene)
         low, high = np.max(core.low, axis=0), np.min(core.high, axis=0)
-        ever = quads_outside(section, np.minimum(low, high), np.maximum(low, high))
-        now = quads_outside(section, core.low[-1], core.high[-1])
-        for colour, label, quads in ((style.ORANGE, "has yielded", ever), (style.VERMILLION, "yields at the end", now)):
-            if len(quads):
-                patch = PolyCollection(
-                    list(unit.of(quads)),
-                    facecolors=colour,
-                    edgecolors="none",
-                    antialiaseds=False,
-                    label=label,
-                    zorder=3,
-                )
-                axes.add_collection(patch, autolim=False)
-                # At a clamp the sections of the first cell cross: what they cover beyond the body is none.
-                patch.set_clip_path(inside)
-                axes.legend(loc="lower center", ncols=2, bbox_to_anchor=(0.5, 1.0), borderaxespad=0.0)
-    axes.fill(*body.T, facecolor="none", edgecolor=style.BLACK, linewidth=0.5, zorder=5)
-    axes.plot(unit.of(section.x[[0, -1]]), unit.of(section.y[[0, -1]]), ":", color=style.GREY, lw=0.7)
+        ever = quads_outside(shape.section, np.minimum(low, high), np.maximum(low, high))
+    axes.update_datalim(unit.of(shape.outline))
+    draw_shape(axes, shape, unit, ever)
+    names = {"has yielded": (style.ORANGE, ever), "yields at the end": (style.VERMILLION, shape.yielded)}
+    patches = [Patch(facecolor=colour, label=name) for name, (colour, quads) in names.items() if len(quads)]
+    if patches:
+        axes.legend(handles=patches, loc="lower center", ncols=2, bbox_to_anchor=(0.5, 1.0), borderaxespad=0.0)
     axes.margins(0.02, 0.06)
-    axes.set_aspect(stretch, adjustable="datalim")
+    axes.set_aspect(larger.sag, adjustable="datalim")
     axes.yaxis.set_major_locator(MaxNLocator(3))
     axes.set_xlabel(f"x [{unit.symbol}]")
     axes.set_ylabel(f"y [{unit.symbol}]")
 
 
-def _draw_descent(axes: Axes, card: Card) -> None:
-    """Sag over time, downwards, and a line at the depth that each rule predicts; too deep ones are only named."""
-    data = card.run.data
-    time, sag = data["time"].values, -data["midpoint"].values
-    clock, unit = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))), card.scene.filament.span)
-    axes.plot(clock.of(time), unit.of(sag), color=style.BLUE, zorder=3, label="solver")
-    deepest = float(np.max(sag))
-    rules = [(rule, rule.predicted) for rule in card.rules if rule.unit == "m" and rule.predicted is not None]
-    for (rule, depth), colour in zip(sorted(rules, key=lambda pair: pair[1]), _LINES, strict=False):
-        label = rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}"
-        if depth <= _DEEPEST * deepest:
-            axes.axhline(float(unit.of(depth)), color=colour, linewidth=0.9, linestyle="--", label=label)
-        else:
-            axes.plot([], [], linestyle="none", label=f"{label} ↓")
+def predictions(card: Card) -> list[tuple[str, float]]:
+    """Names, with errors, and depths [m] that rules predict, and that the filament has without surface tension.
+
+    Rules that as good as agree are named together.
+    """
+    rules = [
+        (rule.name, rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
+        for rule in card.rules
+        if rule.unit == "m" and rule.predicted is not None
+    ]
     if card.surface is not None and card.surface.sag_without is not None:
-        depth = card.surface.sag_without
-        if abs(depth) <= _DEEPEST * deepest:
-            axes.axhline(float(unit.of(depth)), color=style.BLUE, lw=0.9, linestyle=":", label="no surface tension")
+        rules.append(("", "no surface tension", card.surface.sag_without))
+    found: list[tuple[str, float]] = []
+    last = ""
+    for name, label, depth in sorted(rules, key=lambda rule: rule[2]):
+        if found and abs(depth - found[-1][1]) < _AGREE * abs(depth):
+            found[-1] = f"{found[-1][0]}, {label.removeprefix(f'{last}, ')}", found[-1][1]
         else:
-            axes.plot([], [], linestyle="none", label=f"no surface tension {percent(depth / float(sag[-1]) - 1)} ↓")
+            found.append((label, depth))
+        last = name
+    return found
+
+
+def _draw_descent(axes: Axes, sheet: Sheet, card: Card) -> None:
+    """Sag over time, downwards, and a line at each depth predicted; of what lies far below an arrow at the edge."""
+    time, height = sheet.curves("midpoint")
+    deepest = -float(height.min())
+    unit = length_unit(float(np.abs(height).max()), card.scene.filament.span)
+    axes.plot(time, unit.of(-height[:, 0]), color=style.BLUE, zorder=3, label="solver")
+    arrows = 0
+    for (name, depth), (colour, line) in zip(predictions(card), cycle(_LINES)):
+        if depth <= _DEEPEST * deepest:
+            axes.axhline(float(unit.of(depth)), color=colour, linewidth=1.0, linestyle=line, label=name)
+            continue
+        look: dict[str, Any] = {"marker": "v", "color": colour, "markersize": 5, "linestyle": "none", "clip_on": False}
+        axes.plot([0.06 + 0.07 * arrows], [0.0], transform=axes.transAxes, label=name, **look)
+        arrows += 1
     if card.descent is not None and card.descent.to_90 is not None:
-        at = (float(clock.of(card.descent.to_90)), float(unit.of(0.9 * sag[-1])))
+        at = (float(sheet.axis.unit.of(card.descent.to_90)), float(unit.of(0.9 * -height[-1, 0])))
         axes.plot(*at, "o", color=style.BLUE, markersize=4, zorder=4, label="90 %")
     axes.margins(y=0.08)
-    axes.set_xlim(0.0, float(clock.of(time[-1])))
-    axes.invert_yaxis()
-    axes.set_xlabel(f"time [{clock.symbol}]")
-    axes.set_ylabel(f"sag of the midpoint [{unit.symbol}]")
     axes.grid(True)
-    axes.set_title("descent, and what the rules predict", fontsize=8.5, loc="left")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6.8, handlelength=1.2, labelspacing=0.4)
+    sheet.axis.dress(axes, 5)
+    axes.invert_yaxis()
+    axes.set_ylabel(f"sag of the midpoint [{unit.symbol}]")
+    axes.set_title("descent, and what the rules predict" + (" (▼ deeper)" if arrows else ""), fontsize=8.5, loc="left")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6.8, handlelength=1.8, labelspacing=0.4)
 
 
 def _draw_exponents(axes: Axes, card: Card) -> None:

@@ -23,8 +23,9 @@ from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend, secondary_scale
+from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
 from softcat_sym.reference.elements import ElementRun, Snapshot, snapshot, strip_of
@@ -74,16 +75,15 @@ def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
 
 def _share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
     """Give panels below one another one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
-    clock = time_unit(float(run.time[-1]))
+    axis = TimeAxis.of(run.time, run.midpoint)
     for axes in panels:
-        axes.set_xlim(0.0, float(clock.of(run.time[-1])))
+        axis.dress(axes, label=axis.label if axes is panels[-1] else "")
         axes.grid(True)
         axes.yaxis.set_major_formatter("{x:.3g}")
         axes.tick_params(labelbottom=axes is panels[-1])
-    panels[-1].set_xlabel(f"time [{clock.symbol}]")
-    top = panels[0].secondary_xaxis("top", functions=secondary_scale(clock.size / run.elastic_time))
+    top = panels[0].twiny()
+    axis.dress(top, size=run.elastic_time, label="time in L √(ρ/E)")
     top.spines["top"].set_visible(True)
-    top.set_xlabel("time in L √(ρ/E)")
 
 
 def midpoint_figure(comparison: Comparison) -> Figure:
@@ -91,7 +91,7 @@ def midpoint_figure(comparison: Comparison) -> Figure:
     summary, run, rows = comparison.filament.trajectory.summary, comparison.reference, comparison.rows
     span = comparison.scene.filament.span
     ruler = length_unit(float(np.abs(run.midpoint).max()), span)
-    time = time_unit(float(run.time[-1])).of(run.time)
+    time = TimeAxis.of(run.time, run.midpoint).unit.of(run.time)
     ours, theirs = ("filament", "elements") if comparison.engine == "elements" else ("ours", "CalculiX")
     with style.styled():
         figure, body = headed(comparison.scene, f"midpoint, {ours} against {theirs}", summary, height=4.9)
@@ -124,7 +124,7 @@ def clamp_figure(comparison: Comparison) -> Figure:
         f"({(run.X[-1] - run.X[-3]) / comparison.scene.filament.thickness:.2g} of a thickness long): "
         "log |F e_X| of the elements, log s − θ_s z of the filament in its fibres through the same material points."
     )
-    time = time_unit(float(run.time[-1])).of(run.time)
+    time = TimeAxis.of(run.time, run.midpoint).unit.of(run.time)
     with style.styled():
         figure, body = headed(comparison.scene, "axial true strain at the clamp", summary, height=4.4, notes=notes)
         panels = body.subplots(2, 1)
@@ -287,7 +287,8 @@ def rate_figure(comparison: Comparison) -> Figure:
             axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
         if top > 0:
             bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
-            bar.set_label("plastic shear rate [1/s]")
+            bar.set_label("plastic shear rate [s⁻¹]")
+            plain_log(bar.ax.xaxis)
     return figure
 
 

@@ -52,9 +52,9 @@ def experiment_figure(experiment: Experiment) -> Figure:
         axes.set(xscale="log", yscale="log", xlabel=_LABELS[across][0], ylabel=_LABELS[up][0])
         axes.margins(0.05)
         for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis, subs=(1.0, 2.0, 5.0))
+            plain_log(axis)
         bar = body.colorbar(drawn, ax=axes, label="worst relative error", pad=0.02, aspect=22)
-        plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %", (1.0, 2.0, 5.0))
+        plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %")
     return figure
 
 
@@ -76,7 +76,7 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
         axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
         axes.set(xscale="log", yscale="log", xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
         for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis, subs=(1.0,))
+            plain_log(axis)
         axes.margins(0.04)
         axes.grid(True)
     return figure

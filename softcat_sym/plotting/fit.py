@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 from rich.console import RenderableType
 from rich.padding import Padding
 from rich.table import Table
@@ -14,7 +15,8 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
-from softcat_sym.fitting.result import Fit
+from softcat_sym.fitting.closed_form import ClosedForm
+from softcat_sym.fitting.result import Fit, FittedFilm, features_dict
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
 from softcat_sym.plotting.fit_words import (
@@ -75,14 +77,24 @@ def _of_fit(fit: Fit, posterior: Posterior | None = None) -> list[RenderableType
     rows += [row for row in basis(fit) if row[0] not in ("effects", "solver", "effort")]
     for film in (film for film in fit.films if film.of_midpoint.any()):
         rows += [("film", film.name)] if len(fit.films) > 1 else []
-        rows += feature_texts(film)
+        rows += _features_of(film)
+    return [table, _below(rows)]
+
+
+def _features_of(film: FittedFilm) -> list[tuple[str, str]]:
+    part = film.part(film.of_midpoint)
+    return feature_texts(part.time, part.measured, film.features, film.closed)
+
+
+def _below(rows: Sequence[tuple[str, str]]) -> Table:
+    """Words and what they say, below one another."""
     below = Table(box=None, show_header=False, padding=(0, 1, 0, 0))
     below.add_column(style="dim", overflow="fold")
     below.add_column(overflow="fold")
     colours = {"outcome": "bold", "warning": "yellow"}
     for name, text in rows:
         below.add_row(Text(name), Text(text, style=colours.get(name, "")))
-    return [table, below]
+    return below
 
 
 def fit_page(
@@ -115,13 +127,13 @@ def fit_page(
         reasons=[f"{one.name}: {one.reason}" for one in parameters if one.reason],
         remarks=[*fit.combinations, *(f"Warning: {text}" for text in fit.warnings)],
         basis=[*([] if posterior is None else posterior_texts(posterior)), *basis(fit)],
-        features=[(film.name, feature_texts(film)) for film in fit.films if film.of_midpoint.any()],
+        features=[(film.name, _features_of(film)) for film in fit.films if film.of_midpoint.any()],
         pictures=[(name, what, b64encode(one).decode()) for name, (what, one) in pictures.items()],
         command=command,
     )
 
 
-_SOMETIMES = ("features", "features_*", "profiles", "correlation", "laws", "posterior", "collapse")
+_SOMETIMES = ("features", "features_*", "profiles", "correlation", "starts", "laws", "posterior", "collapse")
 """Pictures that only some fits have."""
 
 
@@ -159,6 +171,20 @@ def fit_report(
     return Report(files, texts, stale=stale, pictures={name: figure for name, (_, figure) in drawn.items()})
 
 
+@drawing.report.register(ClosedForm)
+def features_report(found: ClosedForm, command: str = "") -> Report:
+    """Features of a film and what the closed form makes of them, without a fit."""
+    time, heights = found.film.time, found.film.midpoint
+    facts = {"command": command, **features_dict(found.features), "closed_form": found.to_dict()}
+    files = {"features.json": json_bytes(facts, is_ascii=False), "features.png": found.plot()}
+    return Report(files, [_below(feature_texts(time, heights, found.features, found))], title="Features of the film")
+
+
+@drawing.plot.register(ClosedForm)
+def _features_plot(found: ClosedForm) -> Figure:
+    return features_figure(found.film.time, found.film.midpoint, found.features)
+
+
 _CAPTIONS = {
     "curves": ("fit", "data, model with its 95 % band, and residuals"),
     "profiles": ("profiles", "profile likelihoods with the 95 % threshold"),
@@ -172,7 +198,11 @@ drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, wha
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     """Draw all figures that the fit has data for, with captions."""
-    shown = {"profiles": bool(fit.profiles), "correlation": fit.problem.asked > 1}
+    shown = {
+        "profiles": bool(fit.profiles),
+        "correlation": bool(np.isfinite(fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]).any()),
+        "starts": len(fit.starts.results) > 1,
+    }
     found = {
         name: (caption, FIGURES[what](fit)) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
     }

@@ -17,6 +17,7 @@ from softcat_sym.fitting.features import Features, Floats
 from softcat_sym.plotting import style
 from softcat_sym.plotting.fit_words import display_unit, noise_text, reading_text, starts_text
 from softcat_sym.plotting.style import legend, number_axis, plain, sheet
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -92,8 +93,8 @@ def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std
     """Measured midpoints, the model with its band, and residuals, over time."""
     largest = float(np.abs(film.measured).max())
     ruler = display_unit("N", largest) if film.is_force.all() else length_unit(largest)
-    clock = time_unit(float(film.time[-1]))
-    time, data, model, half = clock.of(film.time), ruler.of(film.measured), ruler.of(film.model), ruler.of(band)
+    axis = TimeAxis.of(film.time, film.model)
+    time, data, model, half = axis.unit.of(film.time), ruler.of(film.measured), ruler.of(film.model), ruler.of(band)
     above.axhline(0.0, color=style.GREY, linewidth=0.6)
     if std is not None:
         bars: dict[str, Any] = {"ecolor": style.BLACK, "elinewidth": 0.7, "alpha": 0.45, "zorder": 1.5}
@@ -107,9 +108,8 @@ def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std
     above.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
     above.set_ylabel(f"{'force' if film.is_force.all() else 'midpoint height'} [{ruler.symbol}]")
     under.plot(time, film.residuals, ".", color=style.BLUE, markersize=3.5, clip_on=False)
-    under.set_xlabel(f"time [{clock.symbol}]")
     for axes in (above, under):
-        time_axis(axes, time)
+        axis.dress(axes, label=axis.label if axes is under else "")
 
 
 def _draw_shapes(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: Floats | None) -> None:
@@ -129,18 +129,6 @@ def _draw_shapes(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: 
         under.plot(place, film.residuals[here], ".", color=color, markersize=3.5, clip_on=False)
     above.set_ylabel(f"height [{ruler.symbol}]")
     under.set_xlabel(f"x from halfway between the supports [{ruler.symbol}]")
-
-
-def time_axis(axes: Axes, times: Floats) -> None:
-    """Set the limits of a time axis; it is logarithmic if half of the frames lie close to its beginning."""
-    later, start, end = times[times > 0], float(times.min()), float(times.max())
-    if later.size > 2 and float(np.median(later)) < 0.12 * end:
-        axes.set_xscale("log")
-        axes.set_xlim(float(later.min()) / 1.1, end * 1.1)
-        style.plain_log(axes.xaxis)
-    else:
-        room = 0.02 * (end - start)
-        axes.set_xlim(min(0.0, start) - room if start < 0.2 * end else start - room, end + room)
 
 
 def profiles_figure(fit: Fit) -> Figure:
@@ -353,7 +341,7 @@ def features_figure(time: Floats, midpoint: Floats, features: Features, title: s
         ("t_low", features.t_low, clock),
         ("t_high", features.t_high, clock),
         ("frequency R", features.frequency, Unit("rad/s", 1.0)),
-        ("decay d", features.decay, Unit("1/s", 1.0)),
+        ("decay d", features.decay, Unit("s⁻¹", 1.0)),
         ("sag H", features.sag, ruler),
         ("B", features.prefactor, Unit("", 1.0)),
     ]
@@ -430,11 +418,12 @@ def laws_figure(found: LawComparison) -> Figure:
         for axes, row, one, parts in zip(
             body.subplots(len(rows), 1, squeeze=False).flat, rows, fits, left, strict=True
         ):
-            clock = time_unit(max(float(film.time.max()) for film in one.films))
+            longest = max(one.films, key=lambda film: float(film.time.max()))
+            axis = TimeAxis.of(longest.time, longest.model)
             axes.grid(True)
             axes.axhline(0.0, color=style.GREY, linewidth=0.8)
             for k, (film, part) in enumerate(zip(one.films, parts, strict=True)):
-                time, height = clock.of(film.time), ruler.of(np.clip(part, -far, far))
+                time, height = axis.unit.of(film.time), ruler.of(np.clip(part, -far, far))
                 color = (style.BLUE, *_COLORS)[k % 6]
                 for mark, chosen in ((".", np.abs(part) <= far), ("x", np.abs(part) > far)):
                     if chosen.any():  # An empty line would widen the axis
@@ -442,12 +431,11 @@ def laws_figure(found: LawComparison) -> Figure:
             axes.set_ylim(-edge, edge)
             axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))
             axes.yaxis.set_major_formatter(FuncFormatter(plain))
-            time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
+            axis.dress(axes)
             above = f"criterion {row.difference:.1f} above the best" if row.difference else "least criterion"
             rms = length_unit(one.residual_std).text(one.residual_std)
             title = f"{row.law.name} · {above} · residuals {one.checks.verdict} · rms {rms}"
             axes.set_title(title, loc="left", fontsize=8.5, pad=3, parse_math=False)
-            axes.set_xlabel(f"time [{clock.symbol}]")
             axes.label_outer()
         body.supylabel(f"residual [{ruler.symbol}]", fontsize=8)
     return figure

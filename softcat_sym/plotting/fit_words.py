@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from softcat_sym.fitting.result import FEATURES, Fit, FittedFilm, FittedParameter
-from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
+from softcat_sym.fitting.result import FEATURES, Fit, FittedParameter
+from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit, typeset
 
 if TYPE_CHECKING:
+    from softcat_sym.fitting.closed_form import ClosedForm, Determined
     from softcat_sym.fitting.collapse_test import GapResult
-    from softcat_sym.fitting.features import Reading
+    from softcat_sym.fitting.features import Features, Floats, Reading
     from softcat_sym.fitting.model_selection import LawComparison, Ranked
     from softcat_sym.fitting.posterior import Posterior
     from softcat_sym.fitting.resolution import Moved
@@ -46,7 +47,7 @@ def display_unit(symbol: str, largest: float) -> Unit:
         "s": (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0)),
         "Pa*s": tuple(Unit(f"{unit.symbol}·s", unit.size) for unit in STRESSES),
     }
-    units = families.get(symbol, (Unit(symbol, 1.0),))
+    units = families.get(symbol, (Unit(typeset(symbol), 1.0),))
     reached = [unit for unit in units if abs(largest) >= unit.size * (1 - 1e-9)]
     return reached[-1] if reached else units[0]
 
@@ -145,15 +146,29 @@ def posterior_texts(posterior: Posterior) -> list[tuple[str, str]]:
     return rows
 
 
-def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
-    """Features of a film, read without a model: name and value, or the reason why it cannot be read."""
-    features = film.features
+def feature_texts(
+    time: Floats, heights: Floats, features: Features | None, closed: ClosedForm | None
+) -> list[tuple[str, str]]:
+    """Features of a film, read without a model, and constants by the closed form: name and value, or why not."""
     if features is None:
         return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
-    clock, ruler = time_unit(float(film.time[-1])), length_unit(float(abs(film.measured).max()))
-    units = (clock, clock, Unit("rad/s", 1.0), Unit("1/s", 1.0), ruler, Unit("", 1.0))
+    clock, ruler = time_unit(float(time[-1])), length_unit(float(abs(heights).max()))
+    units = (clock, clock, Unit("rad/s", 1.0), Unit("s⁻¹", 1.0), ruler, Unit("", 1.0))
     rows = zip(FEATURES.items(), units, strict=True)
-    return [(words, reading_text(getattr(features, name), unit)) for (name, (words, _)), unit in rows]
+    found = [(words, reading_text(getattr(features, name), unit)) for (name, (words, _)), unit in rows]
+    pairs = [] if closed is None else [("E", closed.youngs_modulus, "Pa"), ("eta", closed.viscosity, "Pa*s")]
+    return found + [(f"{name} by the closed form", determined_text(one, unit)) for name, one, unit in pairs]
+
+
+def determined_text(one: Determined, symbol: str) -> str:
+    """A constant by the closed form with its 95 % interval, or why it is not known."""
+    if one.value is None or one.interval is None or one.log_error is None:
+        return f"not known: {one.reason}"
+    unit = display_unit(symbol, one.value)
+    value, low, high = (
+        rounded(x / unit.size, one.value * one.log_error / unit.size) for x in (one.value, *one.interval)
+    )
+    return f"{value} {unit.symbol} ({low} to {high})"
 
 
 def reading_text(one: Reading, unit: Unit) -> str:

@@ -34,6 +34,10 @@ _LOOKS: tuple[tuple[str, Any, str], ...] = (
 """Of the laws that are fitted, in their order."""
 
 
+_FAR = 50.0
+"""Residual beyond which a law is as good as none [%]."""
+
+
 @drawing.plot.register(FlowCurveFit)
 def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
@@ -57,10 +61,10 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
             above.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
             residual = 100 * one.residuals[order]
             below.plot(rate[order], residual, color=color, linewidth=0.8, marker=marker, markersize=3.0)
-        stresses = np.concatenate([curve.shear_stress, *(one.fitted for one in fit.candidates)])
-        number_axis(above, "y", stresses.min(), stresses.max(), is_log=True, ticks=8)
-        # Exact data leave rounding only, which is not worth a look.
-        far = max(1.12 * max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates), 1e-3)
+        # A law that does not fit leaves the picture; of exact data there is rounding only, which is not worth a look.
+        number_axis(above, "y", curve.shear_stress.min(), curve.shear_stress.max(), is_log=True, ticks=8, room=0.15)
+        largest = max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates)
+        far = max(1.12 * min(largest, _FAR), 1e-3)
         below.set_ylim(-far, far)
         below.yaxis.set_major_formatter("{x:.3g}")
         above.set_ylabel("shear stress [Pa]")
@@ -69,14 +73,14 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
             number_axis(axes, "x", rate.min(), rate.max(), is_log=True, ticks=8)
             axes.grid(True)
         above.tick_params(labelbottom=False)
-        below.set_xlabel("shear rate [1/s]")
+        below.set_xlabel("shear rate [s⁻¹]")
         legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
     return figure
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
     """A row for each candidate, the best first."""
-    header = ("law", "τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "above best")
+    header = ("law", "τ_Y [Pa]", "k [Pa·sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa·sⁿ]", "rms [%]", "above best")
     rows = [_row(one, fit) for one in fit.candidates]
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"

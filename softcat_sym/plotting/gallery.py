@@ -18,8 +18,8 @@ from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes, page
-from softcat_sym.plotting.run import Shape, largest_sag, shapes_of
-from softcat_sym.plotting.section import array, telling_frames, vertical_stretch
+from softcat_sym.plotting.run import Shape, shapes_of
+from softcat_sym.plotting.section import Magnification, array, largest_sag, telling_frames
 from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png
 from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
@@ -88,13 +88,15 @@ def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
     """Draw a scene of the gallery.
 
     Lengths are equal along both axes, unless the sag is too flat to see: then the picture says by how much it is
-    stretched. A bar shows the scale.
+    magnified. A bar shows the scale.
     """
     reach = max(scene.filament.span, float(np.ptp(array(data, "x"), axis=1).max()))
     deep = np.abs(array(data, "y")).max(axis=1) > _DEEPEST * reach
     if deep.any():
         data = first_frames(data, max(2, int(deep.argmax())))
-    shapes = shapes_of(data, scene, telling_frames(data, 4))
+    frames = telling_frames(data, 4)
+    larger = Magnification.of(largest_sag(array(data, "y")[frames]), scene.filament.thickness, scene.filament.span)
+    shapes = shapes_of(larger.drawn(data), scene, frames)
     low = np.min([shape.outline.min(axis=0) for shape in shapes], axis=0)
     high = np.max([shape.outline.max(axis=0) for shape in shapes], axis=0)
     with style.styled():
@@ -109,24 +111,21 @@ def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
         room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
         axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
         axes.set_axis_off()
-        stretch = vertical_stretch(
-            largest_sag(np.array([shape.section.y for shape in shapes])), scene.filament.thickness, scene.filament.span
-        )
         # Equal lengths within the room, centred; three per cent of air around.
-        scale = min(room[0] / (high[0] - low[0]), room[1] / (stretch * (high[1] - low[1]))) / 1.06
-        centre, half = (low + high) / 2, room / np.array([scale, scale * stretch]) / 2
+        scale = min(room[0] / (high[0] - low[0]), room[1] / (larger.sag * (high[1] - low[1]))) / 1.06
+        centre, half = (low + high) / 2, room / np.array([scale, scale * larger.sag]) / 2
         axes.set_xlim(centre[0] - half[0], centre[0] + half[0])
         axes.set_ylim(centre[1] - half[1], centre[1] + half[1])
         for strength, shape in zip(np.linspace(1.0, 0.25, len(shapes)), reversed(shapes), strict=True):
             _draw(axes, shape, float(strength))
         _hold(axes, shapes[-1], scene, 0.09 / scale)
-        # A bar of a round length, and by how much the vertical is stretched.
-        length = nice_floor(0.3 * float(high[0] - low[0]))
+        # A bar of a round length, and what is drawn larger.
+        length = nice_floor(0.28 * float(room[0]) / scale)
         unit = length_unit(1.001 * length)  # just below a power of ten
         ends = [_SIDE / _WIDTH, (_SIDE + scale * length) / _WIDTH]
         line = axes.plot(ends, [0.1 / _HEIGHT] * 2, color=style.BLACK, lw=1.2, transform=figure.transFigure)
         line[0].set(clip_on=False, solid_capstyle="butt")
-        note = f"{length / unit.size:g} {unit.symbol}" + (f", vertical × {stretch:g}" if stretch != 1 else "")
+        note = f"{length / unit.size:g} {unit.symbol}" + (f", {larger}" if str(larger) else "")
         figure.text(ends[1] + 0.02, 0.1 / _HEIGHT, note, va="center", fontsize=7.5, color=style.GREY)
     return figure
 

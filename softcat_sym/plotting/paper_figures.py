@@ -16,7 +16,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from softcat_sym.batch.phase_runs import CLAMPS_ONLY
 from softcat_sym.drawing import Report
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import phase, style
@@ -38,6 +37,7 @@ from softcat_sym.studies.paper_figures import (
     Panel,
     scene_facts,
 )
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -179,7 +179,7 @@ def phase_caption(diagram: PhaseDiagram) -> str:
         V=groups.V,
         delta=groups.delta,
         runs=sum(sheet.runs for sheet in diagram.sheets),
-        saved=sum(sheet.saved for sheet in diagram.sheets),
+        saved=sum(sheet.lattice.saved for sheet in diagram.sheets),
         nodes=sum(sheet.nodes for sheet in diagram.sheets),
         yields=1 + _median(first, "first yield"),
         descends=1 + _median(first, "arrest"),
@@ -200,7 +200,7 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
         figure, body = _figure(4.6, phase_caption(diagram))
         for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
             _draw_phases(axes, diagram, sheet)
-        used = {phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.labels)}
+        used = {phase.look_of(str(mark)) for sheet in diagram.sheets for mark in np.unique(sheet.lattice.labels)}
         patches = [
             Patch(facecolor=look.tint, edgecolor=style.GREY, linewidth=0.4, label=look.words)
             for look in dict.fromkeys([*phase.LOOKS.values(), *used])
@@ -235,7 +235,7 @@ def phase_report(diagram: PhaseDiagram) -> Report:
     planes = [
         {
             **{"plane": sheet.plane.name, "runs": sheet.runs, "lattice_nodes": sheet.nodes},
-            **{"nodes_never_run": sheet.saved, "regimes": sheet.counts},
+            **{"nodes_never_run": sheet.lattice.saved, "regimes": sheet.counts},
             "boundary_over_formula": [
                 each.to_dict() | {name: 1 + getattr(each, name) for name in ("median", "least", "most")}
                 for each in sheet.distances

@@ -14,11 +14,11 @@ from matplotlib.lines import Line2D
 from rich.text import Text
 
 from softcat_sym import drawing
-from softcat_sym.batch.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
@@ -78,7 +78,7 @@ def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
 
 def draw_tints(axes: Axes, sheet: PhaseSheet) -> None:
     """Tint every node by its mark."""
-    labels = sheet.labels
+    labels = sheet.lattice.labels
     tints = list(dict.fromkeys(look_of(str(mark)).tint for mark in np.unique(labels)))
     numbers = np.vectorize(lambda mark: tints.index(look_of(str(mark)).tint))(labels)
     colours = ListedColormap(tints)
@@ -194,9 +194,9 @@ def phase_report(diagram: PhaseDiagram) -> Report:
         again = sheet.runs - len(sheet.points)
         saved = (
             f"{sheet.plane.name}: {len(sheet.points)} of {sheet.nodes} filaments run"
-            f"{f', {again} of them twice' if again else ''}; refinement saved {sheet.saved} "
-            f"({sheet.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time. "
-            f"{', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
+            f"{f', {again} of them twice' if again else ''}; refinement saved {sheet.lattice.saved} "
+            f"({sheet.lattice.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time"
+            f". {', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
         )
         shown += [text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)), Text(saved)]
     tables = {"runs": diagram.to_frame, "boundaries": diagram.boundaries, "lines": diagram.lines}

@@ -86,8 +86,7 @@ def pricing_figure(pricing: Pricing) -> Figure:
         change = panels[0]
         asked = f"accuracy asked, {percent(accuracy)}"
         change.axvline(accuracy, color=style.GREY, linestyle="--", linewidth=0.9, label=asked)
-        plain_log(change.xaxis, lambda share: f"{100 * share:g} %")
-        change.xaxis.get_major_locator().set_params(numticks=5)
+        plain_log(change.xaxis, lambda share: f"{100 * share:g} %", 4)
         change.set_yticks(places, [row.effect for row, _ in shown])
         change.invert_yaxis()
         legend(body, handles=change.get_legend_handles_labels()[0], ncols=4)

@@ -18,7 +18,7 @@ from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normal
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.image import PcolorImage
 from matplotlib.patches import Patch, Polygon
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym import drawing
@@ -27,18 +27,20 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
     Floats,
+    Magnification,
     Section,
     array,
+    largest_sag,
     outline,
     quads_outside,
     section_at,
     slowest_flow,
     telling_frames,
-    vertical_stretch,
     yielding_of,
 )
 from softcat_sym.plotting.spatial import draw_tube, frame_tube, tube
 from softcat_sym.plotting.style import Fields
+from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import (
     Summary,
     Unit,
@@ -98,14 +100,17 @@ class Sheet:
     scene: Scene
     style: str  # ``screen``, ``column`` or ``page``
     time: Floats  # Of the frames [s]
-    clock: Unit  # Its unit
+    clock: Unit  # In which moments are told
+    axis: TimeAxis
 
     @classmethod
     def of(cls, data: Fields, summary: Summary, scene: Scene, name: str) -> Sheet:
         """The sheet of a run, as far as it is drawn."""
         data, summary = style.shown_part(data, summary)
         times = array(data, "time")
-        return cls(data, summary, scene, name, times, time_unit(float(np.abs(times).max())))
+        clock, dense = time_unit(float(np.abs(times).max())), "dense_time" in data
+        moving = [array(data, f"dense_{one}" if dense else one) for one in ("time", "midpoint")]
+        return cls(data, summary, scene, name, times, clock, TimeAxis.of(*moving))
 
     @property
     def on_screen(self) -> bool:
@@ -140,12 +145,18 @@ class Sheet:
         return figure, body, list(panels.flat)
 
     def time_axis(self, axes: Axes) -> None:
-        """Limits that are never empty, few round numbers, and the label."""
-        start, end = float(self.clock.of(self.time[0])), float(self.clock.of(self.time[-1]))
-        axes.set_xlim(start, end if end > start else start + max(1.0, abs(start)))
-        axes.set_xlabel(f"time [{self.clock.symbol}]")
-        axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 5, steps=_STEPS))
+        """Let time run along the horizontal axis."""
+        self.axis.dress(axes, 8 if self.on_screen else 5)
         axes.grid(self.on_screen)
+
+    def curves(self, *names: str) -> tuple[Floats, Floats]:
+        """Times in the unit of the axis, and fields of the whole filament over them, shape (times, names)."""
+        of = "dense_" if "dense_time" in self.data else ""
+        time = array(self.data, f"{of}time")
+        values = np.stack([array(self.data, f"{of}{name}") for name in names], axis=-1)
+        turns = self.summary.get("extremes") if names == ("midpoint",) else None
+        at, between = self.axis.between(time, values, np.reshape(turns or [], (-1, 2)))
+        return self.axis.unit.of(at), between
 
 
 def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
@@ -154,7 +165,9 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
     height = array(sheet.data, "midpoint")
     largest = float(np.abs(height).max())
     ruler = length_unit(largest, scene.filament.span)
-    time, shown = sheet.clock.of(sheet.time), ruler.of(height)
+    frames = telling_frames(sheet.data, _SHAPES[name])
+    time, shown = sheet.curves("midpoint")
+    shown = ruler.of(shown[:, 0])
     with styled_for(name):
         tall, above = (3.0, 0.75) if sheet.on_screen else (1.6, 0.25)
         figure, body, (axes,) = sheet.figure(
@@ -162,12 +175,14 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
         )
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         axes.plot(time, shown, color=style.BLUE, label="midpoint")
-        frames = telling_frames(sheet.data, _SHAPES[name])
         ring: dict[str, Any] = {"markerfacecolor": "white", "clip_on": False, "zorder": 3}
         size = 5.5 if sheet.on_screen else 3.0
-        axes.plot(time[frames], shown[frames], "o", color=style.VERMILLION, label="shapes drawn", ms=size, **ring)
+        places = sheet.axis.unit.of(sheet.time[frames]), ruler.of(height[frames])
+        axes.plot(*places, "o", color=style.VERMILLION, label="shapes drawn", ms=size, **ring)
         sheet.time_axis(axes)
-        low, high = min(float(shown.min()), 0.0), max(float(shown.max()), 0.0)
+        low, high = float(shown.min()), float(shown.max())
+        if min(abs(low), abs(high)) < high - low:
+            low, high = min(low, 0.0), max(high, 0.0)
         room = 0.1 * (high - low) or 1.0
         axes.set_ylim(low - room, high + room)
         axes.yaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
@@ -185,7 +200,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     """The same scales divided by the span and by the paper's unit of time, where the scene has one."""
     scene, span = sheet.scene, sheet.scene.filament.span
     share = share_unit(largest / span)
-    right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
+    factor = ruler.size / span / share.size
+    right = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     right.spines["right"].set_visible(True)
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
@@ -197,9 +213,9 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
         return
     power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
     thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
-    top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
+    top = axes.twiny()
+    sheet.axis.dress(top, 8, unit * 10**power, f"time in {f'10{thousands} ' if power else ''}{label}")
     top.spines["top"].set_visible(True)
-    top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,17 +251,18 @@ def shapes_of(data: Fields, scene: Scene, frames: list[int]) -> list[Shape]:
 def yielded_label(data: Fields, scene: Scene) -> str:
     """What a colour or hatching for what yields means, with the rate below which nothing is shown."""
     limit, slowest = scene.material.yield_stress or 0.0, slowest_flow(data, scene)
-    faster = f", flows faster than {significant(slowest)}/s" if slowest > 0 else ""
+    faster = f", flows faster than {significant(slowest)} s⁻¹" if slowest > 0 else ""
     return f"yielded: stress > {stress_unit(limit).text(limit)}{faster}"
-
-
-def largest_sag(y: Floats) -> float:
-    """Largest departure of centrelines (shape, node) from the straight lines between their ends [m]."""
-    return float(np.abs(y - np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)).max())
 
 
 _TALLEST = 7.0
 """Of all shapes together [inch]; taller ones stand side by side."""
+
+_DEEPEST = 6.0
+"""Of shapes side by side [inch]."""
+
+_NARROW = 0.5
+"""Of a shape beside others [inch]: there is room for one number."""
 
 _LOW = 0.3
 """Below this height [inch] the axis of a shape has room for one number."""
@@ -256,39 +273,30 @@ def shapes_figure(
 ) -> Figure:
     """Draw the filament at a few telling times, one below the other, or side by side if that would be too tall.
 
-    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
-    stretched, thickness and all, by a factor that the axis label states. So is a `radius` by which the thickness is
-    drawn swollen, for the beads of a thin thread to be seen.
+    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: it is then magnified, by a factor
+    that the axis label states. So is a `radius` by which the thickness is drawn swollen, for the beads of a thin thread
+    to be seen.
     """
-    thickness = radius * scene.filament.thickness
     names = (*data, *getattr(data, "coords", ()))  # Of a Dataset the former are without its coordinates
+    sheet = Sheet.of({str(one): data[one] for one in names}, summary, scene, name)
     if "quaternion" in names:
         with styled_for(name):
-            whole = {str(one): data[one] for one in names}
-            return _spatial_shapes(Sheet.of(whole, summary, scene, name), style.drawn_radius(radius))
-    data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
-    sheet = Sheet.of(data, summary, scene, name)
-    shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
-    stretch = vertical_stretch(
-        largest_sag(np.array([shape.section.y for shape in shapes])), thickness, scene.filament.span
-    )
+            return _spatial_shapes(sheet, style.drawn_radius(radius))
+    frames, thickness = telling_frames(sheet.data, _SHAPES[name]), style.drawn_radius(radius) * scene.filament.thickness
+    larger = Magnification.of(largest_sag(array(sheet.data, "y")[frames]), thickness, scene.filament.span)
+    shapes = shapes_of(larger.drawn(sheet.data, radius), scene, frames)
     corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
     low, high = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
-    margin = 0.25 * thickness
+    margin = 0.25 * thickness * larger.thickness / larger.sag
     x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or thickness)
     y = corners[:, :, 1] + margin * np.array([-1, 1])
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
-    inch = (WIDTHS[name] - (1.0 if sheet.on_screen else 0.65)) / float(np.ptp(x))
-    stacked = stretch * inch * float(np.ptp(y, axis=1).sum()) < _TALLEST or not sheet.on_screen
+    stacked, inch = _arranged(name, float(np.ptp(x)), larger.sag * np.ptp(y, axis=1), larger.sag * np.ptp(y))
     if stacked:
-        # A run away beside what is at rest would leave that no height at all.
-        inch = min(inch, _TALLEST / (stretch * float(np.ptp(y, axis=1).sum())))
-        heights, columns = np.maximum(stretch * inch * np.ptp(y, axis=1), _LOW), 1
+        heights, columns = np.maximum(larger.sag * inch * np.ptp(y, axis=1), _LOW), 1
     else:
-        y[:] = low[1] - margin, high[1] + margin
-        columns = len(shapes)
-        inch = min((WIDTHS[name] - 1.0 - 0.15 * (columns - 1)) / columns / float(np.ptp(x)), 6.0 / float(np.ptp(y[0])))
-        heights = inch * np.ptp(y[:1], axis=1)
+        y[:], columns = (y.min(), y.max()), len(shapes)
+        heights = larger.sag * inch * np.ptp(y[:1], axis=1)
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
         up = int(np.clip(heights[0] / 0.2, 1, 6))  # Numbers stand that far apart
@@ -300,22 +308,23 @@ def shapes_figure(
         for axes, shape, bounds in zip(panels, shapes, y, strict=True):
             # What runs away to a thousand spans would be a line without width.
             if np.ptp(bounds) < 1e3 * np.ptp(x):
-                axes.set_aspect(stretch, anchor="S")
+                axes.set_aspect(larger.sag, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
-            _draw_shape(axes, shape, ruler)
+            draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
+            if not stacked and inch * np.ptp(x) < _NARROW:
+                axes.set_xticks([float(ruler.of(x.mean()))], [significant(float(ruler.of(x.mean())))])
             axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else up, steps=_STEPS))
-            if stacked and np.ptp(bounds) * stretch * inch < _LOW:
+            if stacked and np.ptp(bounds) * larger.sag * inch < _LOW:
                 axes.set_yticks((0.0,))
             words = ", ".join(shape.label.split("\n")) if stacked else shape.label
             axes.set_title(words, loc="left", y=1.0, pad=2, fontsize=size, linespacing=1.3)
             if stacked and axes is not panels[-1]:
                 axes.xaxis.set_visible(False)
                 axes.spines["bottom"].set_visible(False)
-            if not stacked and axes is not panels[0]:
-                axes.tick_params(labelleft=False)
-        scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+            axes.tick_params(labelleft=stacked or axes is panels[0])
+        scaled = f" ({larger})" if str(larger) else ""
         scaled += "" if radius == 1 or sheet.on_screen else f" ({drawn})"
         body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.01, va="bottom")
         body.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.01, ha="left")
@@ -326,6 +335,14 @@ def shapes_figure(
             patches, small = [Patch(facecolor=colour, label=label)], max(7.0, size - 0.5)
             body.legend(handles=patches, loc="upper center", borderaxespad=0.0, fontsize=small)
     return figure
+
+
+def _arranged(name: str, wide: float, tall: Floats, deep: float) -> tuple[bool, float]:
+    """Whether shapes stand below each other instead of side by side, and how large they are [inch/m]."""
+    screen, count = name == style.SCREEN, len(tall)
+    below = min((WIDTHS[name] - (1.0 if screen else 0.65)) / wide, _TALLEST / float(tall.sum()))
+    beside = min((WIDTHS[name] - 1.0 - 0.15 * (count - 1)) / count / wide, _DEEPEST / deep)
+    return (True, below) if below >= beside or not screen else (False, beside)
 
 
 _PANELS, _PANEL = 4, 2.9
@@ -358,17 +375,20 @@ def _spatial_shapes(sheet: Sheet, radius: float) -> Figure:
     return figure
 
 
-def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
-    """Body, yielded zones, outline, the line between the ends."""
+def draw_shape(axes: Axes, shape: Shape, ruler: Unit, ever: Floats | None = None) -> None:
+    """Body, zones that have `ever` yielded and those that yield, outline, the line between the ends."""
     body = ruler.of(shape.outline)
     # As artists: limits are set before, and looking for those of each patch takes as long as drawing it.
-    axes.add_artist(Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2))
-    # Anti-aliasing would leave hairlines between neighbouring quads.
-    quads = PolyCollection(
-        list(ruler.of(shape.yielded)), facecolors=style.VERMILLION, edgecolors="none", antialiaseds=False,
-        rasterized=True, zorder=3,
-    )  # fmt: skip
-    axes.add_collection(quads, autolim=False)
+    inside = Polygon(body, facecolor=style.FILAMENT, edgecolor="none", zorder=2)
+    axes.add_artist(inside)
+    for colour, quads in ((style.ORANGE, ever), (style.VERMILLION, shape.yielded)):
+        if quads is not None and len(quads):
+            # Anti-aliasing would leave hairlines between neighbouring quads.
+            look: dict[str, Any] = {"edgecolors": "none", "antialiaseds": False, "rasterized": True, "zorder": 3}
+            zones = PolyCollection(list(ruler.of(quads)), facecolors=colour, **look)
+            axes.add_collection(zones, autolim=False)
+            # At a clamp the sections of the first cell cross: what they cover beyond the body is none.
+            zones.set_clip_path(inside)
     axes.add_artist(Polygon(body, facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4))
     axes.plot(ruler.of(shape.section.x[[0, -1]]), ruler.of(shape.section.y[[0, -1]]), ":", color=style.GREY, lw=0.6)
 
@@ -383,25 +403,28 @@ _LOOKS = (
 def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
     sheet = Sheet.of(data, summary, scene, name)
-    time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)
-    unit, marker = energy_unit(largest), "o" if time.size == 1 else None
+    unit, marker = energy_unit(largest), "o" if sheet.time.size == 1 else None
     looks, across = (_LOOKS, 6) if sheet.on_screen else (LINES, 3)
     columns = [(term, look) for term, look in zip(audit_of(sheet.data), cycle(looks)) if np.any(sheet.data[term])]
     with styled_for(name):
-        heights, above = ([2.4, 0.8], 0.15 * (1 + -(-len(columns) // across))) if sheet.on_screen else ([1.6], 0.55)
+        rows = -(-len(columns) // across)
+        heights, above = ([2.4, 0.8], 0.15 * (1 + rows)) if sheet.on_screen else ([1.6], 0.55)
         figure, body, panels = sheet.figure(
             "energy budget of the whole filament", heights, above=above, between=(0.15, 0.3), right=0.2
         )
-        for term, (colour, line) in columns:
-            energy, label = unit.of(sheet.data[term]), energy_label(term)
+        time, energies = sheet.curves(*(term for term, _ in columns)) if columns else (sheet.time, np.empty((0, 0)))
+        for (term, (colour, line)), energy in zip(columns, unit.of(energies).T, strict=True):
+            label = energy_label(term)
             panels[0].plot(time, energy, color=colour, linestyle=line, label=label, marker=marker)
         panels[0].set_ylabel(f"energy [{unit.symbol}]")
         if sheet.on_screen:
             residual = imbalance / largest if largest > 0 else imbalance
             worst = float(np.abs(residual).max())
             share = share_unit(worst)
-            panels[1].plot(time, share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker)
+            panels[1].plot(
+                sheet.axis.unit.of(sheet.time), share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker
+            )
             room = float(share.of(1.3 * worst)) or 1.0
             panels[1].set_ylim(-room, room)
             panels[1].set_ylabel(f"imbalance [{share.symbol}]")
@@ -415,12 +438,15 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
         panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
         if columns:
-            body.legend(loc="upper center", borderaxespad=0.0, ncols=across, handlelength=2.0, columnspacing=1.1)
+            body.legend(
+                loc="upper center",
+                borderaxespad=0.0,
+                ncols=-(-len(columns) // rows),
+                handlelength=2.0,
+                columnspacing=1.1,
+            )
     return figure
 
-
-MAX_FRAMES = 1200
-"""Columns of a map; more would be finer than its pixels."""
 
 ROWS = 240
 """Of a map, all equally tall: cells at a clamp may be narrower than a pixel, which would show one end only."""
@@ -430,7 +456,7 @@ ROWS = 240
 class Map:
     """One quantity over the filament and the run."""
 
-    values: Floats  # Shape (time, row): means over :data:`ROWS` equal parts of the filament
+    values: Floats  # Shape (time, row): over :data:`ROWS` equal parts of the filament
     label: str  # With its unit
     norm: Normalize  # From values to colours
     colours: Colormap | str
@@ -439,10 +465,7 @@ class Map:
 
 def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
     """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress."""
-    nodes = array(data, "X_node")
-    edges = np.linspace(nodes[0], nodes[-1], ROWS + 1)
-    inside = np.minimum(edges[1:], nodes[1:, None]) - np.maximum(edges[:-1], nodes[:-1, None])
-    rows = np.maximum(inside, 0.0) / np.diff(edges)  # Means over equal parts of what is constant in each cell
+    rows = _rows(array(data, "X_node"), array(data, "X_cell"))
     stretch = array(data, "stretch") @ rows
     low, high = float(stretch.min()), float(stretch.max())
     # Colours end at a quantile, where a few hinges would leave the rest of the filament in one of them.
@@ -468,6 +491,17 @@ def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
     return first, Map(scaled, f"mean stress [{unit.symbol}]", norm, "cividis")
 
 
+def _rows(nodes: Floats, cells: Floats) -> Floats:
+    """Weights of the cells in :data:`ROWS` equal parts of a filament, linear between the middles of cells."""
+    points = np.linspace(nodes[0], nodes[-1], 8 * ROWS + 1)[1::2]
+    at = np.interp(points, cells, np.arange(cells.size))
+    below, number = at.astype(int), np.arange(points.size)
+    weights = np.zeros((cells.size, points.size))
+    weights[below, number] = 1 - (at - below)
+    weights[np.minimum(below + 1, cells.size - 1), number] += at - below
+    return np.asarray(weights.reshape(cells.size, ROWS, -1).mean(axis=2))
+
+
 def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
     sheet = Sheet.of(data, summary, scene, name)
@@ -476,7 +510,7 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
     final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
         "" if reached is None else f"dashed: 90 % of the {final}sag at {sheet.clock.text(reached)}",
-        f"where it flows {faster} {significant(slowest)}/s" if slowest > 0 else "",
+        f"where it flows {faster} {significant(slowest)} s⁻¹" if slowest > 0 else "",
     )
     with styled_for(name):
         heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
@@ -487,7 +521,6 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
         for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
             _draw_map(axes, sheet, shown, reached)
             axes.set_title(text, loc="left", y=1.0, fontsize=7.5, pad=3)
-            axes.xaxis.set_major_locator(MaxNLocator(8 if sheet.on_screen else 5, steps=_STEPS))
         if columns == 1:
             panels[0].tick_params(labelbottom=False)
             panels[0].set_xlabel("")
@@ -496,34 +529,32 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
 
 def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> None:
     """Draw one map, the midpoint's line, the mark of a time, and the colours with plain numbers beside it."""
-    clock, every = sheet.clock, max(1, -(-sheet.time.size // MAX_FRAMES))
-    times, nodes = clock.of(sheet.time), array(sheet.data, "X_node")
-    places, frames = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0]), times[::every]
-    # Edges halfway between frames; of a single frame, half a unit to either side.
-    edges = np.concatenate([frames[:1], 0.5 * (frames[1:] + frames[:-1]), times[-1:]])
-    edges = edges if frames.size > 1 else frames[0] + np.array([-0.5, 0.5])
+    axis, nodes = sheet.axis, array(sheet.data, "X_node")
+    places = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0])
+    values = axis.columns(sheet.time, shown.values)
+    sheet.time_axis(axes)
+    axes.grid(False)
     # As an image, for which a colour is looked up once a pixel; a mesh of as many quads takes several times as long.
-    image = PcolorImage(axes, edges, places, shown.values[::every].T, norm=shown.norm, cmap=shown.colours)
-    axes.add_image(image)
+    # Its columns are as wide as each other whatever the scale.
+    edges = np.linspace(*axes.get_xlim(), len(values) + 1)
+    axes.add_image(PcolorImage(axes, edges, places, values.T, norm=shown.norm, cmap=shown.colours))
     axes.spines[:].set_visible(True)
-    axes.set_xlim(float(times[0]), float(times[-1]) if times[-1] > times[0] else None)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100
     axes.set_ylim(places[0] - margin, places[-1] + margin)
     axes.axhline(0.5 * (places[0] + places[-1]), color=style.GREY, linewidth=0.6, linestyle=(0, (2, 3)))
     if reached is not None:
         # Seen on light and on dark.
-        axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
-        axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
+        axes.axvline(float(axis.unit.of(reached)), color="white", linewidth=1.6)
+        axes.axvline(float(axis.unit.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
-    axes.set_xlabel(f"time [{clock.symbol}]")
     axes.set_yticks((-0.5, 0.0, 0.5))
     beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))
-    bar = axes.figure.colorbar(image, cax=beside, label=shown.label, extend="max" if shown.beyond else "neither")
+    bar = axes.figure.colorbar(
+        axes.images[0], cax=beside, label=shown.label, extend="max" if shown.beyond else "neither"
+    )
     if isinstance(shown.norm, LogNorm):
-        # Powers of ten would be set by a parser and in fonts that not every machine has.
-        bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)
-        bar.formatter = FuncFormatter(lambda value, _: significant(value))
+        style.plain_log(bar.ax.yaxis, significant)
         bar.minorticks_off()
     else:
         bar.locator = MaxNLocator(5, steps=_STEPS)

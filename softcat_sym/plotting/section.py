@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -158,20 +158,47 @@ def yielding_of(data: Fields, scene: Scene) -> Yielding:
 
 
 def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
-    """Quadrilaterals below and above the elastic core, cell by cell; empty ones are left out."""
-    left, right, ones = slice(None, -1), slice(1, None), np.ones_like(lower)
-    quads = []
-    for low, high in ((-ones, lower), (upper, ones)):
-        corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
-        quads.append(np.stack(corners, axis=1)[high > low])
+    """Quadrilaterals below and above the elastic core of cells, linear between nodes; empty ones are left out."""
+    left, right, quads = slice(None, -1), slice(1, None), []
+    for core, face in ((lower, -1.0), (upper, 1.0)):
+        limit = np.concatenate([core[:1], (core[1:] + core[:-1]) / 2, core[-1:]])
+        below, above = (section.at(each(limit, face)) for each in (np.minimum, np.maximum))
+        corners = [below[left], below[right], above[right], above[left]]
+        quads.append(np.stack(corners, axis=1)[(limit[left] != face) | (limit[right] != face)])
     return np.concatenate(quads)
 
 
-def vertical_stretch(sag: float, thickness: float, span: float) -> float:
-    """Factor by which the vertical scale of what is too flat to see is stretched: 1, 2 or 5 times a power of ten.
+_MAGNIFIED = 1000.0
+"""What sags by less than a ten-thousandth of its span is drawn as good as straight."""
 
-    A sag below 2 % of the span is drawn as up to 10 % of it, a thickness as up to 12 %.
-    """
-    if sag <= 0 or sag >= 0.02 * span:
-        return 1.0
-    return max(1.0, nice_floor(min(0.10 * span / sag, 0.12 * span / thickness)))
+
+@dataclass(frozen=True, slots=True)
+class Magnification:
+    """Factors by which heights and thicknesses of what is too flat to see are drawn larger: 1, 2 or 5 times 10^n."""
+
+    sag: float = 1.0
+    thickness: float = 1.0
+
+    @classmethod
+    def of(cls, sag: float, thickness: float, span: float) -> Magnification:
+        """Of a sag below 2 % of the span, which is drawn as up to 10 % of it; its thickness as up to 12 %."""
+        if sag <= 0 or sag >= 0.02 * span:
+            return cls()
+        factor = min(nice_floor(0.10 * span / sag), _MAGNIFIED)
+        return cls(factor, max(1.0, min(factor, nice_floor(0.12 * span / thickness))))
+
+    def __str__(self) -> str:
+        """Words for a title; none where nothing is magnified."""
+        if self.sag == self.thickness:
+            return "" if self.sag == 1 else f"sag and thickness × {self.sag:g}"
+        return f"sag × {self.sag:g}" + ("" if self.thickness == 1 else f", thickness × {self.thickness:g}")
+
+    def drawn(self, data: Fields, swollen: float = 1.0) -> dict[str, Any]:
+        """Fields whose thickness is right once heights are drawn larger, times a factor."""
+        factor = swollen * self.thickness / self.sag
+        return {**{str(name): data[name] for name in data}, "thickness": factor * array(data, "thickness")}
+
+
+def largest_sag(y: Floats) -> float:
+    """Largest departure of centrelines (shape, node) from the straight lines between their ends [m]."""
+    return float(np.abs(y - np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)).max())

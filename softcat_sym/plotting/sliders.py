@@ -9,8 +9,10 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
+from matplotlib import colormaps
 from numpy.typing import NDArray
 
+from softcat_sym.plotting.units import typeset
 from softcat_sym.web.page import filled, inlined
 
 if TYPE_CHECKING:
@@ -48,20 +50,16 @@ def packed(dataset: xr.Dataset) -> dict[str, Any]:
         raise ValueError("a page of sliders needs a sweep of at least one member in which something was varied")
     axes = [_axis(key, key, str(dataset[key].attrs.get("units", "")), dataset[key], varied=True) for key in keys]
     sound = _sound(dataset)
-    axes += [
-        _axis(*result, dataset[result[0]], varied=False, sound=sound) for result in RESULTS if result[0] in dataset
-    ]
+    axes += [_axis(*result, dataset[result[0]], varied=False, sound=sound) for result in RESULTS]
     return {
         "members": members,
         "axes": [axis for axis in axes if axis is not None],
         **{name: _texts(dataset, name) for name in ("regime", "outcome", "message")},
-        "span": _listed(_of_member(dataset, "span", math.nan)),
-        "duration": _listed(_of_member(dataset, "duration", math.nan)),
-        "thickness": _listed(_of_member(dataset, "thickness", float(dataset.attrs.get("thickness", math.nan)))),
+        **{name: _listed(dataset[name].values) for name in ("span", "duration", "thickness")},
         "sheet": dataset.attrs.get("section") == "sheet",
         "midpoint": _curves(dataset),
         "shapes": _shapes(dataset),
-        "colours": _colours(),
+        "colours": np.rint(255 * colormaps["cividis"](np.linspace(0.0, 1.0, 17))[:, :3]).astype(int).tolist(),
     }
 
 
@@ -89,7 +87,7 @@ def _axis(
     key: str, name: str, unit: str, values: xr.DataArray, *, varied: bool, sound: NDArray[np.bool_] | None = None
 ) -> dict[str, Any] | None:
     """One axis; words, such as the name of a law, stand at equal distances. None where there is nothing to show."""
-    axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else unit, "varied": varied}
+    axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else typeset(unit), "varied": varied}
     if values.dtype.kind not in "fiub":
         words = [str(value) for value in values.values]
         known = sorted(set(words))
@@ -103,64 +101,44 @@ def _axis(
     return axis | {"scale": "log" if logarithmic else "lin", "values": _listed(numbers)}
 
 
+def _kept(dataset: xr.Dataset, *names: str) -> tuple[list[float], dict[str, Floats]] | None:
+    """Shares of the duration and fields, shape (members, frames, ...); every second frame, fourth, ... of large ones.
+
+    None where not even two frames would fit.
+    """
+    fields = {name: np.asarray(dataset[name].values, dtype=np.float64) for name in names}
+    frames, size, every = fields[names[0]].shape[1], sum(2 * values.size for values in fields.values()), 1
+    while size / frames * math.ceil(frames / every) > LARGEST:
+        every *= 2
+        if every > max(1, frames - 1):
+            return None
+    fewer = {name: values[:, ::every] for name, values in fields.items()}
+    return np.linspace(0.0, 1.0, frames)[::every].tolist(), fewer
+
+
 def _curves(dataset: xr.Dataset) -> dict[str, Any] | None:
     """Midpoints over the fraction of the duration."""
-    if "midpoint" not in dataset or not dataset.sizes.get("frame"):
-        return None
-    values = np.asarray(dataset["midpoint"].transpose("member", "frame").values, dtype=np.float64)
-    every = _thinning(values.shape[1], values.shape[0])
-    if not every:
-        return None
-    return {"at": _fractions(dataset, "frame")[::every].tolist(), **quantised(values[:, ::every])}
+    kept = _kept(dataset, "midpoint")
+    return kept and {"at": kept[0], **quantised(kept[1]["midpoint"])}
 
 
 def _shapes(dataset: xr.Dataset) -> dict[str, Any] | None:
-    """Centrelines and stretch; fewer frames of a large sweep."""
-    if not {"x", "y", "stretch"} <= set(dataset.data_vars):
+    """Centrelines and stretch."""
+    kept = _kept(dataset, "x", "y", "stretch")
+    if kept is None:
         return None
-    order = ("member", "shape_frame", "shape_node")
-    fields = {name: dataset[name].transpose(*order) for name in ("x", "y", "stretch")}
-    members, frames, nodes = fields["x"].shape
-    every = _thinning(frames, 3 * members * nodes)
-    if not every or nodes < 2:
-        return None
-    kept = {name: np.asarray(field.values[:, ::every], dtype=np.float64) for name, field in fields.items()}
-    stretch = kept["stretch"][_sound(dataset)]
+    at, fields = kept
+    stretch = fields["stretch"][_sound(dataset)]
     stretch = stretch[np.isfinite(stretch)]
     return {
-        "at": _fractions(dataset, "shape_frame")[::every].tolist(),
-        "nodes": nodes,
+        "at": at,
+        "nodes": fields["x"].shape[2],
         "stretches": np.quantile(stretch, (0.0, _BRIGHTEST)).tolist() if stretch.size else [1.0, 1.0],
-        **{name: quantised(field) for name, field in kept.items()},
+        **{name: quantised(field) for name, field in fields.items()},
     }
 
 
-def _thinning(frames: int, numbers: int) -> int:
-    """Keep every how manieth frame of so many int16 numbers each; 0 where not even two would fit."""
-    every = 1
-    while 2 * numbers * math.ceil(frames / every) > LARGEST:
-        every *= 2
-        if every > max(1, frames - 1):
-            return 0
-    return every
-
-
-def _fractions(dataset: xr.Dataset, dim: str) -> Floats:
-    """Of the duration, 0 to 1."""
-    count = dataset.sizes[dim]
-    given = dataset[dim].values if dim in dataset.coords else np.linspace(0.0, 1.0, count)
-    return np.asarray(given, dtype=np.float64)
-
-
-def _of_member(dataset: xr.Dataset, name: str, otherwise: float) -> Floats:
-    if name in dataset and dataset[name].dims == ("member",):
-        return np.asarray(dataset[name].values, dtype=np.float64)
-    return np.full(dataset.sizes["member"], otherwise)
-
-
 def _texts(dataset: xr.Dataset, name: str) -> list[str]:
-    if name not in dataset:
-        return [""] * dataset.sizes["member"]
     texts = [str(value) for value in dataset[name].values]
     return ["" if text in ("nan", "None") else text for text in texts]
 
@@ -168,15 +146,6 @@ def _texts(dataset: xr.Dataset, name: str) -> list[str]:
 def _listed(values: Floats) -> list[float | None]:
     """Numbers to seven digits, null for what is none."""
     return [float(f"{value:.7g}") if math.isfinite(value) else None for value in values.tolist()]
-
-
-def _colours() -> list[list[int]]:
-    """Red, green and blue of cividis, which looks the same to the colour-blind, at 17 places."""
-    from matplotlib import colormaps
-
-    colours = colormaps["cividis"](np.linspace(0.0, 1.0, 17))[:, :3]
-    rounded: list[list[int]] = np.rint(255 * colours).astype(int).tolist()
-    return rounded
 
 
 _STYLES = ("common.css", "sliders.css")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from functools import cache
 from io import BytesIO
@@ -21,10 +21,11 @@ from matplotlib.font_manager import findfont, get_font
 from matplotlib.legend import Legend
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 from matplotlib.transforms import Bbox, ScaledTranslation
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.units import Summary, time_unit
+from softcat_sym.results.fields import DENSE
 from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
@@ -192,9 +193,10 @@ def shown_part(data: Fields, summary: Summary) -> tuple[Fields, Summary]:
 
 
 def first_frames(data: Fields, end: int) -> dict[str, NDArray[Any]]:
-    """The beginning of a run."""
+    """The beginning of a run, at its frames."""
     whole = ("X_node", "X_cell")
-    return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*data, "time", *whole)}
+    names = [name for name in data if not str(name).startswith(DENSE)]
+    return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*names, "time", *whole)}
 
 
 HEADING = 0.62
@@ -204,9 +206,16 @@ _TITLE = 0.31
 """Height of its first line, the title."""
 
 
+class Picture(Figure):
+    """A figure that a notebook shows, pyplot or not: pyplot, where there is one, knows nothing of it."""
+
+    def _repr_png_(self) -> bytes:
+        return png(self)
+
+
 def new_figure(width: float, height: float) -> Figure:
     """Make an empty figure of the given size [inch] with a canvas of its own."""
-    figure = Figure(figsize=(width, height))
+    figure = Picture(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
 
@@ -274,11 +283,6 @@ def legend(part: Figure | SubFigure, where: str = "lower left", **settings: Any)
     return drawn
 
 
-def secondary_scale(factor: float) -> tuple[Callable[[ArrayLike], ArrayLike], Callable[[ArrayLike], ArrayLike]]:
-    """Multiplication by a factor and its inverse, as a secondary axis wants them."""
-    return lambda values: np.asarray(values) * factor, lambda values: np.asarray(values) / factor
-
-
 def plain(value: float, place: object = None) -> str:
     """Write a tick's number with at most six digits, a true minus sign and a short exponent."""
     del place
@@ -286,10 +290,26 @@ def plain(value: float, place: object = None) -> str:
     return text.replace("-", "\N{MINUS SIGN}")
 
 
-def plain_log(axis: Axis, text: Callable[[float], str] = plain, subs: Sequence[float] | None = None) -> None:
+class LogTicks(LogLocator):
+    """Ticks of a logarithmic axis: at 1, 2, 5 or 1, 3 where powers of ten would be few, evenly within a decade."""
+
+    def __init__(self, ticks: int) -> None:
+        super().__init__(numticks=ticks + 1)
+        self._ticks = ticks
+
+    def tick_values(self, vmin: float, vmax: float) -> Any:
+        """Places of the ticks between two values."""
+        low, high = sorted((vmin, vmax))
+        decades = math.log10(high / low) if low > 0 else 1.0
+        if decades < 0.7:
+            return MaxNLocator(self._ticks).tick_values(low, high)
+        self.set_params(subs=(1.0, 2.0, 5.0) if decades < 1.5 else (1.0, 3.0) if decades < 2.5 else (1.0,))
+        return super().tick_values(low, high)
+
+
+def plain_log(axis: Axis, text: Callable[[float], str] = plain, ticks: int = 8) -> None:
     """Write the ticks of a logarithmic axis as plain numbers; Matplotlib's formulas need fonts that not all have."""
-    if subs is not None:
-        axis.set_major_locator(LogLocator(subs=subs, numticks=12))
+    axis.set_major_locator(LogTicks(ticks))
     axis.set_major_formatter(FuncFormatter(lambda value, _: text(value)))
     axis.set_minor_formatter(NullFormatter())
 
@@ -299,17 +319,14 @@ def number_axis(
 ) -> None:
     """Limits of the x or y axis with a little room, and a few ticks of plain numbers."""
     axis = axes.xaxis if which == "x" else axes.yaxis
-    decades = math.log10(high / low) if is_log else 0.0
     if is_log:
-        factor = 10 ** max(room * decades, 0.4 * room)
+        factor = max((high / low) ** room, 10 ** (0.4 * room))
         limits = low / factor, high * factor
     else:
         margin = room * ((high - low) or abs(high) or 1 / room) if room else 0.0
         limits = low - margin, high + margin
     axes.set(**{f"{which}scale": "log" if is_log else "linear", f"{which}lim": limits})
-    # Of less than 0.7 decades powers of ten, or 1, 2 and 5 times them, would leave one tick or none.
-    subs = (1.0, 2.0, 5.0) if decades < 1.5 else (1.0, 3.0) if decades < 2.5 else (1.0,)
-    axis.set_major_locator(LogLocator(subs=subs, numticks=ticks + 1) if decades > 0.7 else MaxNLocator(ticks))
+    axis.set_major_locator(LogTicks(ticks) if is_log else MaxNLocator(ticks))
     axis.set_minor_locator(NullLocator())
     axis.set_major_formatter(FuncFormatter(plain))
 

@@ -26,7 +26,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
+from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -63,7 +63,7 @@ class DrawnAxis:
             axis.set_ticks(range(len(self.words)), [style.printable(word, 18) for word in self.words])
         elif self.is_log:
             axes.set(**{f"{which}scale": "log"})
-            _plain(axis, self.values)
+            style.plain_log(axis)
         axes.set(**{f"{which}label": self.label})
 
 
@@ -84,15 +84,8 @@ def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
     if unit in _UNITS:
         shown = _UNITS[unit](float(np.max(np.abs(known), initial=0.0)) or 1.0)
         values, unit = shown.of(values), shown.symbol
-    unit = unit.replace("^2", "²").replace("^3", "³").replace("*", "·")
-    label = style.printable(name if unit == "1" else f"{name} [{unit}]", 60)
+    label = style.printable(name if unit == "1" else f"{name} [{typeset(unit)}]", 60)
     return DrawnAxis(label, values, (), variable.attrs.get("scale") == "log" and bool(np.all(known > 0)))
-
-
-def _plain(axis: Axis, values: Floats) -> None:
-    """Plain numbers along a logarithmic axis; between powers of ten too where these are few."""
-    known = values[np.isfinite(values)]
-    style.plain_log(axis, subs=(1, 2, 5) if len(known) and np.max(known) < 30 * np.min(known) else None)
 
 
 @drawing.report.register(Sweep)
@@ -255,7 +248,7 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
         axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
         scale = body.colorbar(picture, ax=axes, label="largest sag / span", aspect=25, pad=0.02)
         if spreads:
-            _plain(scale.ax.yaxis, sag)
+            style.plain_log(scale.ax.yaxis)
         members.legend(body, hollow=True)
     return figure
 

@@ -67,7 +67,7 @@ def theory_end_figure(end: TheoryEnd) -> Figure:
         panels[0].set_ylim(-extent, extent)
         if not end.limits and first > 0 and last / first >= _LOGARITHMIC:
             panels[0].set_xscale("log")
-            plain_log(panels[0].xaxis, subs=(1.0, 2.0, 5.0))
+            plain_log(panels[0].xaxis)
         panels[0].margins(x=0.05)
         panels[0].set_ylabel("filament / elements − 1  [%]\n← sags less        sags more →", fontsize=8.5)
         point: dict[str, Any] = {"marker": "o", "markersize": 4.5}

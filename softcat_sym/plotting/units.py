@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -30,6 +31,16 @@ class Unit:
     def text(self, value: float) -> str:
         """Write one SI value with three significant digits and this unit."""
         return f"{significant(value / self.size)} {self.symbol}"
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def typeset(unit: str) -> str:
+    """A unit as it is printed: ``Pa·s^0.5``, ``s⁻¹``, ``m/s²`` of ``Pa*s^0.5``, ``1/s``, ``m/s^2``."""
+    inverse = re.fullmatch(r"1/(\w+)(?:\^(\d+))?", unit)
+    text = f"{inverse[1]}^-{inverse[2] or 1}" if inverse else unit.replace("*", "·").replace(" ", "·")
+    return re.sub(r"\^(-?\d+)(?![.\d])", lambda power: power[1].translate(_RAISED), text)
 
 
 LENGTHS = (Unit("nm", 1e-9), Unit("µm", 1e-6), Unit("mm", 1e-3), Unit("m", 1.0), Unit("km", 1e3))

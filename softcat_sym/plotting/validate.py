@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import RenderableType
 from rich.padding import Padding
@@ -20,7 +19,8 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
-from softcat_sym.scene.csv_reader import counted
+from softcat_sym.plotting.units import typeset
+from softcat_sym.scene.table_reader import counted
 from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
@@ -32,9 +32,6 @@ _COLUMN, _INDENTED = 14, (0, 0, 0, 2)
 """Width of a column of numbers on a terminal, and the padding of what stands below a case [characters]."""
 
 _LINES = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY, style.BLACK)
-_CLOSE = 300.0
-"""Ends of a logarithmic axis below whose ratio more than the powers of ten are written."""
-
 _NAMED = 8
 """More curves than this are told apart by no legend."""
 
@@ -44,19 +41,19 @@ def difference_text(row: Row) -> str:
     if row.agrees and row.band is not None and row.band[0] < row.band[1]:
         return "within"
     if row.is_absolute:
-        return f"{row.difference:+.3g} {row.unit}".rstrip()
+        return f"{row.difference:+.3g} {typeset(row.unit)}".rstrip()
     return f"{100 * row.difference:+.2g} %"
 
 
 def _number(value: float, unit: str, digits: int) -> str:
-    return f"{value:.{digits}g} {unit}".rstrip()
+    return f"{value:.{digits}g} {typeset(unit)}".rstrip()
 
 
 def _published(row: Row) -> str:
     if row.band is None:
         return _number(row.published, row.unit, 4)
     low, high = row.band
-    return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {row.unit}".rstrip()
+    return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {typeset(row.unit)}".rstrip()
 
 
 def _texts(row: Row, case: Case) -> tuple[str, str, str]:
@@ -140,19 +137,13 @@ def case_figure(result: Result) -> Figure:
         axes.set_xlabel(picture.x)
         axes.set_ylabel(picture.y)
         axes.margins(x=0.03, y=0.06)
-        _scale(axes, is_log_x=picture.is_log_x, is_log_y=picture.is_log_y)
+        for name in "x" * picture.is_log_x + "y" * picture.is_log_y:
+            axes.set(**{f"{name}scale": "log"})
+            plain_log(getattr(axes, f"{name}axis"))
         axes.grid(True)
         if not many:
             legend(body, "lower center", ncols=2)
     return figure
-
-
-def _scale(axes: Axes, *, is_log_x: bool, is_log_y: bool) -> None:
-    for is_log, name in ((is_log_x, "x"), (is_log_y, "y")):
-        if is_log:
-            getattr(axes, f"set_{name}scale")("log")
-            low, high = getattr(axes, f"get_{name}lim")()
-            plain_log(getattr(axes, f"{name}axis"), subs=(1, 2, 5) if high < _CLOSE * low else None)
 
 
 def _relative(validation: Validation) -> list[tuple[str, float]]:

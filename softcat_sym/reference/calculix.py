@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import shutil
 import signal
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from softcat_sym.codegen.compiler import run
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Floats, Indices, Mesh, Strip, problem_of
 from softcat_sym.reference.elements import Progress
@@ -112,9 +114,11 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     held = _held(strip, layers, clamp)
+    # On one line that CalculiX reads whole and takes for no keyword.
+    title = "".join(letter if letter.isascii() and letter.isprintable() else "?" for letter in scene.title)
     lines = [
         "*HEADING",
-        _title(scene),
+        f"softcat_sym: {title}"[:80],
         *layers.lines(),
         *material_lines(scene),
         *held,
@@ -165,12 +169,6 @@ class _Layers:
             yield ",\n".join(_rows([element, *np.concatenate(parts)]))
         yield "*NSET, NSET=CENTRE"
         yield from _rows(self.bottom[self._strip.centreline])
-
-
-def _title(scene: Scene) -> str:
-    """The title on one line that CalculiX reads whole and takes for no keyword."""
-    plain = "".join(letter if letter.isascii() and letter.isprintable() else "?" for letter in scene.title)
-    return f"softcat_sym: {plain}"[:80]
 
 
 def _real(value: float) -> str:
@@ -248,9 +246,6 @@ def _motion(scene: Scene, longest: float) -> Iterator[str]:
 _PROGRAM = "ccx"
 _JOB = "deck"
 _KEPT = (f"{_JOB}.inp", f"{_JOB}.dat", f"{_JOB}.sta", f"{_JOB}.cvg")
-
-# Seconds between two looks at how far the run is, and those a program is given to end by itself.
-_LOOK, _GRACE = 0.2, 5.0
 
 
 @dataclass(frozen=True)
@@ -331,42 +326,20 @@ def run_calculix(
 def _execute(program: str, folder: Path, progress: Progress | None) -> None:
     """Run the deck of a folder to its end, telling how far it is."""
     status = folder / f"{_JOB}.sta"
-    with (folder / "log").open("wb") as log:
-        # In a session of its own: Ctrl-C reaches this program first, which then ends the other.
-        child = subprocess.Popen(
-            [program, _JOB], cwd=folder, stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True
-        )
-        try:
-            while True:
-                try:
-                    child.wait(_LOOK)
-                    break
-                except subprocess.TimeoutExpired:
-                    if progress is not None and status.is_file():
-                        _, reached, increment = read_status(status.read_text("ascii", "replace"))
-                        progress.update(reached, increment)
-        finally:
-            _end(child)
-    if child.returncode:
-        raise SoftcatError(f"CalculiX failed: {_message(folder, child.returncode)}")
+
+    def report() -> None:
+        if progress is not None and status.is_file():
+            _, reached, increment = read_status(status.read_text("ascii", "replace"))
+            progress.update(reached, increment)
+
+    done = run([program, _JOB], math.inf, folder, on_wait=report)
+    if done.returncode:
+        raise SoftcatError(f"CalculiX failed: {_message(folder, done)}")
 
 
-def _end(child: subprocess.Popen[bytes]) -> None:
-    """End a program that still runs."""
-    if child.poll() is not None:
-        return
-    child.terminate()
-    try:
-        child.wait(_GRACE)
-    except subprocess.TimeoutExpired:
-        child.kill()
-        child.wait()
-
-
-def _message(folder: Path, code: int) -> str:
-    """What the log says went wrong, and when."""
-    log = (folder / "log").read_text("ascii", "replace")
-    found = re.findall(r"\*ERROR[^\n]*(?:\n +\S[^\n]*)*", log)
+def _message(folder: Path, done: subprocess.CompletedProcess[str]) -> str:
+    """What the program says went wrong, and when."""
+    code, found = done.returncode, re.findall(r"\*ERROR[^\n]*(?:\n +\S[^\n]*)*", done.stdout + done.stderr)
     ended = f"exit status {code}" if code > 0 else f"killed by signal {-code}: {signal.strsignal(-code) or 'unknown'}"
     words = " ".join(found[-1].split()) if found else ended
     status = folder / f"{_JOB}.sta"

@@ -7,15 +7,13 @@ import hashlib
 import json
 import math
 import zipfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from enum import Enum
 from functools import cache
 from importlib.resources import files
 from operator import attrgetter
 from pathlib import Path
-from types import FrameType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -24,7 +22,6 @@ import numpy.typing as npt
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import replace_atomically
-from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.reference.material_point import LAWS, PointCode
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
@@ -57,7 +54,7 @@ _ONLY: dict[str, object] = {
 class Problem:
     """What the elements solve, in units of span, Young's modulus and density."""
 
-    law: str  # A name of ``point_code.LAWS``
+    law: str  # A key of `LAWS`
     thickness: float  # h0/L
     material: tuple[tuple[str, float], ...]  # Constants of the law over E and the elastic time
     poisson: float  # Poisson's ratio
@@ -272,21 +269,6 @@ def half_span_supports(strip: Strip, clamp: Clamp) -> Supports:
     held[strip.midspan, 0] = True
     held[strip.face] = True
     return Supports(held, strip.face if clamp is Clamp.THINNING else strip.face[:0])
-
-
-@contextmanager
-def deferred() -> Iterator[SimpleNamespace]:
-    """Put SIGINT off, to `pending`; when it comes again, do not wait any longer."""
-    interrupt = SimpleNamespace(pending=False)
-
-    def note(number: int, frame: FrameType | None) -> None:
-        del number, frame
-        if interrupt.pending:
-            raise KeyboardInterrupt
-        interrupt.pending = True
-
-    with interrupts_go_to(note):
-        yield interrupt
 
 
 State = Mapping[str, npt.NDArray[Any]]

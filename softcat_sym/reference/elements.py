@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.interrupts import Interrupts, interrupts_go_to
 from softcat_sym.reference.element_loop import (
     POINT_STATE,
     POINTS,
@@ -23,7 +24,6 @@ from softcat_sym.reference.element_loop import (
     Problem,
     State,
     Strip,
-    deferred,
     deformation_of,
     element_sources,
     fingerprint,
@@ -352,43 +352,16 @@ def run_elements(
     fields: Sequence[float] = (),
     progress: Progress | None = None,
 ) -> ElementRun:
-    """Run the elements over a scene.
+    """Run the elements over a scene: a rectangular filament between two clamps; elastic, Maxwell or Bingham.
 
-    The law is (3.1)-(3.8), corrected, in plane stress; the leap-frog integrates the motion, undamped.
+    The law is (3.1)-(3.8), corrected, in plane stress; the leap-frog integrates the motion, undamped, in `step_factor`
+    of the stable step. The width scales energies, and decides with the thickness how much surface tension pulls: the
+    section is taken to shrink alike in both, as the filament's is. `fields` are shares of the duration at which whole
+    fields are kept, by default 21 evenly spaced ones.
 
-    Parameters
-    ----------
-    scene : Scene
-        A rectangular filament between two clamps; elastic, Maxwell or Bingham. Its width scales energies, and decides
-        with the thickness how much surface tension pulls: the section is taken to shrink alike in both, as the
-        filament's is.
-    mesh : Mesh, optional
-        64 x 4 equal elements unless given.
-    clamp : Clamp
-        What the clamped face may do.
-    step_factor : float
-        Step over the stable one; at most 1.
-    checkpoint : pathlib.Path, optional
-        File that holds the complete state. If it is there the run goes on from it, to the very same numbers.
-    checkpoint_every : float
-        Seconds between two checkpoints; one is also written at the end and on Ctrl-C, which is then passed on.
-    fields : sequence of float
-        Shares of the duration, 0 to 1, at which fields are kept; by default 21 evenly spaced ones.
-    progress : Progress, optional
-        Told the simulated time.
-
-    Returns
-    -------
-    ElementRun
-
-    Raises
-    ------
-    SceneError
-        If the scene holds what the elements do not know; every such key is named. Also if the surface pulls too hard
-        for so fine a mesh.
-    SoftcatError
-        If an element is turned inside out, the energies do not add up, there is no compiler, or the checkpoint is of
-        another problem.
+    A `checkpoint` holds the complete state, every so many seconds, at the end and on Ctrl-C, which is then passed on;
+    if it is there the run goes on from it, to the very same numbers. SceneError names every key that the elements do
+    not know; SoftcatError if an element is turned inside out, energies do not add up, or the checkpoint is another's.
     """
     if not 0 < step_factor <= 1:
         raise SoftcatError(f"step_factor of {step_factor}: take a value above 0, and at most 1, the stable step")
@@ -411,16 +384,17 @@ def run_elements(
         march.restore(state)
         began -= float(state["wall"].item())
     saved = time.perf_counter()
-    with deferred() as interrupt:
+    interrupts = Interrupts(held_back=True)
+    with interrupts_go_to(interrupts.note):
         while not march.finished:
             march.advance()
             if progress is not None:
                 progress.update(second * march.time, second * march.step)
-            ends = interrupt.pending or march.finished
+            ends = interrupts.noticed or march.finished
             if checkpoint is not None and (ends or time.perf_counter() - saved > checkpoint_every):
                 saved = time.perf_counter()
                 write_checkpoint(checkpoint, key, {**march.state(), "wall": np.array(saved - began)})
-            if interrupt.pending:
+            if interrupts.noticed:
                 raise KeyboardInterrupt
     # The nodes of a face that thins share one displacement.
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)

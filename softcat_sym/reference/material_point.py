@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
@@ -26,15 +27,6 @@ _HAND_WRITTEN = ("point.h", "point.c")
 
 
 @dataclass(frozen=True, slots=True)
-class PointLaw:
-    """A flow rule and the constants of its material."""
-
-    rate: Any  # phi in the symbol ``sigma``, which must not fall as the stress grows; only sigma >= 0 is asked for
-    # The symbols that occur in it besides, by the names that a scene gives them, in the order wanted of the caller.
-    constants: Mapping[str, Any]
-
-
-@dataclass(frozen=True, slots=True)
 class PointCode:
     """C text of a material point."""
 
@@ -44,32 +36,30 @@ class PointCode:
     parameters: tuple[str, ...]
 
 
-LAWS: Mapping[str, PointLaw] = MappingProxyType(
+LAWS: Mapping[str, tuple[Any, Mapping[str, Any]]] = MappingProxyType(
     {
-        "elastic": PointLaw(bulk_step.no_flow(), MappingProxyType({})),
-        "maxwell": PointLaw(maxwell_rate(), MappingProxyType({"viscosity": sy.eta})),
-        "bingham": PointLaw(bingham_rate(), MappingProxyType({"viscosity": sy.eta, "yield_stress": sy.sigma_Y})),
+        "elastic": (bulk_step.no_flow(), {}),
+        "maxwell": (maxwell_rate(), {"viscosity": sy.eta}),
+        "bingham": (bingham_rate(), {"viscosity": sy.eta, "yield_stress": sy.sigma_Y}),
     }
 )
-
-
-def point_code(law: str | PointLaw) -> PointCode:
-    """C of the implicit step (3.8) in plane stress."""
-    if isinstance(law, PointLaw):
-        return _code_of(law.rate, tuple(law.constants.items()))
-    if law not in LAWS:
-        raise SoftcatError(f"no flow rule {law!r} for a material point; there are {', '.join(LAWS)}")
-    return point_code(LAWS[law])
+"""Flow rule phi(sigma), and the symbols that occur in it besides by the names that a scene gives them."""
 
 
 @functools.lru_cache(maxsize=8)
-def _code_of(rate: Any, own: tuple[tuple[str, Any], ...]) -> PointCode:
-    constants = {"youngs_modulus": sy.E, "poisson": bulk.nu, **dict(own)}
+def point_code(law: str) -> PointCode:
+    """C of the implicit step (3.8) in plane stress."""
+    if law not in LAWS:
+        raise SoftcatError(f"no flow rule {law!r} for a material point; there are {', '.join(LAWS)}")
+    rate, own = LAWS[law]
+    constants = {"youngs_modulus": sy.E, "poisson": bulk.nu, **own}
     hand_written = {name: (files(__package__) / "c" / name).read_text(encoding="utf-8") for name in _HAND_WRITTEN}
     generator = ca.CodeGenerator("point_law", {"with_header": False, "casadi_int": "int"})
     for function in _functions(rate, tuple(constants.values())):
         generator.add(function)
-    source = {**hand_written, "point_law.h": str(generator.dump())}
+    # CasADi asks `a ? b : c` of a double a, which clang's -Wfloat-conversion refuses.
+    text = re.sub(r"\((a\d+)\?", r"((\1!=0)?", str(generator.dump()))
+    source = {**hand_written, "point_law.h": text}
     return PointCode(MappingProxyType(source), tuple(constants))
 
 
@@ -169,7 +159,7 @@ _FAULTS = {
 class MaterialPoint:
     """A point of the law (3.1)-(3.8) in plane stress, from rest."""
 
-    def __init__(self, law: str | PointLaw, parameters: Mapping[str, float]) -> None:
+    def __init__(self, law: str, parameters: Mapping[str, float]) -> None:
         code = point_code(law)
         if set(parameters) != set(code.parameters):
             raise SoftcatError(f"a point of this law takes {', '.join(code.parameters)}; got {', '.join(parameters)}")

@@ -53,9 +53,9 @@ def unbreakable(scene: Scene) -> Scene:
 
 
 def refuse_broken(scene: Scene) -> NoReturn:
-    """Say that the filament bears less than it is asked to from the beginning."""
+    """Say that the filament bears less than it is asked to from the beginning, or as soon as that can be told."""
     keys = [key for key in _KEYS if getattr(scene.material, key) is not None]
-    found = "exceeded before anything moves"
+    found = "exceeded as soon as anything moves"
     raise SceneError([Fault(f"material.{key}", found, "more than what the start asks of it") for key in keys])
 
 

@@ -86,13 +86,21 @@ VARIABLES: Final[Mapping[str, Variable]] = {
 }
 
 COORDINATES: Final = ("time", "X_node", "X_cell")
+
+DENSE: Final = "dense_"
+"""Begins the names of what is stored of the whole filament at more times than the frames."""
+
+_MOST_DENSE: Final = 1000
+"""Times from the beginning on, and as many over the whole run, at which it is."""
 _ENERGY, _WORK, LOST = "energy_", "work_", "energy_dissipated_"
 _OWN_POWERS = 3  # Plastic, of the load, of the necking gradient; then of the effects that dissipate
 _ODD = frozenset({"x", "shear", "shear_force"})
 
 
 def variable_of(name: str) -> Variable:
-    """What a variable is: one above, or the energy that the densities of an effect store or lose."""
+    """What a variable is: one above, the energy that the densities of an effect store or lose, or it at more times."""
+    if name.startswith(DENSE):
+        return variable_of(name.removeprefix(DENSE))._replace(dims=(f"{DENSE}time",))
     if name in VARIABLES or not name.startswith(_ENERGY):
         return VARIABLES[name]
     if name.startswith(LOST):
@@ -104,7 +112,8 @@ def variables_of(names: Iterable[str]) -> dict[str, Variable]:
     """The variables among the names of fields, in the order of a file."""
     found = set(names)
     listed = [name for name in VARIABLES if name in found]
-    return {name: variable_of(name) for name in (*listed, *(one for one in energies_of(names) if one not in listed))}
+    more = [name for name in names if name not in listed and name.startswith((_ENERGY, DENSE))]
+    return {name: variable_of(name) for name in (*listed, *more)}
 
 
 def audit_of(names: Iterable[str]) -> dict[str, float]:
@@ -222,8 +231,8 @@ def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
     return np.array([[shape[axis, node] for axis in axes] for node in nodes]) * rest_length(scene)
 
 
-def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
-    """Every variable of the trajectory that this theory has, whole span, whole filament."""
+def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution, *, along: bool = True) -> dict[str, Floats]:
+    """Every variable of the trajectory that this theory has, whole span, whole filament; or none `along` it."""
     graph, span = prepared.graph, rest_length(scene)
     observed = prepared.observe(solution)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
@@ -237,7 +246,9 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     for name, loss in zip(graph.powers[_OWN_POWERS:], lost, strict=True):
         observed[name if name in VARIABLES else f"{LOST}{name}"] = loss[:, None]
     if "heat_stored" in observed:
-        observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * _heat_unit(scene) * span / unit
+        heat = scene.temperature
+        lost_unit = heat_unit(scene.filament.density, heat.heat_capacity or 0.0, heat.initial or 0.0)  # [J/m^3]
+        observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * lost_unit * span / unit
     against_gradient = gradient
     if not graph.has_velocities:
         # Positions that are algebraic have no velocity that a quadrature could use: the work is summed over frames.
@@ -252,15 +263,26 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     area, halves = undeformed_area(scene), 2.0 if graph.grid.is_half else 1.0
     fields = {}
     for name in (*VARIABLES, *added):
-        if name not in observed:
-            continue
         variable = variable_of(name)
+        if name not in observed or not (along or variable.dims == _FRAME):
+            continue
         values, unit = observed[name], area if variable.per_area else 1.0
         if variable.dims == _FRAME:
             fields[name] = values[:, 0] * (unit * halves)
         else:
             fields[name] = mirrored(name, values, unit) if graph.grid.is_half else values * unit
     return fields
+
+
+def dense_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
+    """Midpoint and energies at the output times between frames, of what swings faster than these show."""
+    count = len(solution.time)
+    first, every = np.arange(min(count, _MOST_DENSE)), np.arange(0, count, -(-count // _MOST_DENSE))
+    some = solution.only(np.union1d(first, np.append(every, count - 1)).tolist())
+    midpoint = midpoint_heights(prepared.graph, some) * rest_length(scene)
+    dense = {"time": some.time * prepared.scale, "midpoint": midpoint}
+    dense |= whole_span_fields(scene, prepared, some, along=False)
+    return {f"{DENSE}{name}": values for name, values in dense.items()}
 
 
 def _work_of_torque(scene: Scene, observed: Mapping[str, Floats]) -> Floats | float:
@@ -274,12 +296,6 @@ def _work_of_torque(scene: Scene, observed: Mapping[str, Floats]) -> Floats | fl
     steps = (turns[1:] * turns[:-1].inv()).as_rotvec()
     work = np.concatenate([[0.0], np.cumsum(steps @ np.array(scene.load.tip_torque))])
     return np.asarray(work / undeformed_area(scene))
-
-
-def _heat_unit(scene: Scene) -> float:
-    """What lost heat is integrated in [J/m^3]."""
-    heat = scene.temperature
-    return heat_unit(scene.filament.density, heat.heat_capacity or 0.0, heat.initial or 0.0)
 
 
 def node_positions(graph: Graph, span: float) -> tuple[Floats, Floats]:

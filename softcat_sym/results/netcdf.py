@@ -13,7 +13,7 @@ import numpy as np
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.results.fields import variable_of, variables_of
 
-_SIZES: Final = {"time": "time", "node": "X_node", "cell": "X_cell"}
+_SIZES: Final = {"time": "time", "node": "X_node", "cell": "X_cell", "dense_time": "dense_time"}
 """Each dimension, and the coordinate that is as long."""
 
 _CHUNK: Final = 1 << 20
@@ -36,7 +36,7 @@ def netcdf_bytes(fields: Mapping[str, Floats], attrs: Mapping[str, str]) -> byte
     """
     import h5py
 
-    sizes = {name: len(fields[of]) for name, of in _SIZES.items()}
+    sizes = {name: len(fields[of]) for name, of in _SIZES.items() if of in fields}
     sizes |= {"component": 4} if "quaternion" in fields else {}
     known = variables_of(fields)
     numbers = {name: number for number, name in enumerate(sizes)}
@@ -52,7 +52,11 @@ def netcdf_bytes(fields: Mapping[str, Floats], attrs: Mapping[str, str]) -> byte
                 scale.attrs["_Netcdf4Dimid"] = np.int32(numbers[name])
         for name, variable in known.items():
             places, values = [numbers[each] for each in variable.dims], np.asarray(fields[name], dtype=float)
-            written = file.create_dataset(name, data=values, fillvalue=np.nan, **_DATASET, **_packing(values))
+            packing: dict[str, Any] = {}
+            if values.ndim > 1:  # Many frames at once
+                frames = max(1, min(len(values), _CHUNK // values[0].nbytes))
+                packing = {"chunks": (frames, *values.shape[1:]), "compression": "gzip", "compression_opts": 1}
+            written = file.create_dataset(name, data=values, fillvalue=np.nan, **_DATASET, **packing)
             if name in sizes:
                 written.make_scale(name)
             else:
@@ -114,14 +118,6 @@ def netcdf_file(path: Path) -> Iterator[tuple[Any, Callable[[], None]]]:
         with h5netcdf.File(stream, "w") as file:
             yield file, stream.check
         stream.check()
-
-
-def _packing(values: Floats) -> dict[str, Any]:
-    """What has one dimension is left as it is; the rest is packed, many frames at once."""
-    if values.ndim == 1:
-        return {}
-    frames = max(1, min(len(values), _CHUNK // values[0].nbytes))
-    return {"chunks": (frames, *values.shape[1:]), "compression": "gzip", "compression_opts": 1}
 
 
 def read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:

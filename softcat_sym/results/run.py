@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -12,6 +12,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
+from pydantic import TypeAdapter, ValidationError
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
@@ -20,7 +21,7 @@ from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.free_vibration import damping_note
 from softcat_sym.effects.initial_stress import surface_note
 from softcat_sym.effects.theory_limits import theory_error
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import break_frame
@@ -53,9 +54,10 @@ from softcat_sym.results.motion import (
 )
 from softcat_sym.results.netcdf import netcdf_bytes, read_netcdf, variable_attrs
 from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
-from softcat_sym.results.sideways import seeded, sideways
+from softcat_sym.results.out_of_plane_stability import out_of_plane_instability, perturbed_3d_scene
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
+from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
@@ -82,24 +84,6 @@ _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 def versions_now() -> str:
     """Versions of this package and of those it calculates with, as JSON."""
     return json.dumps({name: version(name) for name in _VERSIONS})
-
-
-@dataclass(frozen=True)
-class WrittenRun:
-    """What a run left behind."""
-
-    files: tuple[Path, ...]  # In the order of interest
-    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
-
-    def joined_by(self, directory: str | Path, contents: Mapping[str, object]) -> WrittenRun:
-        """Write more beside it; the summary states how long all but itself took."""
-        began = perf_counter()
-        files = write_results(directory, contents)
-        spent, wall = perf_counter() - began, self.summary["wall_s"]
-        wall = {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}
-        summary = {**self.summary, "wall_s": wall}
-        write_results(directory, {"summary.json": summary})
-        return WrittenRun((*self.files, *files), summary)
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,9 +222,14 @@ class Run(drawing.Drawable):
         """
         return write_results(directory, self.files())
 
-    def written(self, directory: str | Path) -> WrittenRun:
-        """Write as :meth:`save` does; the summary states how long all but itself took."""
-        return WrittenRun((), self.summary).joined_by(directory, self.files())
+    def written(self, directory: str | Path, contents: Mapping[str, object]) -> tuple[Run, list[Path]]:
+        """Write files into a folder; the run returned, and ``summary.json``, state how long that took, too."""
+        began = perf_counter()
+        files = write_results(directory, contents)
+        spent, wall = perf_counter() - began, self.summary["wall_s"]
+        run = self.revised({"wall_s": {**wall, "write": wall["write"] + spent, "total": wall["total"] + spent}})
+        write_results(directory, {"summary.json": run.summary})
+        return run, files
 
     def to_netcdf(self) -> bytes:
         """``trajectory.nc``."""
@@ -275,7 +264,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     motion = observed_motion(scene, effects, time, places, fields, moved, extremes)
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, most)))
     per_period, yielded = frames_a_period(extremes, len(time)), has_yielded(prepared, solution)
-    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
+    aside = out_of_plane_instability(scene, fields | {"time": time, "X_node": places[0]}) if answers else None
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),
         *(too_few_frames(time[-1], len(time), per_period) if answers else []),
@@ -329,7 +318,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
-        "assumed": [surface_note(scene)] if effects.terms().surface_tension else [],
+        "assumed": [
+            *filter(None, [scene.material.assumed]),
+            *([surface_note(scene)] if effects.terms().surface_tension else []),
+        ],
         "warnings": warnings,
         "wall_s": wall,
     }
@@ -350,7 +342,7 @@ def run_form(scene: Scene) -> Form[Run]:
     def read(content: bytes) -> Run:
         arrays = unpacked(content)
         summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
-        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else seeded(scene)
+        moved = scene if is_spatial(scene) == (summary["dimensions"] == 3) else perturbed_3d_scene(scene)
         return Run(moved or scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
 
     return Form(write, read)
@@ -404,17 +396,47 @@ def open_run(directory: str | os.PathLike[str]) -> Run:
         raise SoftcatError(f"{path}: its outcome {attrs.get('outcome')!r} is not known; {_ACCEPTED}")
     try:
         scene = Scene.model_validate(tomllib.loads(text))
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, SceneError) as error:
         raise SoftcatError(f"{path}: its scene cannot be read ({error}); {_ACCEPTED}") from None
-    summary: dict[str, Any] = {"title": attrs.get("title", ""), "outcome": outcome.name}
-    try:
-        beside = json.loads(path.with_name("summary.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        beside = None
+    if path.with_name("scene.toml").exists():
+        # The trajectory has its own, but a folder of which one file is damaged is not to be believed.
+        load_scene(path.with_name("scene.toml"))
+    summary = _summary_beside(path) or {}
     # Only if that is of the same run.
-    if isinstance(beside, dict) and beside.get("midpoint_final_m") == float(fields["midpoint"][-1]):
-        summary = beside
+    if summary.get("midpoint_final_m") != float(fields["midpoint"][-1]):
+        summary = {"title": attrs.get("title", ""), "outcome": outcome.name}
     return Run(scene, fields, summary, outcome, {}, versions=str(attrs.get("versions", "")))
+
+
+@dataclass(frozen=True)
+class _SummaryRead:
+    """Entries of ``summary.json`` that are used again, and their types."""
+
+    outcome: str
+    midpoint_final_m: float | None
+    title: str = ""
+    regime: str | None = None
+    frames_a_period: float | None = None
+    effects: Mapping[str, str] = field(default_factory=dict)
+    error_estimate: Mapping[str, Any] | None = None
+    warnings: Sequence[str] = ()
+    wall_s: Mapping[str, float] = field(default_factory=dict)
+
+
+def _summary_beside(trajectory: Path) -> dict[str, Any] | None:
+    """The ``summary.json`` in the folder of a trajectory; None without one."""
+    path = trajectory.with_name("summary.json")
+    try:
+        content = path.read_bytes()
+        TypeAdapter(_SummaryRead).validate_json(content, strict=True)
+    except FileNotFoundError:
+        return None
+    except ValidationError as error:
+        (first, *_) = error.errors()
+        where = ".".join(map(str, first["loc"]))
+        accepted = "accepted: the summary.json that softcat run wrote, or none"
+        raise SoftcatError(f"{path}: it is damaged ({where}{': ' * bool(where)}{first['msg']}); {accepted}") from None
+    return dict(json.loads(content))
 
 
 def check_drawable(run: Run) -> None:

@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
 from softcat_sym.scene.laws import LAWS, spec_of
-from softcat_sym.scene.material import tensile_name
+from softcat_sym.scene.material import tensile_name, twins
 from softcat_sym.scene.parts import Part, dotted, kinds_of, meanings_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
@@ -75,7 +75,7 @@ def keys_in_markdown() -> str:
 _GEOMETRY = {"filament.span": "5 mm", "filament.thickness": "0.4 mm", "filament.density": "2200 kg/m^3"}
 _CHOICES = ("filament.section", "material.law", "ends.left", "ends.right")
 _INK = {
-    "youngs_modulus": "300 kPa",
+    "storage_modulus": "103 kPa",
     "shear_yield_stress": "200 Pa",
     "shear_viscosity": "10 Pa*s",
     "relaxation_time": "0.1 s",
@@ -83,6 +83,7 @@ _INK = {
     "finite_extensibility": "1000",
     "mobility": "0.2",
     "ptt_epsilon": "0.1",
+    "loss_tangent": "0.1",
 }
 """Constants of an ink, and of polymer chains in a solvent, in the order of the file."""
 TEMPLATES = tuple(
@@ -91,15 +92,21 @@ TEMPLATES = tuple(
     if one.constants and not one.lists and set(one.constants) <= {tensile_name(name) or name for name in _INK}
 )
 """Laws whose constants a template asks for: each has some, with values here, and nothing besides."""
-_NUMBERS = ("material.index", "material.finite_extensibility", "material.mobility", "material.ptt_epsilon")
+LOSS, LOSS_MODULUS = "material.loss_tangent", "material.loss_modulus"
+REASONS = {
+    LOSS: "Without it a strand that is let go rings for long.",
+    "surroundings.surface_tension": "Without it a thin strand of ink sags several times as far; water has 72 mN/m.",
+}
+"""Why a first scene states what it could leave out."""
+_NUMBERS = (LOSS, "material.index", "material.finite_extensibility", "material.mobility", "material.ptt_epsilon")
 _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", "run.effects")
 """Keys whose defaults are written as comments, for who wants to change them next."""
 
 
 def example_values(given: Mapping[str, str]) -> dict[str, str]:
-    """Return values of an ink for all that a scene of a law needs, in the order of the file."""
+    """Return values of an ink for all that a scene of a law needs, but for what is given by another key."""
     law = given.get("material.law", "bingham")
-    constants = spec_of(law).constants
+    constants = (*spec_of(law).constants, *(() if law not in LAWS or LAWS[law].loss_refused else ("loss_tangent",)))
     own = {name: text for name, text in _INK.items() if (tensile_name(name) or name) in constants}
     if spec_of(law).has_index:
         index = given.get("material.index", "0.5")
@@ -108,9 +115,10 @@ def example_values(given: Mapping[str, str]) -> dict[str, str]:
         own["index"] = index
         own["shear_consistency"] = f"10 {consistency_unit(number if isinstance(number, float) else 1.0)}"
     if spec_of(law).has_chains:
-        own["youngs_modulus"] = "300 Pa"
+        own["storage_modulus"] = "100 Pa"
     values = {**_GEOMETRY, "material.law": law, **{f"material.{name}": text for name, text in own.items()}}
-    return {**values, "surroundings.surface_tension": "0 N/m", "run.duration": "0.5 s"}
+    values |= {"surroundings.surface_tension": "72 mN/m", "run.duration": "0.5 s"}
+    return {path: text for path, text in values.items() if not {*twins(path)} & given.keys()}
 
 
 def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
@@ -134,6 +142,7 @@ def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
             table = here
         choice = f" ({key.accepted})" if key.path in _CHOICES else ""
         lines.append(f"# {key.meaning}{choice}")
+        lines += [f"# {REASONS[key.path]}"] if key.path in REASONS else []
         if key.path == "filament.section":
             lines.append(f'{name} = "circle"')
         elif key.path in values:

@@ -638,6 +638,18 @@ class Material(Part):
         return self.model_copy(update={**update, "natural_strain": 0.0, "natural_strain_difference": 0.0})
 
     @property
+    def assumed(self) -> str:
+        """Which constants of a flow are taken as those of extension, in words; empty if none is."""
+        stated = [rule for rule in FROM_SHEAR if rule.suits(self.law) and getattr(self, rule.constant)]
+        if {rule.constant for rule in stated} == {"youngs_modulus"}:
+            return ""
+        sheared = {rule.constant for rule in stated if getattr(self, rule.shear) is not None}
+        names = {rule.constant: rule.shear for rule in reversed(stated) if rule.constant not in sheared}
+        if not names:
+            return ""
+        return f"{', '.join(names)} taken as extensional; in shear, as of a rheometer: {', '.join(names.values())}"
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """What was converted from shear data, in words and numbers."""
         notes = []

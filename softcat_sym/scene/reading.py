@@ -31,29 +31,36 @@ _STRING_OR_COMMENT = re.compile(
 SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 """What stands for a scene: itself, the name of a bundled one, the path of a TOML file, or a table as it would hold."""
 
+Changes = Mapping[str, object] | Sequence[str]
+"""Values by dotted key, or texts ``KEY=VALUE`` as on the command line."""
 
-def as_scene(given: SceneLike) -> Scene:
-    """Take whatever stands for a scene.
+
+def as_scene(given: SceneLike, changes: Changes = ()) -> Scene:
+    """Take whatever stands for a scene, with some of its values changed.
 
     Parameters
     ----------
     given : Scene, str, path or mapping
         A scene; the name of a bundled one or a path, as :func:`load_scene` takes them; or nested tables, whose
         quantities are numbers in SI, text with a unit or pint quantities.
+    changes : mapping or sequence of str, optional
+        As for :func:`load_scene`; groups are changed by name or path only.
 
     Raises
     ------
     SceneError
         With every fault at once.
     """
-    if isinstance(given, Scene):
-        return given
     if isinstance(given, (str, os.PathLike)):
-        return load_scene(given)
-    return Scene.from_dict(given)
+        return load_scene(given, changes)
+    scene = given if isinstance(given, Scene) else Scene.from_dict(given)
+    read, faults = read_overrides(changes)
+    if faults:
+        raise SceneError(faults)
+    return scene.replace({one.path: one.value for one in read}) if read else scene
 
 
-def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, object] | Sequence[str] = ()) -> Scene:
+def load_scene(name_or_path: str | os.PathLike[str], overrides: Changes = ()) -> Scene:
     """Read a scene and validate it.
 
     Parameters

@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from html import escape
 from typing import Any
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
 
+from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
@@ -21,8 +21,8 @@ from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, motion_rules, temperature_rules
-from softcat_sym.scene.toml import Override, apply, toml_of
+from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
+from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
 
 # Most scenes do without SciPy, which takes a while to load.
@@ -312,6 +312,12 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
         yield support.has_springs or support.is_free, f"ends.{side}", f"{support.name!r} {small}", "clamped, pinned"
 
 
+def why_interpreted(scene: Scene) -> str | None:
+    """Why a model has no C; None where it has."""
+    one_tension = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+    return one_tension if scene.model == "small-deflection" else None
+
+
 LATE = "late overrides"
 
 
@@ -386,7 +392,7 @@ class Scene(Tables):
     @property
     def notes(self) -> tuple[str, ...]:
         """What was converted from other names or data, in all tables."""
-        return tuple(note for part in (self.filament, self.material) for note in part.notes)
+        return (*self.filament.notes, *self.material.notes, *filter(None, [frozen_note(self)]))
 
     def named_constants(self) -> dict[str, Parameter]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
@@ -455,8 +461,21 @@ class Scene(Tables):
             raise SceneError(faults)
         return Scene.model_validate(table)
 
+    def differences(self, other: Scene) -> dict[str, tuple[str, str]]:
+        """Values of this scene and of another one, as in a file, by the paths of those that differ."""
+        found = dict[str, tuple[str, str]]()
+        for table in parts_of_scene():
+            one, two = getattr(self, table), getattr(other, table)
+            kinds, values = one.kinds(), two.physics()
+            for name, value in one.physics().items():
+                if value != values[name] and name in kinds:
+                    pair = (value, values[name])
+                    before, now = ("none" if each is None else toml_value(kinds[name].write(each)) for each in pair)
+                    found[f"{table}.{name}"] = (before, now)
+        return found
+
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(self.to_toml())}</pre>"
+        return html(self.to_toml())
 
     def to_toml(self) -> str:
         """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""

@@ -39,7 +39,7 @@ class Shape(Kind):
 
     def _from_file(self, file: Path) -> tuple[tuple[float, ...], ...]:
         # Imported here, with NumPy: to complete a name on the command line takes none.
-        from softcat_sym.scene.polyline import points_in
+        from softcat_sym.scene.table_reader import points_in
 
         try:
             return points_in(file, COLUMNS)

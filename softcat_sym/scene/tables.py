@@ -22,7 +22,7 @@ from softcat_sym.scene.parts import (
     RunSettings,
     Surroundings,
 )
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature import FROZEN, MOST, Temperature
 from softcat_sym.scene.units import Choice, Text
 
 _OF_LAW: dict[str, tuple[str, ...]] = {
@@ -32,6 +32,9 @@ _OF_LAW: dict[str, tuple[str, ...]] = {
     "arrhenius": ("activation_energy", "reference"),
 }
 """Constants that each law of the viscosity needs; VFT also A or reference."""
+
+_ENDING = ("vft", "wlf")
+"""Laws whose viscosity is infinite at some temperature."""
 
 Model = Literal["filament", "small-deflection"]
 
@@ -180,22 +183,39 @@ def _of_the_law(scene: Tables, heat: Temperature) -> Iterator[Rule]:
 
 
 def _of_the_extremes(scene: Tables, heat: Temperature) -> Iterator[Rule]:
-    """A law ends where its viscosity would be infinite."""
-    low, high = heat.extremes(scene.run.duration)
-    if heat.law == "vft" and heat.T_0 is not None:
-        for name, kelvin in (("reference", heat.reference), ("coldest temperature", low)):
-            if kelvin is not None:
-                found = f"{heat.T_0:g} K, not below the {name} {kelvin:g} K: the viscosity would be infinite"
-                yield kelvin <= heat.T_0, "temperature.T_0", found, f"a temperature below {kelvin:g} K"
-    if heat.law == "wlf" and heat.C2 is not None and heat.reference is not None:
-        found = f"{heat.C2:g} K, but the coldest temperature is {heat.reference - low:g} K below the reference"
-        broken = heat.C2 + low - heat.reference <= 0
-        yield broken, "temperature.C2", found, f"more than {heat.reference - low:g} K, or temperature.reference nearer"
-    for kelvin in {low, high}:
+    """What a law of the viscosity says of the temperatures of the scene; below where it ends a strand is frozen."""
+    if heat.law == "vft" and heat.T_0 is not None and heat.reference is not None:
+        found = f"{heat.T_0:g} K, not below the reference {heat.reference:g} K: the viscosity there would be infinite"
+        yield heat.reference <= heat.T_0, "temperature.T_0", found, f"a temperature below {heat.reference:g} K"
+    for kelvin in {*heat.extremes(scene.run.duration)}:
         factor = heat.viscosity_factor(kelvin)
         found = f"'{heat.law}', whose viscosity at {kelvin:g} K is {factor:.3g} times that of [material]"
-        broken = not 1e-25 < factor < 1e25 and factor != math.inf
+        broken = factor <= 1 / MOST or (factor >= MOST and heat.law not in _ENDING)
         yield broken, "temperature.law", found, "constants that fit the temperatures of the scene"
+
+
+def frozen_below(scene: Tables) -> float | None:
+    """Temperature below which a strand is frozen [K]; None for one that stays where the law of its viscosity holds."""
+    heat, material = scene.temperature, scene.material
+    if not heat.present or heat.law not in _ENDING:
+        return None
+    if heat.viscosity_factor(heat.extremes(scene.run.duration)[0]) < MOST:
+        return None
+    chains = (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0)
+    stated = (material.viscosity, material.solvent_viscosity, chains, *(mode.viscosity for mode in material.modes))
+    return heat.frozen_below(max(1.0, FROZEN / max(float(one) for one in stated if one)))
+
+
+def viscosity_factor(scene: Tables, kelvin: float) -> float:
+    """Viscosity of the filament at a temperature over the one that [material] states."""
+    return scene.temperature.viscosity_factor(max(kelvin, frozen_below(scene) or 0.0))
+
+
+def frozen_note(scene: Tables) -> str:
+    """From where on the strand is frozen, in words; empty if it never is."""
+    if (kelvin := frozen_below(scene)) is None:
+        return ""
+    return f"below {kelvin - 273.15:.4g} degC the strand is frozen: its viscosity is capped at {FROZEN:.0e} Pa s"
 
 
 def kinks(scene: Tables) -> tuple[float, ...]:

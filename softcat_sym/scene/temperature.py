@@ -36,6 +36,12 @@ with lazy_imports():
 GAS_CONSTANT = 8.31446261815324
 """R [J/(mol K)], exact since 2019."""
 
+FROZEN = 1e15
+"""Viscosity [Pa s] at which that of a strand is capped which cools below where its law ends: it flows no more."""
+
+MOST = 1e25
+"""Viscosity over the stated one above which a law that ends at some temperature counts as ended."""
+
 PREFIX = "temperature_"
 """Of the names of the numbers of this table in a run."""
 
@@ -257,6 +263,16 @@ class Temperature(Part):
             return math.pow(10.0, decades)
         except OverflowError:
             return math.inf
+
+    def frozen_below(self, factor: float) -> float:
+        """Temperature at which VFT or WLF have this viscosity over the stated one [K]."""
+        decades = math.log10(factor)
+        if self.law == "wlf" and self.C1 is not None and self.C2 is not None and self.reference is not None:
+            return self.reference - decades * self.C2 / (self.C1 + decades)
+        if self.B is None or self.T_0 is None:
+            return 0.0
+        least = -self.B / (self.reference - self.T_0) if self.reference is not None else self.A or 0.0
+        return self.T_0 + self.B / (decades - least) if decades > least else math.inf
 
     def modulus_factor(self, kelvin: float) -> float:
         """Modulus at a temperature over the one that [material] states."""

@@ -275,6 +275,10 @@ def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
     """Build the fault for a key that does not exist."""
     table, _, key = path.rpartition(".")
     here = tables.get(table, ())
+    if table and tables.get(key):
+        return Fault(
+            path, f"unknown key (did you mean the table [{key}]?)", ", ".join(f"{key}.{one}" for one in tables[key])
+        )
     elsewhere = [f"{other}.{key}".lstrip(".") for other, keys in tables.items() if key in keys]
     hint = f" (did you mean '{elsewhere[0]}'?)" if elsewhere else did_you_mean(key, here)
     return Fault(path, f"unknown key{hint}", ", ".join(here))

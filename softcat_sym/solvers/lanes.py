@@ -1,4 +1,4 @@
-"""Integration of many filaments at once, one in each lane of a vector, by the C of :mod:`softcat_sym.codegen.lanes`."""
+"""Integration of many filaments at once, one in each lane of a vector, by the C of `codegen.lanes_text`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from softcat_sym.codegen.compiler import UNKNOWN, find_compiler, processor
-from softcat_sym.codegen.lanes import SYMBOL, lanes_sources, lanes_text
+from softcat_sym.codegen.lanes_text import SYMBOL, lanes_sources, lanes_text
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import (

@@ -135,7 +135,7 @@ class Prepared:
                 self.times[:1], x, z, np.zeros((len(self.graph.powers), 1)), Outcome.no_equilibrium, text, 0
             )
         if self.integration is None:
-            from softcat_sym.solvers.quasi_static import march
+            from softcat_sym.solvers.equilibria import march
 
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         try:

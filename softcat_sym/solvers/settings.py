@@ -26,11 +26,10 @@ from softcat_sym.effects.scaling_estimates import (
 )
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import is_curved
-from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack
+from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack, why_interpreted
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
 
-ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
 NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a sequence of equilibria"
 
 RODAS5P, RODAS4 = 1, 2
@@ -102,8 +101,8 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
     requested, solver, obstacle = scene.numerics.backend, scene.numerics.solver, ""
     if requested == "interpreted":
         return Backend(False, "named in numerics.backend")
-    if scene.model == "small-deflection":
-        obstacle = ONE_TENSION
+    if (only_interpreted := why_interpreted(scene)) is not None:
+        obstacle = only_interpreted
     elif solver in ("cvodes", "idas") and requested == "auto":
         obstacle = f"{solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
     elif not effects.terms().integrates:

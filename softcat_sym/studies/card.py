@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,12 @@ import pandas as pd
 
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight_stress, yield_stress_of
+from softcat_sym.effects.scaling_estimates import (
+    effective_viscosity_at,
+    pull_of_surface,
+    weight_stress,
+    yield_stress_of,
+)
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
@@ -35,7 +40,7 @@ from softcat_sym.studies.card_rules import (
 from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 _GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
 _MATERIAL = {
@@ -161,6 +166,8 @@ class Card(Drawable):
         Effect of surface tension; None without surface tension.
     notes : tuple of str
         Sentences on assumptions and conversions.
+    pending : tuple of str
+        What is not computed yet, or was not when the card was interrupted.
     """
 
     name: str
@@ -174,11 +181,17 @@ class Card(Drawable):
     span_text: str
     surface: SurfaceHold | None
     notes: tuple[str, ...]
+    pending: tuple[str, ...] = ()
 
     @property
     def summary(self) -> Mapping[str, Any]:
         """Summary of the run."""
         return self.run.summary
+
+    @property
+    def incomplete(self) -> str:
+        """Sentence on what is missing."""
+        return f"Incomplete, as it was interrupted: without {', '.join(self.pending)}"
 
     @property
     def error_estimate(self) -> float | None:
@@ -220,7 +233,7 @@ class Card(Drawable):
             },
             "surface_tension": None if self.surface is None else asdict(self.surface),
             "effects": list(summary.get("effects") or ()),
-            "notes": list(self.notes),
+            "notes": [*self.notes, *([self.incomplete] if self.pending else [])],
             "warnings": list(summary.get("warnings") or ()),
         }
 
@@ -234,6 +247,9 @@ class Card(Drawable):
     def __repr__(self) -> str:
         return f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}"
 
+
+SPAN, SURFACE, CAUSES = "the longest span", "what surface tension holds", "what makes rules fail"
+"""Parts of a card that take their time, in the order in which they are computed."""
 
 LIMIT = "5 %"
 """Default of the largest sag over span."""
@@ -250,6 +266,8 @@ def card(
     progress: Progress | None = None,
     span: bool = True,
     notes: tuple[str, ...] = (),
+    hear: Callable[[Card], None] = lambda _: None,
+    changes: Changes = (),
 ) -> Card:
     """Make the sag card of a filament.
 
@@ -270,6 +288,10 @@ def card(
         Receiver of progress reports; each run begins a stage.
     span : bool
         Whether to search the longest span, which takes a large part of the time.
+    hear : callable
+        Given the card as far as it is, whenever more of it is known: first with the run and all that the rules predict.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Raises
     ------
@@ -280,30 +302,52 @@ def card(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene, progress = as_scene(scene), progress or Silence()
+    scene, progress = as_scene(scene, changes), progress or Silence()
     limit = LIMIT if sag is None else sag
-    try:
-        read_limit(limit)
-    except NotAQuantity as error:
-        raise SceneError([Fault("sag", str(error), LIMITS)]) from None
+    check_limit(limit)
     progress.stage("the filament itself")
     run = recalled(scene, progress)
     descent = descent_of(run)
-    unsought: Span = (None, "not sought")
-    longest, why = _longest_span(scene, limit, progress, given=sag is not None) if span else unsought
-    surface = None
-    if descent is not None:
-        seek = partial(_longest_span, limit=limit, progress=progress, given=False, exponents=False)
-        surface = surface_hold(run, limit, longest, seek if span else lambda _: unsought, progress)
-    rules: tuple[Rule, ...] = ()
-    if descent is not None:
-        rules = tuple(applied_to(run, field) for field in RULES)
-        if run.outcome.is_success:
-            variants = Variants(run, progress)
-            rules = tuple(blamed(rule, field, variants) for rule, field in zip(rules, RULES, strict=True))
+    moves, unsought = descent is not None, (None, "not sought")
+    rules, variants = tuple(applied_to(run, field) for field in RULES if moves), Variants(run, progress)
+    if run.outcome.is_success:
+        # What a run has shown by itself is said at once.
+        pairs = zip(rules, RULES, strict=moves)
+        rules = tuple(rule if rule.fails else blamed(rule, field, variants) for rule, field in pairs)
+    failing = [number for number, rule in enumerate(rules) if rule.fails and run.outcome.is_success]
+    parts = {SPAN: span, SURFACE: moves and pull_of_surface(scene) > 0, CAUSES: failing}
     certificate = None if descent is None else certificate_of(run, descent)
-    texts = (*notes, *scene.notes)
-    return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, surface, texts)
+    pending = tuple(part for part, asked in parts.items() if asked)
+    texts = (*notes, *scene.notes, *filter(None, [scene.material.assumed]))
+    found = Card(name, scene, run, descent, certificate, rules, str(limit), *unsought, None, texts, pending)
+    hear(found)
+    if span:
+        longest, why = _longest_span(scene, limit, progress, given=sag is not None)
+        found = _with(found, SPAN, hear, span=longest, span_text=why)
+    if moves:
+        seek = partial(_longest_span, limit=limit, progress=progress, given=False, exponents=False)
+        surface = surface_hold(run, limit, found.span, seek if span else lambda _: unsought, progress)
+        found = _with(found, SURFACE, hear, surface=surface)
+    for number in failing:
+        rules = found.rules
+        rules = (*rules[:number], blamed(rules[number], RULES[number], variants), *rules[number + 1 :])
+        found = _with(found, CAUSES if number == failing[-1] else "", hear, rules=rules)
+    return found
+
+
+def check_limit(sag: object) -> None:
+    """Refuse what is no limit of the sag."""
+    try:
+        read_limit(sag)
+    except NotAQuantity as error:
+        raise SceneError([Fault("sag", str(error), LIMITS)]) from None
+
+
+def _with(card: Card, part: str, hear: Callable[[Card], None], **more: Any) -> Card:
+    """The card with what was computed, of which is told; a part may not be pending any more."""
+    found = replace(card, pending=tuple(one for one in card.pending if one != part), **more)
+    hear(found)
+    return found
 
 
 def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool, exponents: bool = True) -> Span:

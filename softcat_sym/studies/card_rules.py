@@ -87,6 +87,11 @@ class Rule:
         """Whether the magnitude of the error is at most :data:`HOLDS`."""
         return self.error is not None and abs(self.error) <= HOLDS
 
+    @property
+    def fails(self) -> bool:
+        """Whether the magnitude of the error is larger, so that something is to blame."""
+        return self.error is not None and not self.holds
+
 
 _STILL = 0.01
 
@@ -223,8 +228,8 @@ def _value(expression: Any, scene: Scene, more: Mapping[Any, float] | None = Non
     return float(expression.subs({**known, **(more or {})}))
 
 
-def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Run) -> Prediction:
-    """Prediction of an elastic sag."""
+def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Run | None = None) -> Prediction:
+    """Prediction of an elastic sag, which needs no run."""
     del run
     modulus = static_modulus(scene)
     if modulus is None:
@@ -340,12 +345,23 @@ def applied_to(run: Run, field: RuleOfTheField) -> Rule:
     )
 
 
+def elastic_sags(scene: Scene) -> dict[str, float]:
+    """Sags of beams and of a cable by the rules that need no run, by name [m]; empty where they do not apply."""
+    names = {"pinned beam": _pinned, "clamped beam": _clamped, "elastic cable": _cable}
+    if unusual(scene) or scene.material.changes or static_modulus(scene) is None:
+        return {}
+    return {name: float(predict(scene)) for name, predict in names.items()}
+
+
 def smay_modulus_needed(scene: Scene) -> float:
     """G' [Pa] that Smay's criterion requires for the scene: a sag of 5 % of the diameter between pins."""
     return _value(closed_forms.smay_modulus(), scene)
 
 
 _STIFFER = 100.0
+
+_EQUILIBRIA = 101
+"""Frames of a row of equilibria: enough for its energy balance, which is what more of them would change."""
 
 _NEEDS = {"shear": "stretching"}
 """Causes that cannot act without another, whose own part is divided out: a beam with shear also stretches."""
@@ -408,6 +424,8 @@ class Variants:
             if slowly:
                 changes["load.ramp"] = f"{max(scene.load.ramp, scene.run.duration / 2)!r} s"
         scene = with_effects(scene, ordered(effects))
+        if not terms_of(scene, effects).integrates:
+            changes["run.frames"] = min(scene.run.frames, _EQUILIBRIA)
         if scene.numerics.cells is None:
             changes["numerics.cells"] = (self._run.summary.get("resolution") or {}).get("cells")
         if "ends" in causes:
@@ -423,10 +441,8 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
     First the solver runs without any effect that the rule neglects: there the two must agree. Then each effect is put
     back alone; an effect that makes the two differ explains the error, and the difference is reported.
     """
-    if rule.error is None:
-        return rule
-    if rule.holds:
-        return replace(rule, text="holds")
+    if rule.error is None or not rule.fails:
+        return replace(rule, text="holds") if rule.holds else rule
 
     def error_without(causes: frozenset[str]) -> float | None:
         run = variants.without(causes, field.ends)

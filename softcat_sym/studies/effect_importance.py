@@ -38,7 +38,7 @@ from softcat_sym.solvers.solution import Progress, Silence, watched
 from softcat_sym.store import key_of, stored
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 _SHORT, _REPEATS = 1.0, 3
 """Runs shorter than so many seconds are repeated so often, to reduce the influence of other load on the machine."""
@@ -242,6 +242,11 @@ class Pricing(Drawable):
         trusted = "" if self.base.outcome.is_success else f"not to be trusted ({self.base.outcome.name}); "
         return f"{trusted}beyond the accuracy asked, {'; '.join(parts)}"
 
+    def __repr__(self) -> str:
+        return (
+            f"Pricing {self.scene.title!r}: {len(self.rows)} effects\n  {self.reading}\n  .rows, .to_frame(), .plot()"
+        )
+
     def to_dict(self) -> dict[str, Any]:
         """Content of ``effects.json``."""
         base = {"effects": list(self.base.effects), "midpoint_largest_m": self.scale, **self.base.cost()}
@@ -273,7 +278,12 @@ def percent(value: float) -> str:
 
 
 def price_effects(
-    scene: SceneLike, progress: Progress | None = None, name: str = "", only: Collection[str] | None = None
+    scene: SceneLike,
+    progress: Progress | None = None,
+    name: str = "",
+    only: Collection[str] | None = None,
+    *,
+    changes: Changes = (),
 ) -> Pricing:
     """Run a scene as it is, then with each effect put in or left out in turn, all on the same grid.
 
@@ -287,6 +297,8 @@ def price_effects(
         Name of the scene, for tables.
     only : collection of str, optional
         Price only these effects; by default all.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -300,7 +312,7 @@ def price_effects(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene, progress = as_scene(scene), progress or Silence()
+    scene, progress = as_scene(scene, changes), progress or Silence()
     refuse_settled(scene, "variants are compared frame by frame")
     known = [effect.name for effect in REGISTRY]
     requested = known if only is None else only

@@ -7,16 +7,18 @@ import math
 import re
 from collections import Counter
 from dataclasses import dataclass
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.drawing import html
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import damping_note
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
-from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.run_cost import run_cost
@@ -130,14 +132,31 @@ class Explanation:
         """Content of ``explain.json``."""
         return dataclasses.asdict(self)
 
+    def __repr__(self) -> str:
+        lines = (
+            f"Explanation {self.title!r}: {self.regime.name}",
+            self.regime.reason,
+            f"sag about {self.sag:.2g} of the span; about {self.seconds:.2g} s of the processor",
+            f"effects {', '.join(self.in_force)}",
+            *(f"warning: {text}" for text in self.warnings),
+            ".effects, .equations, .groups, .regime, .graph, .integrator, .to_dict()",
+        )
+        return "\n  ".join(filter(None, lines))
 
-def explain(scene: SceneLike) -> Explanation:
+    def _repr_html_(self) -> str:
+        equations = (f"<p>{escape(one.name)}</p>$$ {escape(one.latex)} $$" for one in self.equations)
+        return "".join([html(repr(self)), *equations])
+
+
+def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
     """Predict the behaviour of a scene; equations and graph are built, nothing is integrated.
 
     Parameters
     ----------
     scene : Scene, str, path or dict
         The filament.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -151,9 +170,9 @@ def explain(scene: SceneLike) -> Explanation:
     """
     # The equations need SymPy, which is loaded only here.
     from softcat_sym.physics.filament import equations_of
-    from softcat_sym.physics.in_force import equations_in_force
+    from softcat_sym.physics.written_equations import equations_in_force
 
-    scene = as_scene(scene)
+    scene = as_scene(scene, changes)
     effects = choose_effects(scene)
     filament = assembled(scene, effects)
     graph, regime = filament.graph, expected_regime(scene, effects.names)

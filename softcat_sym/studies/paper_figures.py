@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.integrate import solve_ivp
 
-from softcat_sym.discretization.casadi_printer import evaluate
+from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.physics import beams, closed_forms
 from softcat_sym.physics.regimes import K_I
@@ -21,7 +22,6 @@ from softcat_sym.reference.elements import ElementRun, Snapshot, checkpoint_key,
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
 from softcat_sym.simulate import recalled
-from softcat_sym.solvers.quasi_static import fundamental_solutions
 from softcat_sym.solvers.solution import Progress
 
 if TYPE_CHECKING:
@@ -311,8 +311,14 @@ def _ringing(known: dict[object, float], high: float, full: Curve) -> tuple[Curv
     shift = time - high
     damped = np.exp(-_number(closed_forms.DECAY_RATE, known) * shift)
     closed = np.array([np.ones_like(time), damped * np.cos(frequency * shift), damped * np.sin(frequency * shift)])
-    coefficients = tuple(c.subs(known) for c in closed_forms.OSCILLATION)
-    numeric = fundamental_solutions(coefficients, t_star, time)
+    coefficients = CellFunction({f"{k}": c.subs(known) for k, c in enumerate(closed_forms.OSCILLATION)}, (t_star,))
+
+    def rates(at: float, f: Floats) -> list[float]:
+        third, second, first = (float(value) for value in coefficients({t_star: at}).values())
+        return [f[1], f[2], -(second * f[2] + first * f[1]) / third]
+
+    spans = {"t_span": (time[0], time[-1]), "t_eval": time, "method": "DOP853", "rtol": 1e-9, "atol": 1e-12}
+    numeric = np.array([solve_ivp(rates, y0=start, **spans).y[0] for start in np.eye(3)])
     return tuple(
         Curve(name, time, law(time) + basis.T @ np.linalg.lstsq(basis.T[fitted], rest, rcond=None)[0])
         for name, basis in (("(2.21) integrated", numeric), ("(2.22)", closed))

@@ -8,14 +8,26 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import pandas as pd
 
 from softcat_sym.batch.executor import MembersProgress, RunPool, Where
-from softcat_sym.batch.phase_runs import (
+from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.drawing import Drawable
+from softcat_sym.effects.expected_regime import TURNS_BACK
+from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
+from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
+from softcat_sym.errors import SoftcatError
+from softcat_sym.physics import beams
+from softcat_sym.physics.cross_sections import CrossSection
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
+from softcat_sym.solvers.solution import watched
+from softcat_sym.studies.phase_runs import (
     ARREST_FLOW_TIME,
     CLAMP_REGION,
     CLAMPS_ONLY,
@@ -29,27 +41,16 @@ from softcat_sym.batch.phase_runs import (
     PhaseRun,
     Place,
     RefinedLattice,
-    checked_resolution,
     place_at,
-    planes_of,
     refined,
     refuse_scene,
     run_places,
 )
-from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.drawing import Drawable
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
-from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
-from softcat_sym.physics import beams
-from softcat_sym.physics.cross_sections import CrossSection
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
-from softcat_sym.scene.reading import load_scene
-from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
-from softcat_sym.solvers.solution import watched
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
 Source = Literal["paper", "exact", "estimate"]
+
+MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
 _PSI, _PSI_POINTS = (0.1, 300.0), 160  # psi of first yield: linear beam to taut string
 
@@ -187,8 +188,7 @@ _FORMULAS_OF: dict[str, tuple[Kind, ...]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Crossing:
+class Crossing(NamedTuple):
     """A change of regime between two neighbouring runs in a row of the lattice."""
 
     # The boundary: of first yield, of underdamped arrest, of arrest in every fibre, or of arrest except at the clamps.
@@ -203,8 +203,7 @@ class Crossing:
         return math.sqrt(self.G_low * self.G_high)
 
 
-@dataclass(frozen=True)
-class Distance:
+class Distance(NamedTuple):
     """Deviation of the runs from one formula."""
 
     kind: str  # The boundary of the runs
@@ -215,7 +214,7 @@ class Distance:
     most: float
 
     def to_dict(self) -> dict[str, Any]:
-        """Entry of the formula in ``phase.json``."""
+        """Entry in ``phase.json``."""
         line = {"boundary": self.kind, "line": self.line.name, "source": self.line.source}
         line |= {"equation": self.line.equation}
         return line | {"rows": self.rows, "median": self.median, "least": self.least, "most": self.most}
@@ -256,8 +255,7 @@ DESCENT_TIME: Final = 460.0
 PAPER_STRAIN: Final = 0.23
 
 
-@dataclass(frozen=True)
-class PhasePoint:
+class PhasePoint(NamedTuple):
     """A run and its lattice node."""
 
     i: int  # Number of the node along G, and along the other group
@@ -273,7 +271,7 @@ class PhaseSheet:
     x: Floats  # shape (cells + 1,); Lattice values: G, and delta or V
     y: Floats
     points: tuple[PhasePoint, ...]  # The runs
-    lattice: RefinedLattice  # Squares and known marks
+    lattice: RefinedLattice  # Marks of the nodes
     lines: tuple[PhaseLine, ...]  # Formulas
     crossings: tuple[Crossing, ...]  # Boundaries between regimes of runs
     distances: tuple[Distance, ...]  # Deviations of the boundaries from the formulas
@@ -281,24 +279,14 @@ class PhaseSheet:
     processor: float
 
     @property
-    def labels(self) -> npt.NDArray[np.str_]:
-        """The mark of every lattice node, shape (cells + 1, cells + 1)."""
-        return self.lattice.labels()
-
-    @property
     def nodes(self) -> int:
         """Number of lattice nodes, all of which a diagram without refinement would run."""
-        return (self.lattice.cells + 1) ** 2
+        return self.lattice.labels.size
 
     @property
     def runs(self) -> int:
         """Number of runs, including repetitions."""
         return sum(point.run.runs for point in self.points)
-
-    @property
-    def saved(self) -> int:
-        """Number of nodes that were never run."""
-        return self.lattice.saved
 
     @property
     def counts(self) -> dict[str, int]:
@@ -307,15 +295,11 @@ class PhaseSheet:
 
     def held(self, scene: Scene) -> str:
         """Text with the group that does not vary and the modulus."""
-        place = self.place(scene, 0, 0)
+        place = place_at(scene, self.plane, float(self.x[0]), float(self.y[0]))
         fixed = (
             f"V = {place.V:.4g}" if self.plane.y.key == "delta" else f"\N{GREEK SMALL LETTER DELTA} = {place.delta:.4g}"
         )
         return f"{fixed}, E = {modulus_number(scene):.4g} \N{GREEK SMALL LETTER RHO} g L"
-
-    def place(self, scene: Scene, i: int, j: int) -> Place:
-        """The groups at a node."""
-        return place_at(scene, self.plane, float(self.x[i]), float(self.y[j]))
 
     def to_dict(self, scene: Scene) -> dict[str, Any]:
         """Entry of the plane in ``phase.json``."""
@@ -324,12 +308,12 @@ class PhaseSheet:
             "held": self.held(scene),
             "nodes": self.nodes,
             "nodes_run": len(self.points),
-            "nodes_saved": self.saved,
+            "nodes_saved": self.lattice.saved,
             "runs": self.runs,
             "wall_s": self.wall,
             "processor_s": self.processor,
             "marks": self.counts,
-            "boundaries": [distance.to_dict() for distance in self.distances],
+            "boundaries": [one.to_dict() for one in self.distances],
         }
 
 
@@ -349,10 +333,12 @@ class PhaseDiagram(Drawable):
         return (
             f"Each mark is a run ({physics} physics, {sheet.held(self.scene)}), each tint the regime between runs. "
             f"{len(sheet.points)} of the {sheet.nodes} nodes of a {sheet.lattice.cells} x {sheet.lattice.cells} "
-            f"lattice were run, refined where neighbours differ: {sheet.saved} were saved "
-            f"({sheet.saved / sheet.nodes:.0%}). Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in every "
-            f"fibre over the last tenth of the run; hollow: except within {CLAMP_REGION:g} L of the ends, where the "
-            f"clamps still flow. A run that is no answer has no regime, unless its sag first passes {PASSED:g} L: "
+            f"lattice were run, refined where neighbours differ: {sheet.lattice.saved} were saved "
+            f"({sheet.lattice.saved / sheet.nodes:.0%}). Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in "
+            "every fibre over the last tenth of the run; hollow: except within "
+            f"{CLAMP_REGION:g} L of the ends, where the clamps still "
+            "flow. A run that is no answer has no regime, unless its sag first passes "
+            f"{PASSED:g} L: "
             "then the regime is that of the run up to this sag."
         )
 
@@ -445,12 +431,17 @@ def phase_diagram(
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
     """Run filaments over one or more planes and find their regimes."""
-    chosen, cells = planes_of(planes), checked_resolution(resolution)
+    if not planes or not set(planes) <= set(PLANES):
+        named = ", ".join(name for name in planes if name not in PLANES)
+        raise SoftcatError(f"no phase plane {named or 'named'}; accepted: {', '.join(PLANES)}")
+    if type(resolution) is not int or not MIN_RESOLUTION <= resolution <= MAX_RESOLUTION:
+        accepted = f"a whole number of cells along each axis, {MIN_RESOLUTION} to {MAX_RESOLUTION}"
+        raise SoftcatError(f"resolution = {resolution!r}; accepted: {accepted}")
     refuse_scene(scene)
     # Estimate: refinement along the boundaries runs some nodes in every column.
-    members = 4 * cells * len(chosen)
-    with watched(), Where(workers, scheduler, local_cluster).pool(members) as pool:
-        sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
+    chosen = [PLANES[name] for name in dict.fromkeys(planes)]
+    with watched(), Where(workers, scheduler, local_cluster).pool(4 * resolution * len(chosen)) as pool:
+        sheets = tuple(_sheet(scene, plane, resolution, pool, progress) for plane in chosen)
         return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
 
 
@@ -459,12 +450,12 @@ def descent_run(scene: Scene, pool: RunPool) -> PhaseRun:
     paper = load_scene(DESCENT_SCENE)
     paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
     place = place_at(paper, PLANES["G-V"], 1.9, 26.0)
-    return run_places(paper, [place], pool, durations=[DESCENT_TIME * elastic_time(paper)])[0]
+    return run_places(paper, [place], pool, duration=DESCENT_TIME * elastic_time(paper))[0]
 
 
 def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: RunPool, progress: MembersProgress | None) -> PhaseSheet:
     begun, spent = time.perf_counter(), time.process_time()
-    x, y = plane.x.values(cells), plane.y.values(cells)
+    x, y = (np.geomspace(axis.low, axis.high, cells + 1) for axis in (plane.x, plane.y))
     points: list[PhasePoint] = []
 
     def marks(nodes: Sequence[Node]) -> list[str]:
@@ -474,7 +465,7 @@ def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: RunPool, progress:
 
     lattice = refined(cells, marks)
     lines = phase_lines(scene, plane)
-    seen = crossings(x, y, lattice.labels())
+    seen = crossings(x, y, lattice.labels)
     return PhaseSheet(
         plane,
         x,

@@ -16,10 +16,10 @@ from softcat_sym.codegen.compiler import build_identity
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
-from softcat_sym.studies.published import elastic, glass, viscous, yielding
+from softcat_sym.studies.published import elastic, glass, viscous, yield_stress
 from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
 
-_RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yielding.RUNS
+_RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yield_stress.RUNS
 
 
 def _published_cases() -> tuple[Case, ...]:
@@ -44,24 +44,12 @@ class Steps(Protocol):
 
 @dataclass(frozen=True)
 class Result:
-    """Result of a case.
-
-    Attributes
-    ----------
-    case : Case
-        The published case.
-    finding : Finding or None
-        Results of the runs; None if there were no runs, or one of them is no answer.
-    not_run : str
-        Why there were no runs; empty otherwise.
-    failure : str
-        Why a run is no answer; empty otherwise.
-    """
+    """Result of a case."""
 
     case: Case
-    finding: Finding | None = None
-    not_run: str = ""
-    failure: str = ""
+    finding: Finding | None = None  # Results of the runs; None if there were no runs, or one of them is no answer
+    not_run: str = ""  # Why there were no runs
+    failure: str = ""  # Why a run is no answer
 
     def to_dict(self) -> dict[str, Any]:
         """Entry of the case in ``validation.json``."""
@@ -80,13 +68,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Validation(Drawable):
-    """Published cases and the results of this package.
-
-    Attributes
-    ----------
-    results : tuple of Result
-        One for each case, in the order of the table.
-    """
+    """Published cases and the results of this package, in the order of the table."""
 
     results: tuple[Result, ...]
 
@@ -117,13 +99,7 @@ class Validation(Drawable):
 
 
 def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:
-    """The cases of these names, in the order of the table; all cases if no name is given.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no such case.
-    """
+    """The cases of these names, in the order of the table; all cases if no name is given."""
     known = [case.name for case in CASES]
     for name in names:
         if name not in known:
@@ -132,28 +108,10 @@ def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:
 
 
 def validate(names: Sequence[str] = (), progress: Steps | None = None) -> Validation:
-    """Compare the package with published measurements and computations.
+    """Compare the package with published measurements and computations; all cases if none is named.
 
-    Nothing is fitted: the constants of every case come from its source. Finished cases come from the store.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Names of cases; all cases if empty.
-    progress : Steps, optional
-        Receiver of the name of each case as it begins.
-
-    Returns
-    -------
-    Validation
-        Results of the cases; those that cannot be run have a reason, and those whose run is no answer a failure.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no case of a name.
-    KeyboardInterrupt
-        On Ctrl-C.
+    Nothing is fitted: the constants of every case come from its source. Finished cases come from the store; one that
+    cannot be run has a reason, and one whose run is no answer a failure. `progress` receives each name as it begins.
     """
     results = []
     for case in chosen_cases(names):

@@ -6,12 +6,11 @@ import os
 import signal
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import closing, suppress
+from contextlib import closing
 from dataclasses import dataclass, replace
 from math import inf, isfinite, nan
 from multiprocessing import get_context
-from multiprocessing.connection import Connection
-from multiprocessing.process import BaseProcess
+from multiprocessing.pool import Pool
 from typing import Any
 
 import numpy as np
@@ -21,22 +20,19 @@ from softcat_sym.discretization.assembly import choose_fibres, choose_grid
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.progress import LOOK, seconds_text
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import choose_backend, settings_for
-from softcat_sym.studies.work_precision_programs import (
-    EXPECTED,
+from softcat_sym.studies.integrators import (
     OTHER_FAMILIES,
     RIVALS,
     THIS_PROGRAM,
-    Bench,
-    Measured,
-    Program,
+    Measurement,
+    Method,
     Task,
-    integrate,
-    message_of,
+    measure,
 )
 
 CELLS = (10, 20, 40, 80, 160)
@@ -64,7 +60,7 @@ _REMAINDER = 7
 _GAIN, _NEARLY = 0.8, 2.0
 _TWICE = 2
 
-Answers = list[tuple[Program, Task, Measured]]
+Answers = list[tuple[Method, Task, Measurement]]
 
 
 @dataclass(frozen=True)
@@ -159,83 +155,49 @@ class Budget:
         return max(0.0, self.end - time.monotonic())
 
 
-_PROCESSES = get_context("spawn")
-DIED = "its process died"
 NO_TIME = "no time was left"
 
 
 class Worker:
-    """One process at a time that measures tasks; it starts on first use, and again after it was killed."""
+    """One process at a time that measures tasks; it starts on first use, and again after it was ended."""
 
     def __init__(self, scene: Scene, budget: Budget) -> None:
         self._scene, self._budget = scene, budget
-        self.process: BaseProcess | None = None
-        self._pipe: Connection | None = None
+        self._process: Pool | None = None
 
-    def measure(self, task: Task, seconds: float) -> Measured:
-        """Measure a task in the process; a task that exceeds its time, or kills the process, is a failure."""
+    def measure(self, task: Task, seconds: float) -> Measurement:
+        """Measure a task in the process; a task that exceeds its time is a failure."""
         if seconds <= 0:
-            return Measured(0.0, message=NO_TIME, stopped=True)
+            return Measurement(0.0, message=NO_TIME, stopped=True)
         end = time.monotonic() + seconds
-        if self.process is None or self._pipe is None:
-            self._pipe, other = _PROCESSES.Pipe()
-            self.process = _PROCESSES.Process(target=_serve, args=(other, self._scene), daemon=True)
-            self.process.start()
-            other.close()
-        with suppress(OSError):
-            self._pipe.send((task, seconds))
-        answer = self._answer(self._pipe, end)
-        if isinstance(answer, Measured):
-            return answer
-        text, died = f"stopped after {seconds_text(seconds)}", answer == ""
-        if died:
-            self.process.join()
-            text = f"{DIED} (status {self.process.exitcode})"
+        if self._process is None:
+            self._process = get_context("spawn").Pool(1, _silence)
+        answer = self._process.apply_async(measure, (self._scene, task, seconds))
+        while (left := end - time.monotonic()) > 0:
+            answer.wait(min(left, LOOK))
+            if answer.ready():
+                return answer.get()
+            self._budget.tick()
         self.close()
-        return Measured(seconds, message=text, stopped=not died)
+        return Measurement(seconds, message=f"stopped after {seconds_text(seconds)}", stopped=True)
 
     def close(self) -> None:
-        """Kill the process."""
-        if self.process is not None and self._pipe is not None:
-            self.process.kill()
-            self.process.join()
-            self._pipe.close()
-            self.process = self._pipe = None
-
-    def _answer(self, pipe: Connection, end: float) -> object:
-        """The next message of the process: None after the time limit, an empty text if the process has died."""
-        try:
-            while (left := end - time.monotonic()) > 0:
-                if pipe.poll(min(left, LOOK)):
-                    return pipe.recv()
-                self._budget.tick()
-        except (EOFError, OSError):
-            return ""
-        return None
+        """End the process."""
+        if self._process is not None:
+            self._process.terminate()
+            self._process.join()
+            self._process = None
 
 
-def _serve(pipe: Connection, scene: Scene) -> None:
-    """Run in the process: receive tasks and send their measurements."""
-    # The command handles Ctrl-C and kills this process. Its output is discarded, as SUNDIALS and Fortran print freely.
+def _silence() -> None:
+    """In the process: leave Ctrl-C to the command, and discard output, as SUNDIALS and Fortran print freely."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)
-    bench = Bench(scene)
-    with suppress(EOFError):
-        while True:
-            task, seconds = pipe.recv()
-            began = time.perf_counter()
-            try:
-                solve = bench.ready(task)
-            except EXPECTED as error:
-                pipe.send(Measured(0.0, message=message_of(error), hopeless=isinstance(error, SceneError)))
-                continue
-            build = time.perf_counter() - began
-            pipe.send(integrate(solve, build, seconds - build))
 
 
-def record(program: Program, task: Task, run: Measured, error: float) -> dict[str, Any]:
+def record(program: Method, task: Task, run: Measurement, error: float) -> dict[str, Any]:
     """A measured task as a row of the table; the error is None if it failed."""
     return {
         "key": program.key,
@@ -359,35 +321,27 @@ class WorkPrecision(Drawable):
 def study(
     name: str,
     asked: Scene,
-    programs: Sequence[Program] = RIVALS,
+    programs: Sequence[Method] = RIVALS,
     limit: float = LIMIT,
     on_progress: Callable[[str, float], None] = lambda what, share: None,
 ) -> WorkPrecision:
-    """Measure a scene with this program and others; times are comparable within one study only, and are not stored.
+    """Measure a scene with this program and others, within `limit` [s]; times are comparable within one study only.
 
-    Parameters
-    ----------
-    name : str
-        Name of the scene.
-    asked : Scene
-        The scene.
-    programs : sequence of Program
-        Programs besides this one.
-    limit : float
-        Time limit of the study [s], at which a running task is stopped.
-    on_progress : callable
-        Receives the present task, and the share of the time that has passed.
+    `on_progress` receives the present task, and the share of the time that has passed. Nothing is stored.
     """
     effects = choose_effects(asked)
     backend = choose_backend(asked, effects)
     settings = settings_for(asked, effects, compiled=backend.compiled)
-    own = Program(THIS_PROGRAM, "softcat", "own", "compiled" if backend.compiled else "interpreted", settings.solver)
+    own = Method(THIS_PROGRAM, "softcat", "own", "compiled" if backend.compiled else "interpreted", settings.solver)
     lengths = choose_grid(asked.replace({"numerics.cells": _FIRST}), effects).cell_length
     fibres = choose_fibres(asked) if effects.terms().resolved else 0
     scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
+    # Fibres are doubled with the cells, as both errors are quadratic; not in three dimensions.
+    sections = [max(4, fibres * n // _FIRST) if fibres and not is_spatial(asked) else fibres for n in CELLS]
+    loosest = max(settings.rtol, _LOOSEST)
     ladder = [
-        Task(own.key, n, float(lengths[0] / lengths[-1]), _matched(fibres, n, asked), _tolerance(settings.rtol, n))
-        for n in CELLS
+        Task(own.key, n, float(lengths[0] / lengths[-1]), section, min(settings.rtol * (_FIRST / n) ** 2, loosest))
+        for n, section in zip(CELLS, sections, strict=True)
     ]
     budget = Budget(limit, on_progress)
     with closing(Worker(scene, budget)) as worker:
@@ -405,23 +359,16 @@ def study(
     return WorkPrecision(name, asked, effects.names, limit, confirmed, table)
 
 
-def _matched(fibres: int, cells: int, scene: Scene) -> int:
-    """Number of fibres, which is doubled with the cells as both errors are quadratic; not in three dimensions."""
-    return fibres if is_spatial(scene) or not fibres else max(4, fibres * cells // _FIRST)
-
-
-def _tolerance(rtol: float, cells: int) -> float:
-    return min(rtol * (_FIRST / cells) ** 2, max(rtol, _LOOSEST))
-
-
-def _from_coarse_to_fine(own: Program, ladder: Sequence[Task], worker: Worker, budget: Budget) -> Answers:
+def _from_coarse_to_fine(own: Method, ladder: Sequence[Task], worker: Worker, budget: Budget) -> Answers:
     """Run the package itself on one grid after another, until the next would take too long."""
     answers: Answers = []
     until, expected = time.monotonic() + _SHARE * budget.left, 0.0
     for task in ladder:
         left = until - time.monotonic()
         if len(answers) >= _EXTRAPOLATED and expected > left:
-            answers.append((own, task, Measured(0.0, message=f"it would take {seconds_text(expected)}", stopped=True)))
+            answers.append(
+                (own, task, Measurement(0.0, message=f"it would take {seconds_text(expected)}", stopped=True))
+            )
             break
         budget.doing(f"softcat: {task.text}")
         # The first three grids may take all of the time, as the reference needs them.
@@ -434,13 +381,13 @@ def _from_coarse_to_fine(own: Program, ladder: Sequence[Task], worker: Worker, b
 
 
 def measured(
-    program: Program,
+    program: Method,
     grids: Sequence[tuple[int, float, int]],
     reference: Reference,
     worker: Worker,
     budget: Budget,
     until: float,
-) -> Iterator[tuple[Program, Task, Measured]]:
+) -> Iterator[tuple[Method, Task, Measurement]]:
     """Measure one program until its time is over: on each grid, tighter tolerances until the error no longer falls.
 
     A method may be unstable, and slow, at a loose tolerance: a task may take at most half of the remaining time, and a

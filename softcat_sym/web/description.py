@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from softcat_sym.batch.members import Row, written
 from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.discretization.section_rule import POINT, SectionRule
+from softcat_sym.discretization.section_rule import POINT
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
 from softcat_sym.effects.choosing import Effects, choose_effects
@@ -34,8 +35,8 @@ from softcat_sym.solvers.compiled import OUTCOMES
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings, compiled_settings
 from softcat_sym.solvers.solution import Silence, thread_of
-from softcat_sym.web.fixed import Fixed, between, is_close, product, random_points, share_of, value_of
-from softcat_sym.web.sliders import Slider, choose_sliders, coefficients_of, follows, is_needed, middle_of, points_of
+from softcat_sym.web.fixed import Fixed, between, random_points, share_of, value_of
+from softcat_sym.web.sliders import Slider, Sliders, choose_sliders, is_needed
 
 _POINTS, _SCANNED = 96, 11
 _MAX_STEPS = 100_000
@@ -50,6 +51,12 @@ _FEWEST = 4
 
 _OWN: Final = ("too thick for a filament", "it never stops")
 """Warnings that the page gives by itself, with the numbers of its state."""
+
+_THRESHOLDS: Final = {
+    verdict: ("SHARE_OF_ONE_CELL", "DRAWN_OUT", "SMOOTH", "RUPTURED", "COMPRESSION", "GAIN", "NOISE", "BEADED"),
+    motion: ("ARREST_RATE", "ARREST_TIME", "FRAMES_A_PERIOD", "PERIODS", "SEEN"),
+}
+"""Limits by which a run is judged, as the page names them but for the case."""
 
 _EFFECT = "\t"
 
@@ -98,11 +105,10 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     base = Fixed(ended)
     others = _alike(base, at)
     chosen = choose_sliders(base, sliders, tuple(one.scene for one in others.values()))
-    middle = middle_of(base, chosen)
-    fitting = {key: one for key, one in others.items() if key != name and _fits(one, middle, chosen)}
+    fitting = {key: one for key, one in others.items() if key != name and _fits(one, base, chosen)}
     described, filament = base.exported
-    coefficients, points = coefficients_of(middle, chosen), points_of(base, chosen)
-    usual = {name for name, one in coefficients.items() if is_needed(base, name) or follows(points, chosen, name, one)}
+    optional = [name for name in base.numbers if not is_needed(base, name)]
+    usual = base.numbers.keys() - chosen.lost(base, optional)
     model = described.model
     data = {
         "title": described.title,
@@ -122,7 +128,8 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
             _scene(title, one, given if one is base else load_scene(title), base, chosen, usual)
             for title, one in ({name: base} | fitting).items()
         ],
-        "sliders": [slider.to_dict() for slider in chosen],
+        "sliders": [slider.to_dict() for slider in chosen.each],
+        "interpolations": {name: asdict(one) for name, one in chosen.interpolations.items()},
         "notes": _notes(given, base, chosen),
         "words": {
             "outcomes": {outcome.name: outcome.value for outcome in Outcome},
@@ -150,34 +157,26 @@ def _alike(base: Fixed, at: Resolution) -> dict[str, Fixed]:
     return found
 
 
-def _values(scene: Scene, sliders: Sequence[Slider]) -> dict[str, float | None]:
-    return {slider.key: value_of(scene, slider.key) for slider in sliders}
-
-
-def _fits(other: Fixed, middle: Fixed, sliders: Sequence[Slider]) -> bool:
+def _fits(other: Fixed, base: Fixed, sliders: Sliders) -> bool:
     """Whether another scene's numbers follow from the sliders as this one's do, within their ranges."""
-    values = _values(other.scene, sliders)
-    ends = {slider.key: (slider.low, slider.high) for slider in sliders}
-    if not all(value is not None and ends[key][0] <= value <= ends[key][1] for key, value in values.items()):
+    values = {key: value for key, value in sliders.values(other.scene).items() if value is not None}
+    if not all(one.low <= values.get(one.key, math.nan) <= one.high for one in sliders.each):
         return False
-    moved = middle_of(other, sliders)
-    coefficients, exponents = coefficients_of(moved, sliders), {slider.key: slider.exponents for slider in sliders}
-    at = {key: value for key, value in values.items() if value is not None}
-    needed = [name for name in coefficients if is_needed(middle, name)]
-    return all(is_close(product(coefficients[name], exponents, name, at), other.numbers[name]) for name in needed)
+    coefficients = sliders.coefficients(other)
+    return all(
+        sliders.follows(name, coefficients[name], values, other) for name in base.numbers if is_needed(base, name)
+    )
 
 
-def _scene(
-    title: str, one: Fixed, asked: Scene, base: Fixed, sliders: Sequence[Slider], usual: set[str]
-) -> dict[str, Any]:
+def _scene(title: str, one: Fixed, asked: Scene, base: Fixed, sliders: Sliders, usual: set[str]) -> dict[str, Any]:
     """One scene of a page: what its numbers are multiplied by, where it begins, and its TOML."""
-    coefficients = coefficients_of(middle_of(one, sliders), sliders)
+    coefficients = sliders.coefficients(one)
     start, grid = one.start, one.exported[1].graph.grid
     return {
         "name": title,
         "title": one.scene.title or title,
         "toml": toml_with(asked, sliders),
-        "keys": _values(one.scene, sliders),
+        "keys": sliders.values(one.scene),
         "coefficients": [coefficients[name] for name in base.parameters],
         "numbers": {name.removeprefix("."): coefficients[name] for name in sorted(usual) if name.startswith(".")},
         "duration": one.scene.run.duration,
@@ -187,9 +186,9 @@ def _scene(
     }
 
 
-def toml_with(scene: Scene, sliders: Sequence[Slider]) -> str:
+def toml_with(scene: Scene, sliders: Sliders) -> str:
     """A scene as it was given, with a line of its own for each key that a slider moves."""
-    values: Row = {key: value for key, value in _values(scene, sliders).items() if value is not None}
+    values: Row = {key: value for key, value in sliders.values(scene).items() if value is not None}
     tables = scene.replace(written(scene, values)).given()
     plain = {name: value for name, value in tables.items() if not isinstance(value, Mapping)}
     lines = [f"{name} = {toml_value(value)}" for name, value in plain.items()]
@@ -227,12 +226,12 @@ def _resolved(one: Fixed) -> dict[str, Any]:
         and {
             "count": rule.points,
             "weight": rule.weight.tolist(),
-            "zeta": rule.zeta.tolist() if isinstance(rule, SectionRule) else None,
+            "zeta": rule.zeta.tolist() if not rule.is_spatial else None,
         },
     }
 
 
-def _settings(base: Fixed, at: Resolution, sliders: Sequence[Slider]) -> dict[str, Any]:
+def _settings(base: Fixed, at: Resolution, sliders: Sliders) -> dict[str, Any]:
     """How ``softcat run`` would integrate at the scene's own values, which come first, and at random points.
 
     ``at`` has the share of each slider's range; ``absolute`` the tolerances of the kinds of slots, which ``kinds``
@@ -241,8 +240,8 @@ def _settings(base: Fixed, at: Resolution, sliders: Sequence[Slider]) -> dict[st
     slots = sorted({slot.name for slot in base.exported[0].model.slots})
     own = base.scene.replace({"numerics.rtol": None})
     refined = at.rtol / compiled_settings(own, base.effects).rtol
-    ranges = {slider.key: slider.range for slider in sliders}
-    first = {key: value or 0.0 for key, value in _values(base.scene, sliders).items()}
+    ranges = {slider.key: slider.range for slider in sliders.each}
+    first = {key: value or 0.0 for key, value in sliders.values(base.scene).items()}
     found, shares, longest = list[Settings](), list[list[float]](), list[float]()
     for values, moved in [(first, base), *random_points(base, ranges, _POINTS)]:
         scene = moved.scene.replace({"numerics.rtol": None})
@@ -309,10 +308,10 @@ def _accuracy(run: Run) -> dict[str, Any]:
     return {"asked": asked, "estimate": estimate, "words": words}
 
 
-def _notes(scene: Scene, base: Fixed, sliders: Sequence[Slider]) -> list[dict[str, Any]]:
+def _notes(scene: Scene, base: Fixed, sliders: Sliders) -> list[dict[str, Any]]:
     """From which value of each slider on ``softcat run`` would take other effects, or warn."""
     always = _said(scene, base, {})
-    return [note for slider in sliders for note in _notes_of(scene, base, slider, always)]
+    return [note for slider in sliders.each for note in _notes_of(scene, base, slider, always)]
 
 
 def _notes_of(scene: Scene, base: Fixed, slider: Slider, always: Mapping[str, str]) -> list[dict[str, Any]]:
@@ -356,7 +355,7 @@ def _is_per_area(name: str) -> bool:
     return (name in VARIABLES or name in energies_of([name])) and variable_of(name).per_area
 
 
-def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol: float | None) -> dict[str, Any]:
+def _limits(base: Fixed, sliders: Sliders, usual: set[str], scene_rtol: float | None) -> dict[str, Any]:
     """Numbers and flags from which the page judges a run as ``softcat run`` does."""
     scene, effects, (described, filament) = base.scene, base.effects, base.exported
     terms, graph, model = effects.terms(), filament.graph, described.model
@@ -365,7 +364,7 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
     names = [*(one.name for one in model.signature.shown if not one.name.startswith(POINT)), *work]
     regime = expected_regime(scene, effects.names)
     exponents = {
-        name.removeprefix("."): {s.key: s.exponents[name] for s in sliders if name in s.exponents}
+        name.removeprefix("."): {s.key: s.exponents[name] for s in sliders.each if name in s.exponents}
         for name in sorted(usual)
         if name.startswith(".")
     }
@@ -397,21 +396,9 @@ def _limits(base: Fixed, sliders: Sequence[Slider], usual: set[str], scene_rtol:
         "of_a_step_too_long": [outcome.name for outcome in OF_A_STEP_TOO_LONG],
         "thread": thread_of(terms),
         "largest_stretch": verdict.largest_stretch(scene),
-        "share_of_one_cell": verdict.SHARE_OF_ONE_CELL,
         "beyond_neighbours": 1.0 if terms.yields else verdict.BEYOND_A_LIQUID,
-        "drawn_out": verdict.DRAWN_OUT,
-        "smooth": verdict.SMOOTH,
-        "ruptured": verdict.RUPTURED,
-        "compression": verdict.COMPRESSION,
-        "gain": verdict.GAIN,
-        "noise": verdict.NOISE,
-        "beaded": verdict.BEADED,
-        "arrest_rate": motion.ARREST_RATE,
-        "arrest_time": motion.ARREST_TIME,
         "turns_back": TURNS_BACK,
-        "frames_a_period": motion.FRAMES_A_PERIOD,
-        "periods": motion.PERIODS,
-        "seen": motion.SEEN,
+        **{name.lower(): getattr(where, name) for where, names in _THRESHOLDS.items() for name in names},
         "turn": motion.NOISE * scene.run.accuracy,
         "no_sag": motion.NO_SAG * scene.filament.span,
         "thick": theory_limits.THICK,

@@ -16,11 +16,12 @@ from typing import TYPE_CHECKING, Any, Final
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import write_results
 from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import as_scene
 from softcat_sym.web.description import describe_page
 from softcat_sym.web.module import wasm_compiler, wasm_module
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 LARGEST: Final = 400_000
 """Bytes of a page."""
@@ -39,6 +40,8 @@ def live_page(
     sliders: Sequence[str] = (),
     name: str = "filament",
     on_progress: Callable[[str], None] = lambda _: None,
+    *,
+    changes: Changes = (),
 ) -> Path:
     """Write a scene as a page with sliders, which solves it in any browser: no server, no network, no other file.
 
@@ -55,6 +58,8 @@ def live_page(
         Name of the file, without ``.html``, and of the scene in the page's links.
     on_progress : callable
         Told which of the `STEPS` begins.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
 
     Returns
     -------
@@ -71,9 +76,10 @@ def live_page(
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    if not name or Path(name).name != name:
-        raise SoftcatError(f"name {name!r}: take that of a file, without folders and without .html")
-    text = page_text(scene, sliders, name, on_progress)
+    if not name or name.startswith((".", "-")) or Path(name).name != name:
+        accepted = "take that of a file, without folders and without .html, that begins with neither a dot nor a dash"
+        raise SoftcatError(f"name {name!r}: {accepted}")
+    text = page_text(as_scene(scene, changes), sliders, name, on_progress)
     on_progress("writing")
     return write_results(directory, {f"{name}.html": text})[0]
 

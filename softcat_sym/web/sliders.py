@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
 
 from softcat_sym.batch.members import kind_of
 from softcat_sym.batch.plan import read_range
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.material import twins
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import COMMON, SI_UNITS, Quantity, si_unit
-from softcat_sym.web.fixed import NEEDED, Fixed, between, exponents_of, is_close, product, random_points, value_of
+from softcat_sym.scene.units import COMMON, PURE, SI_UNITS, Quantity, si_unit
+from softcat_sym.web.fixed import (
+    NEEDED,
+    Fixed,
+    Interpolation,
+    between,
+    exponents_of,
+    interpolated,
+    is_close,
+    random_points,
+    value_of,
+)
 
 SOURCE = "of a page"
 FORM = "KEY, KEY=low:high or KEY=low:high:log, such as 'filament.span=3:9 mm:log'"
@@ -39,6 +51,11 @@ _FACTORS = {f"filament.{name}": _HALF for name in ("span", "diameter", "thicknes
 _UNUSUAL = {"cm", "km", "g/cm^3", "rad"}
 _READ_WELL = 3.0  # times a value: the largest unit that is taken, so that 0.4 mm is not 400 um
 _POINTS, _TRIES = 8, 200
+ESTIMATED = "solid_viscosity"
+"""What may be interpolated: the viscosity of a loss tangent, at the first frequency that 40 elements have."""
+
+_ROUGHLY = 0.1
+"""Largest error of an interpolation, at the ends of ranges; its median is a hundredth of that."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +85,56 @@ class Slider:
         return {**about, **ends, "scale": self.scale, "written": self.written, "exponents": exponents}
 
 
-def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scene] = ()) -> tuple[Slider, ...]:
+@dataclass(frozen=True)
+class Sliders:
+    """All sliders of a page, and how numbers follow them: by powers, and by an interpolation where there is one."""
+
+    each: tuple[Slider, ...] = ()
+    interpolations: Mapping[str, Interpolation] = field(default_factory=dict)
+
+    def values(self, scene: Scene) -> dict[str, float | None]:
+        """Values of their keys in a scene, by key."""
+        return {slider.key: value_of(scene, slider.key) for slider in self.each}
+
+    def number(self, name: str, coefficient: float, at: Mapping[str, float]) -> float:
+        """A number by its law."""
+        interpolation = self.interpolations.get(name)
+        # Zero to a negative power is what no number of a scene equals.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for slider in self.each:
+                coefficient *= float(np.power(at.get(slider.key, 1.0), slider.exponents.get(name, 0.0)))
+        return coefficient * (interpolation.at(at) if interpolation else 1.0)
+
+    def middle_of(self, base: Fixed) -> Fixed:
+        """The scene with all sliders amid their ranges, or as it stands where that makes no sense."""
+        moved = moved_to(base, {slider.key: between(*slider.range) for slider in self.each})
+        return base if isinstance(moved, str) else moved
+
+    def coefficients(self, base: Fixed) -> dict[str, float]:
+        """What the powers of the keys are multiplied by, at values where none of them is zero."""
+        middle = self.middle_of(base)
+        at = {key: value for key, value in self.values(middle.scene).items() if value is not None}
+        return {name: value / self.number(name, 1.0, at) for name, value in middle.numbers.items()}
+
+    def follows(self, name: str, coefficient: float, at: Mapping[str, float], moved: Fixed) -> bool:
+        """Whether a number of a scene at other values is as its law has it."""
+        found, expected = self.number(name, coefficient, at), moved.numbers[name]
+        if name in self.interpolations:
+            return math.isclose(found, expected, rel_tol=_ROUGHLY)
+        return is_close(found, expected)
+
+    def lost(self, base: Fixed, names: Iterable[str]) -> list[str]:
+        """Those of some numbers that do not follow the sliders, at random points and at the ends of each."""
+        coefficients = self.coefficients(base)
+        drawn = random_points(base, {slider.key: slider.range for slider in self.each}, _TRIES)
+        points = [point for point, _ in zip(drawn, range(_POINTS), strict=False)]
+        middle = {key: value or 0.0 for key, value in self.values(self.middle_of(base).scene).items()}
+        ends = ({**middle, slider.key: end} for slider in self.each for end in (slider.low, slider.high))
+        points += [(point, moved) for point in ends if isinstance(moved := moved_to(base, point), Fixed)]
+        return [name for name in names if not all(self.follows(name, coefficients[name], *point) for point in points)]
+
+
+def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scene] = ()) -> Sliders:
     """Choose the sliders of a page: what matters by default, and what is asked for.
 
     Parameters
@@ -82,7 +148,7 @@ def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scen
 
     Returns
     -------
-    tuple of Slider
+    Sliders
         Those by default first.
 
     Raises
@@ -103,7 +169,9 @@ def choose_sliders(base: Fixed, asked: Sequence[str] = (), others: Sequence[Scen
             faults[key] = why
     sliders = _with_powers(base, found, named, faults)
     if faults:
-        can = f"{FORM}; here {', '.join(slider.key for slider in sliders)} can be sliders" if sliders else FORM
+        can = (
+            f"{FORM}; here {', '.join(slider.key for slider in sliders.each)} can be sliders" if sliders.each else FORM
+        )
         raise SceneError([Fault(key, why, can) for key, why in faults.items()], SOURCE)
     return sliders
 
@@ -213,27 +281,43 @@ def _obstacle(base: Fixed, slider: Slider) -> str:
 
 def _with_powers(
     base: Fixed, found: Mapping[str, Slider], named: Mapping[str, object], faults: dict[str, str]
-) -> tuple[Slider, ...]:
-    """Give sliders their exponents; those without a power law are left out, and are faults if they were asked for."""
-    sliders = dict(found)
-    while sliders:
-        middle = middle_of(base, tuple(sliders.values()))
-        sliders = {key: replace(one, exponents=exponents_of(middle, key)) for key, one in sliders.items()}
-        wrong = _wrong(base, middle, sliders)
+) -> Sliders:
+    """Give sliders their exponents; those that numbers do not follow are left out, and are faults if asked for."""
+    kept = dict(found)
+    while kept:
+        sliders = Sliders(tuple(kept.values()))
+        middle = sliders.middle_of(base)
+        powers = (replace(one, exponents=exponents_of(middle, one.key)) for one in sliders.each)
+        sliders = _interpolating(base, Sliders(tuple(powers)))
+        wrong = _wrong(base, sliders)
         if not wrong:
-            return tuple(sliders.values())
+            return sliders
         # What was asked for goes last.
         key = max(wrong, key=lambda one: one not in named)
         if key in named:
             faults[key] = wrong[key]
-        del sliders[key]
-    return ()
+        del kept[key]
+    return Sliders()
 
 
-def middle_of(base: Fixed, sliders: Sequence[Slider]) -> Fixed:
-    """The scene with all sliders amid their ranges, or as it stands where that makes no sense."""
-    moved = moved_to(base, {slider.key: between(*slider.range) for slider in sliders})
-    return base if isinstance(moved, str) else moved
+def _interpolating(base: Fixed, sliders: Sliders) -> Sliders:
+    """The same with a number interpolated that is itself an estimate and that they do not follow."""
+    ranges = {one.key: one.range for one in sliders.each if ESTIMATED in one.exponents}
+    if ESTIMATED not in base.parameters or not sliders.lost(base, [ESTIMATED]):
+        return sliders
+    dimensions = {one.key: COMMON[one.written][1] if one.written in COMMON else PURE for one in sliders.each}
+    try:
+        found = interpolated(base, ESTIMATED, ranges, dimensions)
+    except SceneError:
+        found = None  # Somewhere in the ranges there is no stable shape, and no frequency.
+    if found is None:
+        return sliders
+    powers, interpolation = found
+    each = (
+        replace(one, exponents={**one.exponents, ESTIMATED: powers[one.key]}) if one.key in powers else one
+        for one in sliders.each
+    )
+    return Sliders(tuple(each), {ESTIMATED: interpolation})
 
 
 def is_needed(base: Fixed, name: str) -> bool:
@@ -241,41 +325,14 @@ def is_needed(base: Fixed, name: str) -> bool:
     return name in base.parameters or name.removeprefix(".") in NEEDED
 
 
-def _wrong(base: Fixed, middle: Fixed, sliders: Mapping[str, Slider]) -> dict[str, str]:
+def _wrong(base: Fixed, sliders: Sliders) -> dict[str, str]:
     """Sliders that the numbers of a page do not follow by a power, or not at all, and why."""
-    for key, slider in sliders.items():
-        if key != "run.duration" and not any(name in slider.exponents for name in base.parameters):
-            return {key: "no number of the solver depends on it, with these effects"}
-    every = tuple(sliders.values())
-    coefficients, points = coefficients_of(middle, every), points_of(base, every)
-    for name in filter(lambda name: is_needed(base, name), coefficients):
-        if not follows(points, every, name, coefficients[name]):
-            movers = [key for key, one in sliders.items() if name in one.exponents]
-            uneven = [key for key in movers if 2 * sliders[key].exponents[name] % 1 != 0]
-            # Of a sum of two keys neither is a power; of what is left both are to blame, the last goes.
-            return dict.fromkeys(uneven or movers[-1:], f"{name.removeprefix('.')} is no product of powers with it")
+    for slider in sliders.each:
+        if slider.key != "run.duration" and not any(name in slider.exponents for name in base.parameters):
+            return {slider.key: "no number of the solver depends on it, with these effects"}
+    for name in sliders.lost(base, [name for name in base.numbers if is_needed(base, name)]):
+        movers = {one.key: one.exponents[name] for one in sliders.each if name in one.exponents}
+        uneven = [key for key, power in movers.items() if 2 * power % 1 != 0]
+        # Of a sum of two keys neither is a power; of what is left both are to blame, the last goes.
+        return dict.fromkeys(uneven or [*movers][-1:], f"{name.removeprefix('.')} is no product of powers with it")
     return {}
-
-
-def coefficients_of(middle: Fixed, sliders: Sequence[Slider]) -> dict[str, float]:
-    """What the powers of the keys are multiplied by, at values where none of them is zero."""
-    at = {slider.key: value for slider in sliders if (value := value_of(middle.scene, slider.key)) is not None}
-    exponents = {slider.key: slider.exponents for slider in sliders}
-    return {name: value / product(1.0, exponents, name, at) for name, value in middle.numbers.items()}
-
-
-def points_of(base: Fixed, sliders: Sequence[Slider]) -> list[tuple[dict[str, float], Fixed]]:
-    """Random points of the ranges, and the ends of each, at which powers are verified."""
-    drawn = random_points(base, {slider.key: slider.range for slider in sliders}, _TRIES)
-    found, centre = [point for point, _ in zip(drawn, range(_POINTS), strict=False)], middle_of(base, sliders)
-    at = {slider.key: value_of(centre.scene, slider.key) or 0.0 for slider in sliders}
-    ends = ({**at, slider.key: end} for slider in sliders for end in (slider.low, slider.high))
-    return found + [(point, moved) for point in ends if isinstance(moved := moved_to(base, point), Fixed)]
-
-
-def follows(
-    points: Sequence[tuple[dict[str, float], Fixed]], sliders: Sequence[Slider], name: str, coefficient: float
-) -> bool:
-    """Whether a number is a product of powers at all points."""
-    exponents = {slider.key: slider.exponents for slider in sliders}
-    return all(is_close(product(coefficient, exponents, name, at), moved.numbers[name]) for at, moved in points)

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TypeVar
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -18,27 +15,11 @@ from softcat_sym.scene.scene import Scene
 from tests.common.draws import RARE, draws
 
 Floats = npt.NDArray[np.float64]
-Result = TypeVar("Result")
 
 CONSTANTS = ("youngs_modulus", "viscosity", "yield_stress")
 UNITS = {"youngs_modulus": "Pa", "viscosity": "Pa*s", "yield_stress": "Pa"}
 WRONG = {"youngs_modulus": 1.5, "viscosity": 1 / 1.4, "yield_stress": 1.3}
 """Factors from the truth to where fits start."""
-
-
-@dataclass(frozen=True)
-class Spent:
-    """Seconds: by the clock on the wall, and of the processor alone."""
-
-    wall: float
-    processor: float
-
-
-def timed(call: Callable[[], Result]) -> tuple[Result, Spent]:
-    """Call, and say what it took."""
-    wall, processor = time.perf_counter(), time.process_time()
-    result = call()
-    return result, Spent(time.perf_counter() - wall, time.process_time() - processor)
 
 
 def constants(scene: Scene, names: Sequence[str] = CONSTANTS) -> dict[str, float]:

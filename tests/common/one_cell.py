@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.cell import Builder, derivatives, printed
+from softcat_sym.discretization.casadi_printer import printed
+from softcat_sym.discretization.cell import Builder, derivatives
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_points import sampled
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule

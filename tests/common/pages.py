@@ -11,6 +11,7 @@ import numpy as np
 from softcat_sym.scene.scene import Scene
 from softcat_sym.web import description
 from softcat_sym.web.description import describe_page
+from softcat_sym.web.sliders import Sliders
 
 SLOW: dict[str, Any] = {"_alike": lambda *_: {}, "_notes": lambda *_: [], "_preview": lambda *_: None}
 
@@ -18,7 +19,7 @@ SLOW: dict[str, Any] = {"_alike": lambda *_: {}, "_notes": lambda *_: [], "_prev
 @cache
 def quick_page(scene: Scene, *sliders: str, only_numbers: bool = False) -> dict[str, Any]:
     """The data of a page, on request without any slider."""
-    changed = SLOW | ({"choose_sliders": lambda *_: ()} if only_numbers else {})
+    changed = SLOW | ({"choose_sliders": lambda *_: Sliders()} if only_numbers else {})
     with mock.patch.multiple(description, **changed):
         return describe_page(scene, sliders).data
 

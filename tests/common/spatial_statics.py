@@ -33,7 +33,7 @@ class Statics:
             raise ValueError("a rod at rest has no states that move")
         g = self.graph
         self._equilibrium = Equilibrium(g)
-        alg = ca.densify(g.symbolic.raw.rates[1])
+        alg = ca.densify(g.symbolic.balances[1])
         self._jacobian = ca.Function("jacobian", [g.t, g.x, g.z, g.p], [ca.jacobian(alg, g.z)])
         self._nothing = np.zeros(0)
         places = [(kind, place) for kind, place in zip(g.z_kinds, g.z_places, strict=True)]

@@ -13,8 +13,10 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.results.motion import period_of
+from softcat_sym.scene.bundled import bundled_lesson
 from tests.common.table import show
 from tests.test_bundled_scenes import Checked, at_cells, final, judge, run
+from tests.test_films import check_lesson
 
 pytestmark = pytest.mark.slow
 RUPTURES = "edge-of-rupture"
@@ -84,7 +86,7 @@ def test_scenes_show_their_physics() -> None:
 
 
 @pytest.mark.parametrize("name", sc.bundled_names())
-def test_a_scene_keeps_its_energy_and_is_saved_as_it_was_read(name: str, tmp_path: Path) -> None:
+def test_a_scene_shows_its_lesson_keeps_its_energy_and_is_saved_as_it_was_read(name: str, tmp_path: Path) -> None:
     scene = sc.load_scene(name, {"numerics.estimate": False})
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -92,6 +94,7 @@ def test_a_scene_keeps_its_energy_and_is_saved_as_it_was_read(name: str, tmp_pat
     done.save(tmp_path / name)
     assert done.outcome is (sc.Outcome.localised if name == RUPTURES else sc.Outcome.solved)
     assert done.summary["energy_residual"] < scene.run.accuracy
+    check_lesson(bundled_lesson(name), done)
     assert sc.open_run(tmp_path / name).scene == sc.load_scene(tmp_path / name / "scene.toml") == scene
 
 

@@ -49,17 +49,6 @@ def test_sag_and_first_period_are_those_of_timoshenkos_beam() -> None:
     assert np.max(np.abs(errors[0])) < 6e-3 and np.max(np.abs(errors[1])) < 5e-3
 
 
-@pytest.mark.parametrize("name", [DESCENT, "arrested-underdamped"])
-def test_half_the_step_changes_nothing(name: str) -> None:
-    scene = plane(name)
-    whole, half = (elements(scene, Mesh(32, 2), step_factor=factor) for factor in (1.0, 0.5))
-    change = float(np.max(np.abs(curve(scene, whole)[1] - curve(scene, half)[1])))
-    rows = [[f"{one:.1e}" for one in (whole.energy_error, half.energy_error, change)]]
-    show(name, ("energy error", "of half the step", "change of midpoint/L"), rows)
-    assert half.energy_error < whole.energy_error < 1e-4
-    assert change < 1e-5
-
-
 def test_elements_tend_to_the_material_closure() -> None:
     """Descent: the published physics is off by the first order in h0/L, what the program chooses by hardly anything.
 

@@ -198,7 +198,7 @@ def test_papers_parameter_sets_lie_where_the_paper_puts_them(diagram: PhaseDiagr
 
     def mark(G: float, V: float) -> str:
         i, j = (int(np.argmin(np.abs(np.log(axis / value)))) for axis, value in ((sheet.x, G), (sheet.y, V)))
-        return str(sheet.labels[i, j])
+        return str(sheet.lattice.labels[i, j])
 
     assert mark(0.01, 26.0) == "no-yield"
     assert mark(0.4, 26.0) in ("arrested-overdamped", "arrested-underdamped")

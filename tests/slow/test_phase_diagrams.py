@@ -10,9 +10,9 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.batch.executor import Where
-from softcat_sym.batch.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, run_places
 from softcat_sym.scene.scene import elastic_time
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram, phase_lines
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, place_at, run_places
 from tests.common.table import show
 
 SPAN, DENSITY, GRAVITY = 0.2, 1900.0, 9.81
@@ -57,11 +57,11 @@ def test_nodes_against_single_runs(diagram: PhaseDiagram) -> None:
     """Run or inferred, a node has the regime that a single run shows; what lies on a boundary may go either way."""
     random, rows, wrong = np.random.default_rng(9), [], 0
     for sheet in diagram.sheets:
-        n, labels = sheet.lattice.cells, sheet.labels
+        n, labels = sheet.lattice.cells, sheet.lattice.labels
         for i, j in random.integers(0, n + 1, (SAMPLE, 2)):
             mark = str(labels[i, j])
             regime = "descending" if mark == CLAMPS_ONLY else mark
-            found = brute_force(sheet.place(diagram.scene, int(i), int(j)))
+            found = brute_force(place_at(diagram.scene, sheet.plane, float(sheet.x[i]), float(sheet.y[j])))
             how = "run" if (int(i), int(j)) in sheet.lattice.known else "inferred"
             if found != regime:
                 wrong += 1

@@ -36,10 +36,13 @@ def bend(cells: int, force: float, thickness: float = 1.0) -> Floats:
 
 
 def test_thin_rods_do_not_lock() -> None:
-    """The error of eight elements does not grow as the rod becomes thinner at the same stiffness."""
+    """The error of eight elements does not grow as the rod becomes ten times thinner at the same stiffness.
+
+    One that locks is stiffer by (L/h0)^2: a hundred times further off.
+    """
     rows, errors = [], []
-    for share in (2e-2, 2e-3, 2e-4):
-        coarse, fine, finest = (bend(cells, 300.0, share * ARC) for cells in (4, 16, 32))
+    for share in (2e-2, 2e-3):
+        coarse, fine, finest = (bend(cells, 300.0, share * ARC) for cells in (4, 8, 16))
         limit = finest + (finest - fine) / 3
         errors.append(float(np.linalg.norm(coarse - limit)) / 100)
         rows.append([f"{share:g}", *(f"{one:.3f}" for one in coarse), f"{errors[-1]:.2e}"])
@@ -121,27 +124,24 @@ def test_energy_over_a_hundred_swings() -> None:
     """A cantilever twice as wide as thick that swings about both axes at once."""
     length, h, b, modulus, density, swings = 0.2, 6e-3, 12e-3, 4e6, 1900.0, 100
     period = 2 * np.pi / (3.516 * np.sqrt(modulus * h**2 / (12 * density * length**4)))
-    rows = []
-    for rtol in (1e-5, 1e-6, 1e-7):
-        scene = sc.Scene.from_dict(
-            {
-                "filament": {"span": length, "thickness": h, "width": b, "density": density},
-                "material": {"law": "elastic", "youngs_modulus": modulus, "poisson": 0.45},
-                "ends": {"right": "free"},
-                "load": {"gravity": 1.5, "direction": [0, -1, 1]},
-                "run": {"duration": swings * period, "frames": 2001, "effects": ["inertia", *AT_REST]},
-                "numerics": {"cells": 4, "grading": 1.0, "estimate": False, "rtol": rtol, "backend": "compiled"},
-            }
-        )
-        run = sc.simulate(scene)
-        assert run.outcome.is_success, run.summary["message"]
-        kinetic, elastic, weight = (run.fields[f"energy_{name}"] for name in ("kinetic", "elastic", "potential"))
-        total = kinetic + elastic + weight
-        drift = float(np.ptp(total) / kinetic.max())
-        tip = [float(np.ptp(run.data[name].values[:, -1])) / length for name in "yz"]
-        crossings = int(np.sum(np.diff(np.sign(run.data.y.values[:, -1] - run.data.y.values[:, -1].mean())) != 0)) // 2
-        rows.append([f"{rtol:g}", f"{drift:.1e}", crossings, *(f"{one:.2f}" for one in tip), run.summary["steps"]])
-        twist = float(np.abs(run.fields["twist"]).max())
-    header = ("rtol", "energy lost over the kinetic", "swings in y", "y/L", "z/L", "steps")
-    show("a hundred swings of a cantilever about both axes", header, rows)
-    assert drift < 1e-5 and min(tip) > 0.05 and crossings >= 80 and twist > 0.1
+    scene = sc.Scene.from_dict(
+        {
+            "filament": {"span": length, "thickness": h, "width": b, "density": density},
+            "material": {"law": "elastic", "youngs_modulus": modulus, "poisson": 0.45},
+            "ends": {"right": "free"},
+            "load": {"gravity": 1.5, "direction": [0, -1, 1]},
+            "run": {"duration": swings * period, "frames": 2001, "effects": ["inertia", *AT_REST]},
+            "numerics": {"cells": 4, "grading": 1.0, "estimate": False, "rtol": 1e-6, "backend": "compiled"},
+        }
+    )
+    run = sc.simulate(scene)
+    assert run.outcome.is_success, run.summary["message"]
+    kinetic, elastic, weight = (run.fields[f"energy_{name}"] for name in ("kinetic", "elastic", "potential"))
+    drift = float(np.ptp(kinetic + elastic + weight) / kinetic.max())
+    tip = [float(np.ptp(run.data[name].values[:, -1])) / length for name in "yz"]
+    swing = run.data.y.values[:, -1] - run.data.y.values[:, -1].mean()
+    crossings = int(np.sum(np.diff(np.sign(swing)) != 0)) // 2
+    row = [f"{drift:.1e}", crossings, *(f"{one:.2f}" for one in tip), run.summary["steps"]]
+    header = ("energy lost over the kinetic", "swings in y", "y/L", "z/L", "steps")
+    show("a hundred swings of a cantilever about both axes", header, [row])
+    assert drift < 1e-5 and min(tip) > 0.05 and crossings >= 80 and np.abs(run.fields["twist"]).max() > 0.1

@@ -25,6 +25,9 @@ from time import process_time
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
 from scipy.special import lambertw
 
 import softcat_sym as sc
@@ -39,18 +42,25 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
+from softcat_sym.plotting.card import predictions
 from softcat_sym.plotting.terminal import answer_rows, print_summary
+from softcat_sym.results.fields import energy_imbalance
 from softcat_sym.results.observed import DISPLACEMENT, OWN
 from softcat_sym.studies.card_rules import descent_of
 from softcat_sym.studies.explanation import explain
+from softcat_sym.web.description import describe_page
+from softcat_sym.web.module import find_wasm_compiler, wasm_module
 from tests.common.compilers import ANSWER, COMPILE
 from tests.common.filmed import film, scene
 from tests.common.held_straight import BY_LAW, IN_THREE_DIMENSIONS, by_bulk, by_section
 from tests.common.in_process import Softcat, sets
+from tests.common.javascript import solved_in_node
 from tests.common.table import rows_of
 from tests.common.tiny_disk import files_in, tiny_disk
 from tests.common.true_error import true_errors
+from tests.slow.test_web_model import simulated_with
 from tests.test_breaking import cantilever
+from tests.test_table_reader import FILMS, FLOW_CURVES, NOTES, as_written, film_is_read
 
 pytestmark = pytest.mark.slow
 
@@ -146,6 +156,26 @@ def test_the_matrix_has_a_row_for_each_machine(says: Says) -> None:
     says("A2", "one kind of machine", f".ci/matrix: {', '.join(rows)}")
 
 
+# --- A3: files as instruments and trackers write them
+
+MAKERS = ("RheoCompass", "TRIOS", "units in a row", "only a viscosity", "below the least torque", "HAAKE", "rSpace")
+
+
+@pytest.mark.parametrize("maker", MAKERS)
+def test_a_rheometers_own_file_is_fitted(says: Says, softcat: Softcat, maker: str, tmp_path: Path) -> None:
+    path = as_written(maker, FLOW_CURVES[maker], tmp_path)
+    done = softcat("flow-curve", str(path), "-o", str(tmp_path / "out"))
+    assert done.status == 0 and NOTES[maker] in " ".join(done.out.split())
+    assert json.loads((tmp_path / "out" / "flow_curve.json").read_text())["shear_rate_1_s"] == [1.0, 1000.0]
+    says("A3", f"flow-curve refuses {maker}", NOTES[maker])
+
+
+def test_films_of_trackers_are_read(says: Says, tmp_path: Path) -> None:
+    off = {maker: film_is_read(maker, tmp_path) for maker in FILMS}
+    assert max(off.values()) < 1e-7
+    says("A3", "films of ImageJ by slices one frame late, others refused", f"to 0.1 um: {'; '.join(off)}")
+
+
 # --- B1: the regime does not depend on the frames
 
 INK = """
@@ -156,7 +186,7 @@ section = "circle"
 density = "2200 kg/m^3"
 [material]
 law = "bingham"
-youngs_modulus = "300 kPa"
+storage_modulus = "103 kPa"
 loss_tangent = 0.1
 shear_yield_stress = "200 Pa"
 shear_viscosity = "10 Pa*s"
@@ -175,7 +205,7 @@ def test_one_ink_has_one_regime(says: Says, tmp_path: Path) -> None:
     runs = [sc.simulate(scene.replace(changes)) for changes in ({}, {"run.duration": "0.05 s"}, {"run.frames": 21})]
     whole = runs[0].summary
     descent = descent_of(runs[0])
-    swept = sc.sweep(scene, {"material.youngs_modulus": ["300 kPa", "310 kPa"]}, tmp_path).data.isel(member=0)
+    swept = sc.sweep(scene, {"material.storage_modulus": ["103 kPa", "107 kPa"]}, tmp_path).data.isel(member=0)
     foreseen = expected_regime(scene, tuple(whole["effects"]))
     assert descent is not None
     regimes = [run.summary["regime"] for run in runs] + [f"arrested-{descent.damping}", str(swept.regime.values)]
@@ -741,3 +771,244 @@ def test_on_a_full_disk_every_writer_says_so_and_leaves_nothing(says: Says, soft
                 assert done.stderr.count("\n") == 1 and not list(disk.iterdir())
     says("D3", "segmentation fault of sweep on a disk of 64 kB", "status 2: No space left on device (DIR); DIR is gone")
     says("D3", "films and VTK", "the same")
+
+
+# --- What a newcomer expects: the live page of README's scene, and the card
+
+
+def test_the_live_page_of_the_readme_has_its_sliders(says: Says, tmp_path: Path) -> None:
+    """A slider that is moved gives the midpoint of the scene with that change, though its loss is interpolated."""
+    if find_wasm_compiler() is None:
+        pytest.skip("no compiler for WebAssembly")
+    ink = sc.Scene.model_validate(tomllib.loads(INK)).replace({"run.frames": 201})
+    page, module, rows = describe_page(ink), tmp_path / "page.wasm", list[str]()
+    module.write_bytes(wasm_module(page.described))
+    own = page.data["scenes"][0]["keys"]
+    moved = {"filament.span": 1.3, "filament.thickness": 0.7, "filament.density": 1.6}
+    assert moved.keys() <= own.keys()
+    states = [{"scene": 0, "values": {**own, key: own[key] * by}} for key, by in moved.items()]
+    for state, found, key in zip(states, solved_in_node(page.data, module, states, ()), moved, strict=True):
+        run = simulated_with(page, ink, state["values"])
+        sag, apart = np.abs(run.fields["midpoint"]).max(), np.abs(found["midpoint"] - run.fields["midpoint"]).max()
+        assert (found["verdict"]["outcome"], found["verdict"]["regime"]) == ("solved", run.summary["regime"])
+        assert apart < ink.run.accuracy * sag
+        rows.append(f"{key.partition('.')[2]} {apart / sag:.0e}")
+    says(
+        "newcomer C3", "sliders for span, diameter and density vanish", f"midpoint off by {', '.join(rows)} of the sag"
+    )
+
+
+FIRST = """
+import sys, time
+from softcat_sym.cli import main
+
+begun, write = time.process_time(), sys.stdout.write
+
+def heard(text):
+    sys.stdout.write = write
+    print("heard after", time.process_time() - begun, file=sys.stderr)
+    return write(text)
+
+sys.argv[0], sys.stdout.write = "softcat", heard
+main()
+"""
+"""Tells what passes from the start of the program to the first that it prints."""
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_a_card_says_at_once_what_it_can(says: Says, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With an empty cache: what is foreseen within two seconds of the processor, and all in less than before."""
+    (tmp_path / "my-ink.toml").write_text(INK, encoding="utf-8")
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("SOFTCAT_WASM_CC", "none")
+    words = ["card", str(tmp_path / "my-ink.toml"), "-o", str(tmp_path)]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([sys.executable, "-c", FIRST, *words], capture_output=True, text=True, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    first = float(re.search(r"heard after (\S+)", done.stderr)[1])  # type: ignore[index]
+    told = [
+        "expected",
+        "expected sag",
+        "elastic sags",
+        "regime",
+        "final sag",
+        "longest span",
+        "surface tension",
+        "rule",
+    ]
+    labels = [line.split("  ")[0].strip() for line in done.stdout.splitlines()]
+    assert [label for label in labels if label in told] == told
+    assert first < 2 and spent < 53
+    says(
+        "newcomer C7", "card: 53 s of the processor, then all", f"foreseen after {first:.1f} s, all after {spent:.0f} s"
+    )
+
+
+# --- Pictures: of a run, a card and a fit
+def labels_without_a_mark(figure: Figure) -> list[str]:
+    """Entries of its legends for which nothing is drawn."""
+    found = []
+    for legend in figure.findobj(Legend):
+        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
+            bare = isinstance(handle, Line2D) and {handle.get_linestyle(), handle.get_marker()} <= {"None", "none", ""}
+            found += [text.get_text()] if bare else []
+    return found
+
+
+def test_pictures_against_time_show_the_part_in_which_something_happens(says: Says) -> None:
+    run = sc.simulate("modelling-clay")
+    figures = run.figures()
+    for name in ("midpoint", "energy", "space-time"):
+        axes = figures[name].axes[0]
+        figures[name].canvas.draw()
+        left, fallen, right = axes.transData.transform([(t, 0.0) for t in (0.0, 3.0, 60.0)])[:, 0]
+        assert 0.4 < (fallen - left) / (right - left) < 0.8, name
+        assert axes.get_xscale() == "asinh" and not labels_without_a_mark(figures[name])
+    label = figures["midpoint"].axes[0].get_xlabel()
+    says("C8", "it arrests within 3 s of 60: a twentieth of the time axis", f"'{label}': half of it")
+    assert sc.simulate("no-yield").plot().axes[0].get_xscale() == "linear"
+
+
+def test_ringing_is_no_polygon(says: Says) -> None:
+    run = sc.simulate("agar-bar")
+    frames = run.summary["frames_a_period"]
+    for name in ("midpoint", "energy"):
+        line = max(run.plot(name).axes[0].lines, key=lambda one: len(one.get_xdata()))
+        drawn = frames * len(np.unique(line.get_xdata())) / len(run.fields["time"])
+        assert frames < 6 and drawn > 20
+    # Potential energy, kinetic and stored ones and what is lost balance at all of these times, too.
+    dense = {name.removeprefix("dense_"): values for name, values in run.fields.items() if name.startswith("dense_")}
+    imbalance, largest = energy_imbalance(dense)
+    assert np.abs(imbalance).max() < 1e-4 * largest
+    says("C8", f"{frames:.1f} frames a period: polygons", f"{drawn:.0f} points a period, from dense output")
+
+
+def test_no_legend_has_an_entry_that_is_not_drawn(says: Says) -> None:
+    card = sc.card(sc.load_scene("ink-bridge", {"numerics.cells": 12, "numerics.estimate": False}))
+    deeper = [text for text, depth in predictions(card) if depth > 2.5 * card.descent.largest]
+    figure = card.plot()
+    names = [text.get_text() for legend in figure.findobj(Legend) for text in legend.get_texts()]
+    assert labels_without_a_mark(figure) == [] and len(set(names)) == len(names) and deeper
+    assert sum("catenary at yield" in name for name in names) == 1
+    says("C8", "card.png: six legend entries without a line, one rule twice", f"{len(deeper)} arrows at the edge")
+
+
+def test_a_fit_writes_no_empty_picture(says: Says, softcat: Softcat, tmp_path: Path) -> None:
+    assert softcat("samples", "-o", str(tmp_path)).status == 0
+    words = (
+        "fit",
+        str(tmp_path / "film.csv"),
+        "--scene",
+        str(tmp_path / "my-ink.toml"),
+        "--free",
+        "yield_stress",
+        "-q",
+    )
+    one = (*words, "--calibrated", "--no-profile-likelihood", "--starts", "1", "-o", str(tmp_path / "out"))
+    assert softcat(*one).status == 0
+    pictures = sorted(path.name for path in (tmp_path / "out").glob("*.png"))
+    assert pictures == ["features.png", "fit.png"]
+    says("C8", "starts.png of one start, an empty correlation.png", f"written: {', '.join(pictures)}")
+
+
+# --- What strangers met, second part
+
+
+def refused(says: Says, point: str, met: str, *words: str) -> None:
+    """A row of a command that is refused with one message and status 2."""
+    done = timed(*words, "-q")
+    assert (done.status, done.out) == (2, "") and "Traceback" not in done.err, done.err
+    told = done.err.removeprefix("softcat: ").strip().splitlines()
+    says(point, met, told[1].strip() if told[0].endswith("fault") else told[0])
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can be another user")
+def test_a_user_without_a_home_has_every_command(says: Says) -> None:
+    bare = {name: value for name, value in os.environ.items() if name in ("PATH", "PYTHONPATH")}
+    try:
+        done = subprocess.run(
+            [PROGRAM, "keys", "span"], env=bare, user=12345, cwd="/", capture_output=True, text=True, check=False
+        )
+    except PermissionError:
+        pytest.skip("another user may not run this installation")
+    assert (done.returncode, done.stderr) == (0, "")
+    says("second B1", "without a home (docker --user 1234): a traceback", f"status 0, {done.stdout.splitlines()[0]}")
+
+
+def test_damaged_and_nonsensical_files_are_one_line(says: Says, tmp_path: Path) -> None:
+    contour = tmp_path / "contour.csv"
+    contour.write_text("# pillars.gap = 0, 6\nx_mm,y_mm\n" + "".join(f"3.0,{-0.1 * k}\n" for k in range(20)))
+    collapse = ("fit", str(contour), "--test", "collapse", "--scene", "ink-bridge", "-o", str(tmp_path / "fit"))
+    refused(says, "second B3", "a contour whose x are all the same: LinAlgError", *collapse)
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    whole = tmp_path / "whole"
+    assert timed("run", "ink-bridge", "-q", "--no-pictures", *brief, "-o", str(whole)).status == 0
+    for name in ("summary.json", "scene.toml"):
+        shutil.copytree(whole, tmp_path / name)
+        (tmp_path / name / name).write_text((whole / name).read_text()[:100])
+        drawn = ("draw", str(tmp_path / name), "-o", str(tmp_path / "drawn"))
+        refused(says, "second B4", f"draw of a damaged {name}: drawn without it", *drawn)
+    hot = sets("temperature.initial=1e300 K")
+    refused(says, "second B6", "temperature.initial = 1e300 K: a traceback", "explain", "glass-fibre", *hot)
+    soft = ("run", "ink-bridge", *brief, *sets("material.breaking_strain=1e-300"), "-o", str(tmp_path / "soft"))
+    refused(says, "second B10", "breaking_strain = 1e-300 blames run.duration", *soft)
+    named = ("generate", "ink-bridge", "--web", "--name", "..", "-o", str(tmp_path / "page"))
+    refused(says, "second B10", "--name ..: a page of this name", *named)
+    unknown = ("explain", "ink-bridge", *sets("material.temperature=20 degC"))
+    refused(says, "second C4", "material.temperature: (did you mean 'temperature'?)", *unknown)
+
+
+def test_a_prior_is_judged_before_the_fit(says: Says, tmp_path: Path) -> None:
+    pytest.importorskip("nutpie")
+    samples = Path(sc.__file__).parent / "samples"
+    words = ("fit", str(samples / "film.csv"), "--scene", str(samples / "my-ink.toml"), "--free", "viscosity")
+    prior = ("--posterior", "--prior", "viscosity=lognrom(s=0.5, scale=30 Pa*s)", "-o", str(tmp_path / "out"))
+    refused(says, "second B5", "--prior: read after the fit, in minutes", *words, *prior)
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_a_full_cache_is_told_by_a_sweep(says: Says, tmp_path: Path) -> None:
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    with tiny_disk(tmp_path / "cache", 48) as disk:
+        words = ("sweep", "ink-bridge", "--vary", "filament.span=4:5 mm:3", "-q", *brief, "-o", str(tmp_path / "out"))
+        done = command(*words, SOFTCAT_CACHE=str(disk))
+    assert (done.returncode, done.stdout, (tmp_path / "out").exists()) == (2, "", False)
+    assert "No space left on device; free some space, or set SOFTCAT_CACHE" in done.stderr
+    told = done.stderr.strip().removeprefix("softcat: ").replace(str(tmp_path), "")
+    says("second B9", "a sweep with a full cache: 'no member is an answer', nothing else", told)
+
+
+def test_what_a_newcomer_expects(says: Says, tmp_path: Path) -> None:
+    run = sc.simulate("cold-honey", {"filament.span": "6 cm", "run.frames": 21, "numerics.estimate": False})
+    picture = run.plot("shapes")._repr_png_()  # type: ignore[attr-defined]
+    says("second C1", "run.plot('shapes') in a notebook: <Figure>", f"a PNG of {len(picture) // 1000} kB")
+    says("second C1", "simulate takes no changes", f"span {run.scene.filament.span:g} m")
+    explained = repr(sc.explain("cold-honey")).splitlines()
+    says("second C1", "explain's repr: pages", f"{len(explained)} lines: {explained[0]}")
+    timed("new", str(tmp_path / "ink.toml"), "-q")
+    lines = (tmp_path / "ink.toml").read_text().splitlines()
+    reasons = [line for line in lines if line.startswith("# Without it")]
+    assert len(reasons) == 2
+    for reason in reasons:
+        says("second C2", "softcat new asks neither for a loss nor why it matters", reason)
+    said = timed("explain", "arrested-overdamped", *sets("numerics.cells=6")).out
+    taken = re.search(r"assumed\s+(.*)", said)
+    assert taken is not None and "taken as" in taken[1]
+    says("second C5", "viscosity of a data sheet: a factor of 3 off in silence", taken[1])
+    brief = sets("numerics.cells=6", "run.frames=21", "numerics.estimate=false")
+    words = ("run", "cold-honey", "-q", "--no-pictures", "-o", str(tmp_path / "out"), *brief)
+    again = [timed(*words, *more).err for more in ((), sets("filament.span=6 cm"))]
+    assert again[0] == "" and "filament.span" in again[1]
+    told = again[1].strip().removeprefix("softcat: ").replace(f"{tmp_path}/", "")
+    says("second C6", "--set into another scene's folder: replaced in silence", told)
+
+
+def test_pla_cools_from_the_nozzle_to_the_room(says: Says) -> None:
+    """Below its WLF: what it sags by has stopped long before the end."""
+    run = sc.simulate(FOLDER / "pla-from-the-nozzle.toml")
+    (note,) = (text for text in run.scene.notes if "frozen" in text)
+    heights, T = run.fields["midpoint"], run.fields["temperature"]
+    assert run.outcome is sc.Outcome.solved and np.ptp(heights[len(heights) // 2 :]) < 1e-6 * abs(heights[-1])
+    assert T[0].min() == pytest.approx(483.15) and T[-1].max() < 300
+    says("second C4", "PLA from 210 C: temperature.C2, coldest below the reference", f"solved; {note}")

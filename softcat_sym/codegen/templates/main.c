@@ -72,7 +72,7 @@ static int write_file(const arguments *asked, const double *times, int frames,
     if (file) {
         write_table(file, times, frames, midpoint, shape, row, axes);
         failed = ferror(file) != 0;
-        failed |= file == stdout ? fflush(file) != 0 : fclose(file) != 0;
+        failed |= asked->output ? fclose(file) != 0 : fflush(file) != 0;
     }
     if (!failed) return SOLVED;
     fprintf(stderr, "%s: %s\n", asked->output ? asked->output : "standard output", strerror(errno));

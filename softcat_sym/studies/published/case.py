@@ -33,25 +33,14 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True)
 class Row:
-    """One number that others have published, and ours.
-
-    Attributes
-    ----------
-    quantity, unit : str
-        Name and unit of the quantity; the unit of a pure number is empty.
-    published, ours : float
-        The two numbers.
-    band : (float, float) or None
-        Range that the source states; None if it states no range.
-    is_absolute : bool
-        Whether the difference is given in the unit, as for a temperature, instead of relative to the published number.
-    """
+    """One number that others have published, and ours."""
 
     quantity: str
-    unit: str
+    unit: str  # Empty of a pure number
     published: float
     ours: float
-    band: tuple[float, float] | None = None
+    band: tuple[float, float] | None = None  # Range that the source states
+    # Whether the difference is given in the unit, as for a temperature, instead of relative to the published number.
     is_absolute: bool = False
 
     @property
@@ -99,43 +88,19 @@ class Finding:
 
 @dataclass(frozen=True)
 class Case:
-    """A published case.
+    """A published case."""
 
-    Attributes
-    ----------
-    name : str
-        Name of the case for the command.
-    title, source : str
-        Subject, and publication.
-    kind : Kind
-        Kind of the published data.
-    stated : str
-        Statement of the source, and where it was read.
-    independent : str
-        Parts of the comparison that are independent of this package.
-    explains : str
-        Possible explanation of a difference.
-    run : callable or None
-        Function that runs the package and returns the results; None if the case cannot be run yet.
-    scenes : sequence of str
-        Names of its scenes.
-    needs : str
-        A package of the extra ``peers`` that the case needs; empty if none.
-    reason : str
-        Why the case is not run.
-    """
-
-    name: str
-    title: str
-    source: str
-    kind: Kind
-    stated: str
-    independent: str = ""
-    explains: str = ""
-    run: Callable[[], Finding] | None = None
-    scenes: Sequence[str] = ()
-    needs: str = ""
-    reason: str = ""
+    name: str  # Name of the case for the command
+    title: str  # Subject
+    source: str  # Publication
+    kind: Kind  # Kind of the published data
+    stated: str  # Statement of the source, and where it was read
+    independent: str = ""  # Parts of the comparison that are independent of this package
+    explains: str = ""  # Possible explanation of a difference
+    run: Callable[[], Finding] | None = None  # None if the case cannot be run yet
+    scenes: Sequence[str] = ()  # Names of its scenes
+    needs: str = ""  # A package of the extra ``peers`` that the case needs
+    reason: str = ""  # Why the case is not run
 
 
 @cache

@@ -65,7 +65,7 @@ def _shapes() -> Finding:
             thickness, X = run.fields["thickness"][frame], run.cells / scene.filament.span
             found.append(float(np.interp(0.0, X, thickness) / np.interp(0.3, X, thickness)))
         shapes.append(found)
-        curves.append(Curve(f"{viscosity:g} Pa s", [1e3 * d for d in _DIAMETERS], found))
+        curves.append(Curve(f"{viscosity:g} Pa·s", [1e3 * d for d in _DIAMETERS], found))
     spread = np.ptp(np.array(shapes), axis=0) / np.mean(shapes, axis=0)
     row = Row("shape at a sag of 0.4 L, largest over smallest", "", 1.0, 1 + float(spread.max()))
     picture = Picture("diameter [mm]", "thickness, X = 0 over X = 0.3 L", tuple(curves))

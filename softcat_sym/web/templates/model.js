@@ -22,9 +22,18 @@ function productOf(data, state, coefficient, exponentOf) {
   return coefficient
 }
 
+/* What an interpolation says, of which the logarithm is a polynomial of groups of the keys. */
+function interpolatedAt(data, state, { groups, middles, halves, degrees, coefficients }) {
+  const places = groups.map((group, j) => (sumOf(Object.keys(group).map(key => group[key] * Math.log(valueOf(data, state, key)))) - middles[j]) / halves[j])
+  return Math.exp(sumOf(coefficients.map((one, k) => places.reduce((term, place, j) => term * place ** degrees[k][j], one))))
+}
+
 function parametersOf(data, state) {
   const { coefficients } = data.scenes[state.scene]
-  return Float64Array.from(data.parameters, (name, k) => productOf(data, state, coefficients[k], slider => slider.exponents[name]))
+  return Float64Array.from(data.parameters, (name, k) => {
+    const known = data.interpolations[name], coefficient = coefficients[k] * (known ? interpolatedAt(data, state, known) : 1)
+    return productOf(data, state, coefficient, slider => slider.exponents[name])
+  })
 }
 
 /* A number beside the parameters from which a run is judged; undefined where it is no product of powers. */

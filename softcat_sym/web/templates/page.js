@@ -102,7 +102,7 @@ function spoken(unit) {
   return [above, ...below.map((part) => `per ${part.replace(/s\b/, "")}`)].join(" ").trim();
 }
 const SUPERSCRIPTS = { 2: "²", 3: "³", 4: "⁴" };
-const written = (unit) => unit.replace(/\^([234])/g, (_, digit) => SUPERSCRIPTS[digit]).replace(/\*/g, " ");
+const written = (unit) => unit.replace(/\^([234])/g, (_, digit) => SUPERSCRIPTS[digit]).replace(/\*/g, "·");
 
 const sliders = data.sliders.map((spec, k) => {
   const measure = spec.scale === "log" ? Math.log : (u) => u, back = spec.scale === "log" ? Math.exp : (u) => u;

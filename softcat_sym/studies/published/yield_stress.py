@@ -46,7 +46,7 @@ def _flow_curves() -> Finding:
         "curves with a yield stress or without, as their authors say", "", number, float(sum(as_said)),
         band=(number, number), is_absolute=True,
     )  # fmt: skip
-    picture = Picture("shear rate [1/s]", "shear stress [Pa]", tuple(curves), is_log_x=True, is_log_y=True)
+    picture = Picture("shear rate [s⁻¹]", "shear stress [Pa]", tuple(curves), is_log_x=True, is_log_y=True)
     return Finding((row,), picture)
 
 

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
-from dataclasses import replace
+from collections.abc import Iterator
 
 import sympy as sp
 
 from softcat_sym.physics import backstress, conformation, heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.closures import CLOSURES, A, h
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
-from softcat_sym.physics.laws import Branch, Flow, plastic_rate
+from softcat_sym.physics.laws import Flow, plastic_rate
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import s_slope
 from softcat_sym.physics.reissner import (
@@ -36,37 +34,97 @@ from softcat_sym.physics.reissner import (
     tau_f,
     tau_mean,
 )
-from softcat_sym.physics.section_response import PLANE_STRAIN, BranchResponse, shrunk, stiffness
+from softcat_sym.physics.section_response import CLOSURES, PLANE_STRAIN, A, SectionResponse, h, shrunk, stiffness
 from softcat_sym.physics.sections import NONE, Section
 
 Rename = dict[sp.Symbol, sp.Symbol]
+Rows = tuple[tuple[sp.Symbol, str, sy.Dimension, str], ...]
 
 _READABLE = 12
 """Operations up to which a mean in closed form is written as such."""
 
 
-def stresses(equations: FilamentEquations) -> Iterator[Stated]:
+def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -> tuple[Stated, ...]:
+    """Write the equations of a filament out, in the order in which one would derive them.
+
+    Means over the section stay means, and a rule that is rounded at zero stress for the integrator is written without
+    the rounding.
+    """
+    if (resolved := equations.resolved) is not None:
+        stress = _stresses_of_fibres(resolved) if equations.chains is None else _chains_of_fibres(equations, resolved)
+        section = (*_strains(resolved), *stress, *_flows(equations, resolved), *_resultants(equations, resolved))
+    else:
+        kinematics = _uniform_stretch if reduced else _kinematics
+        section = (*kinematics(equations), *_stresses(equations), *_plastic_rates(equations))
+        section = (*section, *_forces(equations, reduced=reduced))
+    clocks = (*_histories(equations), *_temperature(equations))
+    return (*section, *clocks, *_balance(equations, reduced=reduced), *_gravity(equations))
+
+
+# Symbols of one of several parts in parallel: the plain one, the LaTeX of its own before the part's number.
+_MEANS: Rows = (
+    (sy.sigma_0, r"\sigma_0^{{({j})}}", sy.STRESS, "mean stress"),
+    (sy.sigma_1, r"\sigma_1^{{({j})}}", sy.STRESS, "bending stress"),
+    (sy.a_0, "a_0^{{({j})}}", sy.ONE, "axial plastic strain"),
+    (sy.a_1, "a_1^{{({j})}}", sy.ONE, "bending plastic strain"),
+)
+_FIBRE: Rows = (
+    (sy.sigma, r"\sigma^{{({j})}}", sy.STRESS, "stress of a fibre"),
+    (tau_f, r"\tau^{{({j})}}", sy.STRESS, "shear stress of a fibre"),
+    (eps_p, r"\epsilon^{{p({j})}}", sy.ONE, "axial plastic strain of a fibre"),
+    (gamma_p, r"\gamma^{{p({j})}}", sy.ONE, "plastic shear of a fibre"),
+    (reissner.eps_e, r"\epsilon^{{e({j})}}", sy.ONE, "axial elastic strain of a fibre"),
+    (reissner.gamma_e, r"\gamma^{{e({j})}}", sy.ONE, "elastic shear of a fibre"),
+    (reissner.sigma_c, r"\hat\sigma^{{({j})}}", sy.STRESS, "stress conjugate to the axial strain"),
+    (reissner.tau_d, r"\tau_d^{{({j})}}", sy.STRESS, "driving shear stress of a fibre"),
+)
+_ELASTIC = (reissner.eps_e, reissner.gamma_e)
+
+
+class _Parts:
+    """Springs and a viscous stress in parallel: symbols of each, and the plain ones of an only part."""
+
+    def __init__(self, section: SectionResponse | ResolvedSection, rows: Rows, viscous: str = "") -> None:
+        self.springs, self._rows, self._viscous = len(section.branches), rows, viscous
+        self.count = self.springs + (section.viscous is not None)
+
+    def symbols(self, number: int) -> Rename:
+        """Symbols of one part."""
+        j = number + 1
+        return {
+            symbol: sy.enter(f"{symbol.name}_part{j}", latex.format(j=j), dimension, f"{meaning} of part {j}", "2.8")
+            for symbol, latex, dimension, meaning in (self._rows if self.count > 1 else ())
+        }
+
+    def stated(self, number: int, name: str, left: sp.Expr, right: sp.Expr, source: str) -> Stated:
+        """An equation of one part."""
+        new, words = self.symbols(number), f", part {number + 1}" if self.count > 1 else ""
+        if words and number == self.springs:
+            words = self._viscous or words
+        return stated(f"{name}{words}", left.xreplace(new), right.xreplace(new), source)
+
+    def sums(self, *totals: sp.Symbol) -> Iterator[Stated]:
+        """What the parts add up to."""
+        for total in totals if self.count > 1 else ():
+            added = sp.Add(*(total.xreplace(self.symbols(j)) for j in range(self.count)))
+            yield stated("sum over the parts in parallel", total, added, "2.8")
+
+
+def _stresses(equations: FilamentEquations) -> Iterator[Stated]:
     """The stress of every branch, of the viscous stress, and their sum."""
-    terms, response = equations.terms, equations.response
+    response, parts = equations.response, _Parts(equations.response, _MEANS, ", viscous")
     if equations.chains is not None:
         solvent = sp.S.Zero if response.viscous is None else response.viscous.stress_mean
         yield from _conformation(equations.chains, axial_strain)
         yield stated("mean stress", sy.sigma_0, chain_stress + solvent, "2.8")
         return
-    stretches, bends = terms.stretches, terms.bending
-    several = len(response.parts) > 1
+    stretches, bends = equations.terms.stretches, equations.terms.bending
     for j, part in enumerate(response.parts):
-        new, which = _part(j, several, _MEANS), _which(equations, j)
         if stretches:
-            yield stated(f"mean stress{which}", sy.sigma_0.xreplace(new), part.stress_mean.xreplace(new), "2.8, 2.11")
+            yield parts.stated(j, "mean stress", sy.sigma_0, part.stress_mean, "2.8, 2.11")
         if bends:
-            bending = part.stress_bending.xreplace(new)
-            yield stated(f"bending stress at zeta = 1{which}", sy.sigma_1.xreplace(new), bending, "2.8, 2.11")
-    if several:
-        for present, total in ((stretches, sy.sigma_0), (bends, sy.sigma_1)):
-            if present:
-                parts = [total.xreplace(_part(j, True, _MEANS)) for j in range(len(response.parts))]
-                yield stated("sum over the parts in parallel", total, sp.Add(*parts), "2.8")
+            yield parts.stated(j, "bending stress at zeta = 1", sy.sigma_1, part.stress_bending, "2.8, 2.11")
+    yield from parts.sums(*[sy.sigma_0] * stretches, *[sy.sigma_1] * bends)
 
 
 axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
@@ -91,54 +149,36 @@ def _conformation(chains: ChainResponse, strain: sp.Symbol) -> Iterator[Stated]:
     yield stated("stress of the chains", chain_stress, chains.stress.xreplace(plain), source)
 
 
-def plastic_rates(equations: FilamentEquations) -> Iterator[Stated]:
+def _plastic_rates(equations: FilamentEquations) -> Iterator[Stated]:
     """The flow rule of every branch that flows, and the rates of its plastic states."""
-    several = len(equations.response.parts) > 1
+    shape, terms, parts = equations.shape, equations.terms, _Parts(equations.response, _MEANS, ", viscous")
+    closed = CLOSURES[equations.closure](equations.strain, shape.contraction if terms.thins else NONE)
     for j, (branch, response) in enumerate(zip(equations.law.branches, equations.response.branches, strict=True)):
-        if not branch.has_state:
+        flow, means = branch.flow, response.means
+        if means is None:
             continue
-        new, which = _part(j, several, _MEANS), _which(equations, j)
-        if branch.flow is not None:
-            yield stated(
-                f"flow rule of a fibre{which}", plastic_rate, shown_rate(branch.flow, equations.shape), "2.7, 2.25"
-            )
-        yield from _states(equations, branch, response, new, which)
-
-
-def _states(
-    equations: FilamentEquations, branch: Branch, response: BranchResponse, new: Rename, which: str
-) -> Iterator[Stated]:
-    flow, means, shape = branch.flow, response.means, equations.shape
-    if means is None:
-        return
-    # Springs without stress that join the others: the plastic strain follows the strain.
-    springs = [
-        sp.S.Zero if branch.growth is None else stress * branch.growth / stiffness(shape, branch.modulus)
-        for stress in (sy.sigma_0, sy.sigma_1)
-    ]
-    terms = equations.terms
-    contraction = shape.contraction if terms.thins else NONE
-    closed = CLOSURES[equations.closure](equations.strain, contraction)
-    # A mean in closed form is written as such where one can read it.
-    at_once = sp.count_ops(means.rate) <= _READABLE and sp.count_ops(means.bending_rate) <= _READABLE
-    if terms.bending and not at_once:
-        through = (sy.sigma_0 if terms.stretches else sp.Integer(0)) + sy.sigma_1 * sy.zeta
-        yield stated(f"stress of the fibre zeta{which}", sy.sigma, through.xreplace(new), "2.23")
-    if terms.stretches:
-        flowing = sp.S.Zero if flow is None else _mean_of(flow, shape, bends=terms.bending)
-        mean = (flowing + springs[0]) / closed.recall_mean
-        rate = response.rate_mean if at_once else mean
-        yield stated(f"axial flow{which}", Rate(sy.a_0.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
-    if terms.bending:
-        flowing = sp.S.Zero if flow is None else Mean(plastic_rate * sy.zeta) / shape.zeta_squared
-        mean = (flowing + springs[1]) / closed.recall_bending
-        rate = response.rate_bending if at_once else mean
-        yield stated(f"bending flow{which}", Rate(sy.a_1.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
-
-
-def _mean_of(flow: Flow, shape: Section, *, bends: bool) -> sp.Expr:
-    """<eps_p_t>, or the rule itself of the only stress there is."""
-    return Mean(plastic_rate) if bends else shown_rate(flow, shape).subs(sy.sigma, sy.sigma_0)
+        if flow is not None:
+            yield parts.stated(j, "flow rule of a fibre", plastic_rate, shown_rate(flow, shape), "2.7, 2.25")
+        # A mean in closed form is written as such where one can read it.
+        at_once = sp.count_ops(means.rate) <= _READABLE and sp.count_ops(means.bending_rate) <= _READABLE
+        if terms.bending and not at_once:
+            through = (sy.sigma_0 if terms.stretches else sp.Integer(0)) + sy.sigma_1 * sy.zeta
+            yield parts.stated(j, "stress of the fibre zeta", sy.sigma, through, "2.23")
+        # Springs without stress that join the others: the plastic strain follows the strain.
+        joining = sp.S.Zero if branch.growth is None else branch.growth / stiffness(shape, branch.modulus)
+        if terms.stretches:
+            # <eps_p_t>, or the rule itself of the only stress there is.
+            flowing = sp.S.Zero if flow is None else Mean(plastic_rate)
+            if flow is not None and not terms.bending:
+                flowing = shown_rate(flow, shape).subs(sy.sigma, sy.sigma_0)
+            mean = (flowing + sy.sigma_0 * joining) / closed.recall_mean
+            rate = response.rate_mean if at_once else mean
+            yield parts.stated(j, "axial flow", Rate(sy.a_0, sy.t, 1), rate, "2.12, 2.24")
+        if terms.bending:
+            flowing = sp.S.Zero if flow is None else Mean(plastic_rate * sy.zeta) / shape.zeta_squared
+            mean = (flowing + sy.sigma_1 * joining) / closed.recall_bending
+            rate = response.rate_bending if at_once else mean
+            yield parts.stated(j, "bending flow", Rate(sy.a_1, sy.t, 1), rate, "2.12, 2.24")
 
 
 def shown_rate(flow: Flow, shape: Section) -> sp.Expr:
@@ -175,167 +215,92 @@ def surface_term(equations: FilamentEquations, *, reduced: bool = False) -> sp.E
     return uniform if reduced else uniform + direct - Rate(across, sy.X, 1)
 
 
-# Symbols of one of several parts in parallel: the plain one, the LaTeX of its own before the part's number.
-_MEANS = (
-    (sy.sigma_0, r"\sigma_0^{{({j})}}", sy.STRESS, "mean stress"),
-    (sy.sigma_1, r"\sigma_1^{{({j})}}", sy.STRESS, "bending stress"),
-    (sy.a_0, "a_0^{{({j})}}", sy.ONE, "axial plastic strain"),
-    (sy.a_1, "a_1^{{({j})}}", sy.ONE, "bending plastic strain"),
-)
-_FIBRE = (
-    (sy.sigma, r"\sigma^{{({j})}}", sy.STRESS, "stress of a fibre"),
-    (tau_f, r"\tau^{{({j})}}", sy.STRESS, "shear stress of a fibre"),
-    (eps_p, r"\epsilon^{{p({j})}}", sy.ONE, "axial plastic strain of a fibre"),
-    (gamma_p, r"\gamma^{{p({j})}}", sy.ONE, "plastic shear of a fibre"),
-    (reissner.eps_e, r"\epsilon^{{e({j})}}", sy.ONE, "axial elastic strain of a fibre"),
-    (reissner.gamma_e, r"\gamma^{{e({j})}}", sy.ONE, "elastic shear of a fibre"),
-    (reissner.sigma_c, r"\hat\sigma^{{({j})}}", sy.STRESS, "stress conjugate to the axial strain"),
-    (reissner.tau_d, r"\tau_d^{{({j})}}", sy.STRESS, "driving shear stress of a fibre"),
-)
-_ELASTIC = (reissner.eps_e, reissner.gamma_e)
-
-
-def _part(number: int, several: bool, rows: tuple[tuple[sp.Symbol, str, sy.Dimension, str], ...]) -> Rename:
-    """Symbols of one of several parts in parallel; the plain ones of an only part."""
-    j = number + 1
-    return {
-        symbol: sy.enter(f"{symbol.name}_part{j}", latex.format(j=j), dimension, f"{meaning} of part {j}", "2.8")
-        for symbol, latex, dimension, meaning in (rows if several else ())
-    }
-
-
-def _which(equations: FilamentEquations, number: int) -> str:
-    """Which part, where there are several."""
-    response = equations.response
-    if len(response.parts) == 1:
-        return ""
-    return f", part {number + 1}" if number < len(response.branches) else ", viscous"
-
-
 _SOURCE = "Reissner 1972"
 
 
-def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
-    """Everything of a resolved section up to the forces."""
-    resolved = equations.resolved
-    if resolved is None:
-        raise ValueError("this section is not resolved point by point")
-    stress = _stresses(resolved) if equations.chains is None else _stress_of_chains(resolved, equations.chains)
-    return (*_strains(resolved), *stress, *_flows(equations, resolved), *_resultants(equations, resolved))
-
-
 def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
-    yield stated("stretch along the section's normal", Lam, resolved.strains[0], _SOURCE)
+    yield stated("stretch along the section's normal", Lam, reissner.director_strains()[0], _SOURCE)
     if resolved.shears:
-        yield stated("shear of the section", Gam, resolved.strains[1], _SOURCE)
+        yield stated("shear of the section", Gam, reissner.director_strains()[1], _SOURCE)
     else:
-        yield stated("sections stay normal to the centreline", sp.Integer(0), resolved.strains[1], "2.5")
+        yield stated("sections stay normal to the centreline", sp.Integer(0), reissner.director_strains()[1], "2.5")
     yield stated("bending", k, Rate(psi, sy.X, 1), _SOURCE)
     yield stated("area", A, resolved.cell.area, "2.9")
     yield stated("thickness", h, resolved.relative_thickness * sy.h0, "2.9")
 
 
-def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
-    # A spring by itself has no plastic state.
-    at_rest = {eps_p: sp.Integer(0), gamma_p: sp.Integer(0)}
-    kept = 2 if resolved.shears else 1
+def _stresses_of_fibres(resolved: ResolvedSection) -> Iterator[Stated]:
+    kept, parts = 2 if resolved.shears else 1, _Parts(resolved, _FIBRE)
     yield stated("strain of a fibre", reissner.eps, resolved.cell.axial_strain, "2.6")
     if resolved.shears:
         yield stated("shear strain of a fibre", reissner.gamma, resolved.cell.shear_strain, _SOURCE)
-    several = len(resolved.branches) + (resolved.viscous is not None) > 1
-    conjugate = (reissner.sigma_c, tau_f)[:kept] if resolved.shears else (sy.sigma,)
+    conjugate = (reissner.sigma_c, tau_f) if resolved.shears else (sy.sigma,)
+    names, elastic = ("axial", "shear")[:kept], (reissner.eps_e, reissner.gamma_e)
     for j, branch in enumerate(resolved.branches):
-        new, which, spring = _part(j, several, _FIBRE), f", part {j + 1}" if several else "", branch.spring
-        given = new if branch.flow is not None else new | at_rest
-        for name, symbol, strain in list(zip(("strain", "shear"), _ELASTIC, spring.elastic, strict=True))[:kept]:
-            yield stated(
-                f"elastic {name} of a fibre{which}", symbol.xreplace(new), strain.xreplace(given), "THEORY 12a"
-            )
-        for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), spring.stress, strict=True))[:kept]:
-            yield stated(f"{name} stress of a fibre{which}", symbol.xreplace(new), value.xreplace(new), "2.8")
+        # A spring by itself has no plastic state.
+        rest = {} if branch.flow is not None else {eps_p: sp.Integer(0), gamma_p: sp.Integer(0)}
+        spring = branch.spring
+        for name, symbol, strain in zip(("strain", "shear")[:kept], elastic, spring.elastic, strict=False):
+            yield parts.stated(j, f"elastic {name} of a fibre", symbol, strain.xreplace(rest), "THEORY 12a")
+        for name, symbol, value in zip(names, (sy.sigma, tau_f), spring.stress, strict=False):
+            yield parts.stated(j, f"{name} stress of a fibre", symbol, value, "2.8")
         if resolved.shears:
-            along = spring.conjugate.xreplace({reissner.tau_d: spring.driving[0]}).xreplace(given)
-            yield stated(f"conjugate stress of a fibre{which}", conjugate[0].xreplace(new), along, "THEORY 12a")
+            along = spring.conjugate.xreplace({reissner.tau_d: spring.driving[0]}).xreplace(rest)
+            yield parts.stated(j, "conjugate stress of a fibre", conjugate[0], along, "THEORY 12a")
     if resolved.viscous is not None:
-        new = _part(len(resolved.branches), several, _FIBRE)
-        which = f", part {len(resolved.branches) + 1}" if several else ""
-        moving = {reissner.eps_t: Rate(reissner.eps, sy.t, 1), reissner.gamma_t: Rate(reissner.gamma, sy.t, 1)}
-        pairs = zip(("axial", "shear"), (conjugate[0], tau_f), _viscous_stress(resolved), strict=True)
-        for name, symbol, value in list(pairs)[:kept]:
-            shown = value.xreplace(moving)
-            yield stated(f"viscous {name} stress of a fibre{which}", symbol.xreplace(new), shown, "2.8")
-    if several:
-        count = len(resolved.branches) + (resolved.viscous is not None)
-        for total in conjugate:
-            added = sp.Add(*(total.xreplace(_part(j, True, _FIBRE)) for j in range(count)))
-            yield stated("sum over the parts in parallel", total, added, "2.8")
+        for name, symbol, value in zip(names, conjugate, _viscous_stress(resolved), strict=False):
+            yield parts.stated(len(resolved.branches), f"viscous {name} stress of a fibre", symbol, value, "2.8")
+    yield from parts.sums(*conjugate)
 
 
-def _viscous_stress(resolved: ResolvedSection) -> tuple[sp.Expr, sp.Expr]:
+def _viscous_stress(resolved: ResolvedSection) -> list[sp.Expr]:
     """What the Rayleigh potential of a fibre derives to, axially and in shear."""
     potential = sp.S.Zero if resolved.viscous is None else resolved.viscous.rayleigh
-    return sp.diff(potential, reissner.eps_t), sp.diff(potential, reissner.gamma_t)
+    moving = {reissner.eps_t: Rate(reissner.eps, sy.t, 1), reissner.gamma_t: Rate(reissner.gamma, sy.t, 1)}
+    return [sp.diff(potential, rate).xreplace(moving) for rate in moving]
 
 
-def _stress_of_chains(resolved: ResolvedSection, chains: ChainResponse) -> Iterator[Stated]:
+def _chains_of_fibres(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
     yield stated("strain of a fibre", reissner.eps, resolved.cell.axial_strain - resolved.relaxed, "2.6")
-    yield from _conformation(chains, reissner.eps)
-    solvent = sp.S.Zero
-    if resolved.viscous is not None:
-        solvent = _viscous_stress(resolved)[0].xreplace({reissner.eps_t: Rate(reissner.eps, sy.t, 1)})
-    yield stated("stress of a fibre", sy.sigma, chain_stress + solvent, "2.8")
+    if equations.chains is not None:
+        yield from _conformation(equations.chains, reissner.eps)
+    yield stated("stress of a fibre", sy.sigma, chain_stress + _viscous_stress(resolved)[0], "2.8")
 
 
 def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
-    several = len(resolved.branches) + (resolved.viscous is not None) > 1
+    parts, carry = _Parts(resolved, _FIBRE), resolved.cell.carry
     share = PLANE_STRAIN**2 if equations.shape.plane_strain else sp.S.One
     # The rates of the section with the rule as one symbol, which is written by itself.
-    rule_of = reissner.fibre_flow if resolved.shears else reissner.axial_flow
-    flow = rule_of(plastic_rate, share, resolved.cell.carry)
+    flow = (reissner.fibre_flow if resolved.shears else reissner.axial_flow)(plastic_rate, share, carry)
     for j, branch in enumerate(equations.law.branches):
         if not branch.has_state:
             continue
-        new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
         if resolved.shears:
-            drive = resolved.branches[j].spring.driving[0].xreplace(new)
-            yield stated(f"driving shear stress{which}", reissner.tau_d.xreplace(new), drive, "THEORY 12a")
+            drive = resolved.branches[j].spring.driving[0]
+            yield parts.stated(j, "driving shear stress", reissner.tau_d, drive, "THEORY 12a")
         total = flow if branch.flow is not None else reissner.STILL
         if branch.flow is not None and equations.terms.hardens:
-            total = yield from _hardening(resolved, flow, share, which)
+            total, hardening = reissner.hardened(flow, share, carry, shear=resolved.shears)
+            chi = dict(
+                zip(backstress.back_stress(share), (backstress.axial_stress, backstress.shear_stress), strict=True)
+            )
+            total = total.subs(chi)
+            names = (("backstress", "back strain"), ("shear backstress", "back strain in shear"))[: 1 + resolved.shears]
+            for (name, _), (value, symbol) in zip(names, chi.items(), strict=False):
+                yield parts.stated(j, f"{name} of a fibre", symbol, value, backstress.SOURCE)
+            strains = (backstress.axial, backstress.shear)
+            for (_, name), strain, rate in zip(names, strains, hardening.rates, strict=False):
+                left, right = Rate(strain, sy.t, 1), rate.xreplace(chi)
+                yield parts.stated(j, f"{name} of a fibre", left, right, backstress.SOURCE)
         if branch.flow is not None:
-            yield stated(f"equivalent stress{which}", sigma_eq, total.equivalent.xreplace(new), "3.5")
+            yield parts.stated(j, "equivalent stress", sigma_eq, total.equivalent, "3.5")
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
-            yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
+            yield parts.stated(j, "flow rule", plastic_rate, rule, "2.7, 2.25")
         if branch.growth is not None:
-            total = reissner.growing(total, branch.growth, resolved.cell.carry, shear=resolved.shears)
-        yield stated(
-            f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), sy.t, 1), total.axial_rate.xreplace(new), "3.7"
-        )
+            total = reissner.growing(total, branch.growth, carry, shear=resolved.shears)
+        yield parts.stated(j, "axial flow of a fibre", Rate(eps_p, sy.t, 1), total.axial_rate, "3.7")
         if resolved.shears:
-            shear = total.shear_rate[0].xreplace(new)
-            yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), sy.t, 1), shear, "3.7")
-
-
-def _hardening(
-    resolved: ResolvedSection, flow: reissner.FibreFlow, share: sp.Expr, which: str
-) -> Generator[Stated, None, reissner.FibreFlow]:
-    """Backstresses and the rates of the back strains; what they make of the flow."""
-    kept = 1 + resolved.shears
-    moved, hardening = reissner.hardened(flow, share, resolved.cell.carry, shear=resolved.shears)
-    symbols = (backstress.axial_stress, backstress.shear_stress)
-    values = backstress.back_stress(share)
-    for name, symbol, value in list(zip(("backstress", "shear backstress"), symbols, values, strict=True))[:kept]:
-        yield stated(f"{name} of a fibre{which}", symbol, value, backstress.SOURCE)
-    named = dict(zip(values, symbols, strict=True))
-    strains = zip(("back strain", "back strain in shear"), (backstress.axial, backstress.shear), strict=True)
-    for (name, strain), rate in list(zip(strains, hardening.rates, strict=True))[:kept]:
-        yield stated(f"{name} of a fibre{which}", Rate(strain, sy.t, 1), rate.xreplace(named), backstress.SOURCE)
-    return replace(
-        moved,
-        equivalent=moved.equivalent.xreplace(named),
-        axial_rate=moved.axial_rate.xreplace(named),
-        shear_rate=(moved.shear_rate[0].xreplace(named),),
-    )
+            yield parts.stated(j, "plastic shear of a fibre", Rate(gamma_p, sy.t, 1), total.shear_rate[0], "3.7")
 
 
 def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
@@ -371,22 +336,6 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
 progress = sy.enter("v_on", "v", sy.ONE, "how far gravity is switched on, in time", "section 3")
 
 
-def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -> tuple[Stated, ...]:
-    """Write the equations of a filament out, in the order in which one would derive them.
-
-    Means over the section stay means, and a rule that is rounded at zero stress for the integrator is written without
-    the rounding.
-    """
-    if equations.resolved is not None:
-        section = resolved_section(equations)
-    elif reduced:
-        section = (*_uniform_stretch(equations), *_section(equations, reduced=True))
-    else:
-        section = (*_kinematics(equations), *_strain(equations), *_section(equations))
-    clocks = (*_histories(equations), *_temperature(equations))
-    return (*section, *clocks, *_balance(equations, reduced=reduced), *_gravity(equations))
-
-
 A0_t = sy.enter(
     "A0_t", r"A_0^n", sy.AREA, "area of the section that has shrunk, where it is not stretched", "isotropic"
 )
@@ -416,19 +365,6 @@ def _kinematics(equations: FilamentEquations) -> Iterator[Stated]:
         angle = equations.centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0})
         yield stated("angle of the tangent", sy.theta, angle, equations.centreline.source)
         yield stated("turning", sy.theta_X, Rate(sy.theta, sy.X, 1), equations.centreline.source)
-
-
-def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
-    elongation = equations.centreline.stretch.subs(sy.x_X, 1) - 1
-    if equations.terms.stretches:
-        mean = sp.Integral(elongation, (sy.X, -sy.L_0 / 2, sy.L_0 / 2)) / sy.L_0
-        yield stated("stretch, the same everywhere", sy.s, 1 + mean, "2.13, 2.17")
-    if equations.terms.bending:
-        yield stated("turning", sy.theta_X, Rate(sy.y, sy.X, 2), "2.13")
-
-
-def _strain(equations: FilamentEquations) -> Iterator[Stated]:
-    terms = equations.terms
     contraction = equations.shape.contraction if terms.thins else NONE
     lever = CLOSURES[equations.closure](equations.strain, contraction).lever
     along = equations.strain.strain if terms.stretches else sp.Integer(0)
@@ -440,10 +376,17 @@ def _strain(equations: FilamentEquations) -> Iterator[Stated]:
             yield stated("thickness", h, equations.response.thickness, contraction.source)
 
 
-def _section(equations: FilamentEquations, *, reduced: bool = False) -> Iterator[Stated]:
+def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
+    elongation = equations.centreline.stretch.subs(sy.x_X, 1) - 1
+    if equations.terms.stretches:
+        mean = sp.Integral(elongation, (sy.X, -sy.L_0 / 2, sy.L_0 / 2)) / sy.L_0
+        yield stated("stretch, the same everywhere", sy.s, 1 + mean, "2.13, 2.17")
+    if equations.terms.bending:
+        yield stated("turning", sy.theta_X, Rate(sy.y, sy.X, 2), "2.13")
+
+
+def _forces(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]:
     terms, response = equations.terms, equations.response
-    yield from stresses(equations)
-    yield from plastic_rates(equations)
     if terms.stretches:
         yield stated("tension", sy.T, response.tension, "2.10")
     if terms.bending:

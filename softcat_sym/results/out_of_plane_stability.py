@@ -55,7 +55,7 @@ _FREE = 3
 
 
 @dataclass(frozen=True)
-class Sideways:
+class OutOfPlaneInstability:
     """How a planar motion would leave its plane."""
 
     time: float  # From when on it is unstable [s]
@@ -88,7 +88,7 @@ class Sideways:
         )
 
 
-def seeded(scene: Scene) -> Scene | None:
+def perturbed_3d_scene(scene: Scene) -> Scene | None:
     """The scene in three dimensions, with a little of its weight to the side.
 
     None where nothing weighs, where three dimensions lack what it has, or where it names its effects or dimensions.
@@ -101,7 +101,7 @@ def seeded(scene: Scene) -> Scene | None:
         return None
 
 
-def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
+def out_of_plane_instability(scene: Scene, fields: Mapping[str, Floats]) -> OutOfPlaneInstability | None:
     """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
     modulus = instant_modulus(scene)
     if is_spatial(scene) or modulus is None or scene.material.spec.has_chains or section_of(scene).plane_strain:
@@ -114,7 +114,7 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
         fields = {name: values if name in _PLACES else values[frames] for name, values in fields.items()}
     time, held = fields["time"], _held(scene, fields["x"].shape[1])
     mass = _masses(scene, fields, held)
-    cells = _Cells.of(scene, fields)
+    cells = PlanarCells.of(scene, fields)
     if cells.stay(modulus, scene.ends.supports):
         return None
     # Of forces and moments, and of each unit of a modulus.
@@ -126,17 +126,18 @@ def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
     viscosity = solid_viscosity(scene)
     if scene.material.spec.viscous_stress:
         viscosity += float(scene.material.viscosity or 0.0)
-    stiffness, damping = _Matrix.of(carried + modulus * elastic, held), _Matrix.of(viscosity * elastic, held)
-    rates = _growth_rates(stiffness, damping, mass, float(time[-1]))
+    matrices = zip(banded(carried + modulus * elastic, held), banded(viscosity * elastic, held), strict=True)
+    rates = np.array([_growth_rate(stiff, damped, mass, float(time[-1])) for stiff, damped in matrices])
     if not np.any(rates):
         return None
     # A support that stops presses for an instant: only what is unstable at both ends of an interval grows in it.
     growth = float(np.sum(np.minimum(rates[1:], rates[:-1]) * np.diff(time)))
-    return None if growth < GROWN else Sideways(float(time[np.flatnonzero(rates)[0]]), growth, float(rates.max()))
+    begins = float(time[np.flatnonzero(rates)[0]])
+    return None if growth < GROWN else OutOfPlaneInstability(begins, growth, float(rates.max()))
 
 
 @dataclass(frozen=True)
-class _Cells:
+class PlanarCells:
     """Planar cells, all of shape (frames, cells): what holds them in their plane."""
 
     length: Floats  # At rest [m]
@@ -149,7 +150,7 @@ class _Cells:
     stiffness: tuple[Floats, Floats, Floats]  # In Gam_3, twist and sideways bending, over the modulus [m^2, m^4]
 
     @classmethod
-    def of(cls, scene: Scene, fields: Mapping[str, Floats]) -> _Cells:
+    def of(cls, scene: Scene, fields: Mapping[str, Floats]) -> PlanarCells:
         """From what a planar run has stored."""
         filament, area = scene.filament, undeformed_area(scene)
         length, stretch = np.diff(fields["X_node"]), fields["stretch"]
@@ -164,7 +165,7 @@ class _Cells:
         else:
             bending = np.full_like(h, filament.width**2 / 12)
             points = warping_rule(4, 4, filament.width / filament.thickness)
-            torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
+            torsion = h**2 / 4 * float(points.weight @ (points.tables["W_2"] ** 2 + points.tables["W_3"] ** 2))
         shear = size / (2 * (1 + scene.material.poisson))
         correction = float(section_of(scene).shear_correction)
         # n_1 of the tension (THEORY3D 4), in the plane.
@@ -254,58 +255,29 @@ class _Cells:
         return np.asarray(np.einsum("cki,fckl,clj->fcij", of_nodes, form, of_nodes, optimize=True))
 
 
-@dataclass(frozen=True)
-class _Matrix:
-    """Block tridiagonal matrices, one a frame: three unknowns a node; what is held is a one on the diagonal."""
+def banded(blocks: Floats, held: Bools) -> Floats:
+    """Lower bands of the matrices of all frames, shape (frames, 6, unknowns), from the blocks of their cells.
 
-    diagonal: Floats  # shape (frames, nodes, 3, 3)
-    below: Floats  # shape (frames, nodes - 1, 3, 3), each beside the block of the node before
-
-    @classmethod
-    def of(cls, blocks: Floats, held: Bools) -> _Matrix:
-        """Assembled from those of the cells."""
-        frames, cells = blocks.shape[:2]
-        diagonal = np.zeros((frames, cells + 1, _FREE, _FREE))
-        diagonal[:, :-1] += blocks[..., :_FREE, :_FREE]
-        diagonal[:, 1:] += blocks[..., _FREE:, _FREE:]
-        below = blocks[..., _FREE:, :_FREE].copy()
-        node, unknown = np.divmod(np.flatnonzero(held), _FREE)
-        diagonal[:, node, unknown, :] = diagonal[:, node, :, unknown] = 0.0
-        diagonal[:, node, unknown, unknown] = 1.0
-        inner, last = node > 0, node < cells
-        below[:, node[inner] - 1, unknown[inner], :] = 0.0
-        below[:, node[last], :, unknown[last]] = 0.0
-        return cls(diagonal, below)
-
-    def plus(self, other: _Matrix, times: Floats) -> _Matrix:
-        """The sum with so many times another, frame by frame."""
-        factor = np.asarray(times)[:, None, None, None]
-        return _Matrix(self.diagonal + factor * other.diagonal, self.below + factor * other.below)
-
-    def only(self, frames: Bools) -> _Matrix:
-        """Those of some frames."""
-        return _Matrix(self.diagonal[frames], self.below[frames])
-
-    def are_positive(self) -> Bools:
-        """Which are positive definite: all pivots of the elimination by blocks are."""
-        found = np.ones(len(self.diagonal), dtype=bool)
-        pivot = self.diagonal[:, 0]
-        for node in range(self.diagonal.shape[1]):
-            if node:
-                beside = self.below[:, node - 1]
-                pivot = self.diagonal[:, node] - beside @ np.linalg.solve(pivot, beside.transpose(0, 2, 1))
-            found &= _are_positive(pivot)
-            pivot = np.where(found[:, None, None], pivot, np.eye(_FREE))
-        return found
+    What is held is a one on the diagonal.
+    """
+    frames, cells = blocks.shape[:2]
+    bands = np.zeros((frames, 2 * _FREE, len(held)))
+    for row in range(2 * _FREE):
+        for column in range(row + 1):
+            bands[:, row - column, column : column + _FREE * cells : _FREE] += blocks[:, :, row, column]
+    bands[:, :, held] = 0.0
+    for below in range(2 * _FREE):
+        bands[:, below, np.flatnonzero(held[below:])] = 0.0
+    bands[:, 0, held] = 1.0
+    return bands
 
 
-def _are_positive(blocks: Floats) -> Bools:
-    """Whether symmetric matrices (n, 3, 3) are positive definite, their unknowns scaled to each other."""
-    diagonal = np.einsum("nii->ni", blocks)
-    scale = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
-    a, b, c = (blocks[:, i, k] * scale[:, i] * scale[:, k] for i, k in ((0, 1), (0, 2), (1, 2)))
-    determinant = 1 + 2 * a * b * c - a**2 - b**2 - c**2
-    return np.asarray((diagonal > 0).all(axis=1) & (a**2 < 1) & (determinant > 0))
+def is_positive(bands: Floats) -> bool:
+    """Whether a matrix is positive definite: it has a Cholesky factor."""
+    # Imported here: most planar runs surely stay in their plane, and do without SciPy, which takes long to load.
+    from scipy.linalg.lapack import dpbtrf
+
+    return bool(dpbtrf(bands, lower=1)[1] == 0)
 
 
 def _held(scene: Scene, nodes: int) -> Bools:
@@ -323,25 +295,21 @@ def _masses(scene: Scene, fields: Mapping[str, Floats], held: Bools) -> Floats:
     return np.where(held, 0.0, np.column_stack([nodes, 0 * nodes, 0 * nodes]).ravel())
 
 
-def _growth_rates(stiffness: _Matrix, damping: _Matrix, mass: Floats, duration: float) -> Floats:
-    """Fastest rate s at which a disturbance of each frame grows [1/s]: s^2 M + s C + K is positive definite beyond it.
+def _growth_rate(stiffness: Floats, damping: Floats, mass: Floats, duration: float) -> float:
+    """Fastest rate s at which a disturbance of a frame grows [1/s]: s^2 M + s C + K is positive definite beyond it.
 
     0 where it is less than an e-fold in the whole run.
     """
-    inertia = np.zeros_like(stiffness.diagonal[:1])
-    inertia[0] += mass.reshape(-1, _FREE)[:, :, None] * np.eye(_FREE)
 
-    def resist(frames: Bools, rates: Floats) -> Bools:
-        here = _Matrix(inertia, np.zeros_like(stiffness.below[:1]))
-        return stiffness.only(frames).plus(damping.only(frames), rates).plus(here, rates**2).are_positive()
+    def stops(rate: float) -> bool:
+        bands = stiffness + rate * damping
+        bands[0] += rate**2 * mass
+        return is_positive(bands)
 
-    found = np.zeros(len(stiffness.diagonal))
-    unstable = ~resist(found == 0, np.full(len(found), 1 / duration))
-    low = np.full(np.count_nonzero(unstable), math.log(1 / duration))
-    high = np.full_like(low, math.log(_MOST / duration))
-    for _ in range(_HALVINGS if len(low) else 0):
-        middle = (low + high) / 2
-        stops = resist(unstable, np.exp(middle))
-        low, high = np.where(stops, low, middle), np.where(stops, middle, high)
-    found[unstable] = np.exp(high)
-    return found
+    low, high = 1 / duration, _MOST / duration
+    if stops(low):
+        return 0.0
+    for _ in range(_HALVINGS):
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if stops(middle) else (middle, high)
+    return high

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -16,45 +14,11 @@ from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settling import snapped
 from softcat_sym.solvers.solution import Progress, Solution
 
-if TYPE_CHECKING:
-    from softcat_sym.physics.symbols import Expr, Symbol
-
 # Gauss points between two frames for the power, which may jump at a frame, where a load or a support changes its rate.
 _GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
 
 _MIN_STEP = 1 / 1024  # Over the time from one instant to the next
 _GROWTH = 1.5
-
-
-def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Floats) -> Floats:
-    """Solutions of c_0 f^(n) + ... + c_(n-1) f' = 0 that start from each unit vector of (f, f', ..., f^(n-1)).
-
-    Parameters
-    ----------
-    coefficients : sequence of sympy.Expr, length n
-        Highest derivative first, that of f' last; functions of `time` alone.
-    time : sympy.Symbol
-        The variable.
-    times : ndarray, shape (frames,)
-        Output times; the solutions start at the first.
-
-    Returns
-    -------
-    ndarray, shape (n, frames)
-        f of each solution.
-    """
-    # Imported here, as it needs SymPy, which quasi-static runs do not.
-    from softcat_sym.discretization.casadi_printer import CellFunction
-
-    order = len(coefficients)
-    t, state = ca.SX.sym("t"), ca.SX.sym("f", order)
-    names = {f"c{k}": c for k, c in enumerate(coefficients)}
-    c = CellFunction(names, (time,))({time: t})
-    highest = -sum(c[f"c{k}"] * state[order - k] for k in range(1, order)) / c["c0"]
-    dae = {"t": t, "x": state, "ode": ca.vertcat(state[1:], highest)}
-    options = {"reltol": 1e-8, "abstol": 1e-12, "max_num_steps": 1_000_000}
-    call = ca.integrator("linear", "rosenbrock", dae, float(times[0]), times.tolist(), options)
-    return np.array([np.asarray(call(x0=start)["xf"], dtype=float)[0] for start in np.eye(order)])
 
 
 def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
