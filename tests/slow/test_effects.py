@@ -349,6 +349,8 @@ def pair(effect: Effect) -> tuple[Graph, Graph]:
 def test_an_absent_effect_leaves_nothing() -> None:
     for effect in REGISTRY:
         present, absent = pair(effect)
-        assert set(absent.parameters) <= set(present.parameters)
+        # A constant that follows a clock has the numbers of its table in its place.
+        clocked = {name for name in absent.parameters if f"{name}_0" in present.parameters}
+        assert set(absent.parameters) - clocked <= set(present.parameters)
         assert unknowns(absent) <= unknowns(present)
         assert absent.symbolic.instructions < present.symbolic.instructions
