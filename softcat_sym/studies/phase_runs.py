@@ -20,6 +20,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.simulate import identity_of
+from softcat_sym.single_run import OF_A_STEP_TOO_LONG, TIGHTER, TRIES
 from softcat_sym.store import key_of
 
 ELASTIC_TIME: Final = 4.0
@@ -300,6 +301,14 @@ class PhaseWork(RowWork):
     def _observed(self, member: Member) -> tuple[dict[str, Any], Floats]:
         """A run, and its sag over the span, shape (frames,)."""
         run = self.run(member)
+        for _ in range(TRIES - 1):
+            # As a single run, which is repeated in shorter steps where these may cure it.
+            if run.outcome not in OF_A_STEP_TOO_LONG or self.scene.numerics.rtol is not None:
+                break
+            rtol = run.prepared.settings.rtol / TIGHTER
+            numerics = member.scene.numerics.model_copy(update={"rtol": rtol})
+            member = replace(member, scene=member.scene.model_copy(update={"numerics": numerics}))
+            run = self.run(member)
         if run.solution.ended is not None:
             # It falls for ever, perhaps before its second frame: again, with its frames up to then.
             member = _lasting(member, run.solution.ended * run.prepared.scale)
