@@ -386,52 +386,47 @@ prove_equal(LAYER.left - (tension / E_star).subs(E_star, tension / (r_T**2 * k_g
 prove_equal(LAYER.right.subs(H, SAG_SHARE * L / tension), strain_at_rest)
 
 # %% [markdown]
-# **It swings** about that shape: $-\Omega^2 w = T w_{xx} - b\,w_{xxxx} + h\,y_{xx}$, with $w = w_x = 0$ at the clamps and
-# $h = E^*\int y_x w_x\,dx$. The package holds the solution in closed form; here $w$ is found once more by a linear
+# **It swings** about that shape: $-\Omega^2 w = T w_{xx} - b\,w_{xxxx} + h\,y_{xx}$, with $w = w_x = 0$ at the clamps
+# and $h = E^*\int y_x w_x\,dx$. The package holds the solution in closed form; here $w$ is found once more by a linear
 # system, and the integral by quadrature. Without bending, $k_g \to 0$, Irvine's cable must come back.
 
 # %%
 from mpmath import mp
 
 mp.dps = 30
-for stiffness_value, sag_value, radius, layer_value, omega_value in (
-    (1.4e6, 0.004, 0.0007, 9.0, 30.0),
-    (2e5, 0.02, 0.003, 12.0, 17.0),
-    (1e6, 0.001, 0.003, 0.6, 45.0),
-):
-    pull = float(SAG_SHARE.subs(r_T, layer_value)) / sag_value
-    rigidity = stiffness_value * radius**2
+
+
+def determinant_times_mismatch(modulus: float, sag_value: float, radius: float, r: float, omega_value: float) -> mp.mpf:
+    """Of the clamps, times 1 less h as the swing makes it, for h = 1."""
+    pull, end = float(SAG_SHARE.subs(r_T, r)) / sag_value, mp.mpf(1) / 2
+    rigidity = modulus * radius**2
     root_of = mp.sqrt(pull**2 + 4 * rigidity * omega_value**2)
     kappa, wave_number = mp.sqrt((pull + root_of) / (2 * rigidity)), omega_value * mp.sqrt(2 / (pull + root_of))
-
-    def forced(at: mp.mpf, order: int = 0) -> mp.mpf:
-        """Response to h = 1 without regard to the clamps, or its slope."""
-        growth = -layer_value / (2 * pull) / mp.sinh(layer_value / 2)
-        part = growth / (rigidity * layer_value**4 - pull * layer_value**2 - omega_value**2)
-        wave_of = mp.cosh if order == 0 else mp.sinh
-        return (order == 0) * -1 / (pull * omega_value**2) + part * layer_value**order * wave_of(layer_value * at)
-
-    end = mp.mpf(1) / 2
+    growth = -r / (2 * pull) / mp.sinh(r / 2) / (rigidity * r**4 - pull * r**2 - omega_value**2)
+    forced, forced_slope = -1 / (pull * omega_value**2) + growth * mp.cosh(r / 2), growth * r * mp.sinh(r / 2)
     clamps = mp.matrix(
         [
             [mp.cos(wave_number / 2), mp.cosh(kappa / 2)],
             [-wave_number * mp.sin(wave_number / 2), kappa * mp.sinh(kappa / 2)],
         ]
     )
-    a, c_wave = mp.lu_solve(clamps, mp.matrix([-forced(end), -forced(end, 1)]))
+    a, c_wave = mp.lu_solve(clamps, mp.matrix([-forced, -forced_slope]))
 
     def swing_slope(at: mp.mpf) -> mp.mpf:
         free = -a * wave_number * mp.sin(wave_number * at) + c_wave * kappa * mp.sinh(kappa * at)
-        return free + forced(at, 1)
+        return free + growth * r * mp.sinh(r * at)
 
     def rest_slope(at: mp.mpf) -> mp.mpf:
-        return (at - mp.sinh(layer_value * at) / (2 * mp.sinh(layer_value / 2))) / pull
+        return (at - mp.sinh(r * at) / (2 * mp.sinh(r / 2))) / pull
 
-    added = stiffness_value * 2 * mp.quad(lambda at: rest_slope(at) * swing_slope(at), [0, 0.25, 0.5])
-    determinant = mp.det(clamps) / mp.cosh(kappa / 2)
-    known = {E_star: stiffness_value, H: sag_value, L: 1, k_g: radius, r_T: layer_value, Omega: omega_value}
-    held = rheometry.vibration().subs({symbol: sp.Float(value, 30) for symbol, value in known.items()}).evalf(25)
-    assert abs(held / (determinant * (1 - added)) - 1) < 1e-12
+    added = modulus * 2 * mp.quad(lambda at: rest_slope(at) * swing_slope(at), [0, end / 2, end])
+    return mp.det(clamps) / mp.cosh(kappa / 2) * (1 - added)
+
+
+for numbers in ((1.4e6, 0.004, 0.0007, 9.0, 30.0), (2e5, 0.02, 0.003, 12.0, 17.0), (1e6, 0.001, 0.003, 0.6, 45.0)):
+    known = dict(zip((E_star, H, k_g, r_T, Omega), (sp.Float(value, 30) for value in numbers), strict=True))
+    held = rheometry.vibration().subs(known | {L: 1}).evalf(25)
+    assert abs(held / determinant_times_mismatch(*numbers) - 1) < 1e-12
 
 slender = {H: sp.Rational(1, 50), L: 1, k_g: sp.Float("1e-5", 40), r_T: sp.Float("1e4", 40), Omega: sp.Float(17, 40)}
 of_cable = cable[0].subs({k: 17 * sp.sqrt(8 * sag)}).subs(sag, sp.Rational(1, 50)).evalf(20)
@@ -439,8 +434,8 @@ with_beam = sp.nsolve(rheometry.vibration().subs(slender), E_star, of_cable)
 assert abs(with_beam / of_cable - 1) < 1e-3
 
 # %% [markdown]
-# **It flows** through the same shapes at the rate $T/\eta$: $V \epsilon_t = T$ with $\epsilon = S/2T^2$ and $T = G L/H$.
-# The slope of sag cubed over that of the string, $9/(128 V)$, is then
+# **It flows** through the same shapes at the rate $T/\eta$: $V \epsilon_t = T$ with $\epsilon = S/2T^2$ and
+# $T = G L/H$. The slope of sag cubed over that of the string, $9/(128 V)$, is then
 
 # %%
 log_slope = 2 / (2 - r_T * sp.diff(sp.log(STRETCH_SHARE), r_T) + 2 * r_T * sp.diff(sp.log(SAG_SHARE), r_T))
@@ -454,8 +449,8 @@ assert vanishes(sp.simplify(slope_over_string / shallow - 1))
 assert sp.limit((shallow - 1) * r_T, r_T, sp.oo).is_finite  # of first order in the length of the layer
 
 # %% [markdown]
-# **And deep sags** make it longer, thinner and steeper. For the string to second order in $1/Q$, the horizontal pull $Q$
-# over the weight: strain $\epsilon(X, Q)$, true stress on a thinner section, a fixed distance of the supports.
+# **And deep sags** make it longer, thinner and steeper. For the string to second order in $1/Q$, the horizontal pull
+# $Q$ over the weight: strain $\epsilon(X, Q)$, true stress on a thinner section, a fixed distance of the supports.
 
 # %%
 Q, X, first, second, hastening = sp.symbols("Q X first second hastening")
@@ -549,9 +544,7 @@ for relaxation in (0.035, 0.35):
     onset_only = at_onset * sp.diag(var_R, var_t) * at_onset.T
     values = [plain[0, 0], combined[0, 0], onset_only.subs(at).subs(spread)[0, 0], combined[1, 1]]
     columns = "".join(f"{float(sp.sqrt(value)):12.1%}" for value in values)
-    print(
-        f"{relaxation:5.3f} {float(rings):6.2f} {float(at[chi]):6.2f} {float(fast.subs(seen)):9.5f}  {columns}"
-    )
+    print(f"{relaxation:5.3f} {float(rings):6.2f} {float(at[chi]):6.2f} {float(fast.subs(seen)):9.5f}  {columns}")
     assert combined[0, 0] < plain[0, 0]
 
 # %% [markdown]

@@ -110,10 +110,15 @@ def closed_form(film: Films, scene: SceneLike, changes: Changes = ()) -> ClosedF
     ----------
     film : Measurements or path
         One film, as :func:`softcat_sym.fit` takes it.
-    scene : Scene, name, path or dict
+    scene : Scene, str, path or dict
         The filament; its modulus and viscosity are not used.
     changes : mapping or sequence of str, optional
         Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
+
+    Returns
+    -------
+    ClosedForm
+        Both constants with 95 % intervals, or the reasons why the film does not tell them.
 
     Raises
     ------
