@@ -99,7 +99,9 @@ def test_every_number_is_that_of_the_graph(kind: str) -> None:
 def test_every_number_of_every_bundled_scene_is_that_of_the_graph() -> None:
     for name in sc.bundled_names():
         check(name, sc.load_scene(name))
-        check(f"{name}, the smallest grid", sc.load_scene(name, {"numerics.cells": 4}))
+        # A cell of a curl or of a coil may turn by a little only.
+        cells = 40 if sc.load_scene(name).filament.curvature else 4
+        check(f"{name}, a small grid", sc.load_scene(name, {"numerics.cells": cells}))
 
 
 def test_a_parameter_that_is_a_little_off_would_be_noticed() -> None:

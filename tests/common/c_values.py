@@ -57,7 +57,7 @@ class CModel:
         powers = call("work", of.powers) if of.powers else np.zeros(3)
         jacobian = self._dense(call("jacobian", sites * of.entries).reshape(sites, -1), sites)
         slopes = call("work_slope", of.powers * y.size) if of.powers else np.zeros(3 * y.size)
-        return Values(rates, jacobian, powers, slopes.reshape(3, -1))
+        return Values(rates, jacobian, powers, slopes.reshape(len(powers), -1))
 
     def _dense(self, entries: Floats, sites: int) -> Floats:
         of = self.table
