@@ -97,11 +97,11 @@ def card(
     words += [word for change in changes or [] for word in ("--set", change)]
     command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)
     study.check_limit(study.LIMIT if sag is None else sag)
-    printer.foresee(asked)
+    printer.print_forecast(asked)
     with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
         try:
             found = study.card(
-                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, hear=printer.hear
+                asked, sag, name=scene or "", progress=progress, span=not no_span, notes=notes, on_update=printer.update
             )
         except KeyboardInterrupt:
             if printer.card is None:

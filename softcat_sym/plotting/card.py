@@ -227,12 +227,12 @@ class CardPrinter:
         self.card: Card | None = None  # As far as it is
         self._quiet, self._printed = quiet, set[str]()
 
-    def foresee(self, scene: Scene) -> None:
+    def print_forecast(self, scene: Scene) -> None:
         """Print the scene's title, and what can be said before anything is integrated."""
         if not self._quiet:
             self._print(Text(scene.title or "Filament", style="bold"), *(row_of(*row) for row in foreseen(scene)))
 
-    def hear(self, card: Card) -> None:
+    def update(self, card: Card) -> None:
         """Take note of what is known by now."""
         self.card, known = card, lines(card)
         if not self._quiet:

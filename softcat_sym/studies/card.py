@@ -266,7 +266,7 @@ def card(
     progress: Progress | None = None,
     span: bool = True,
     notes: tuple[str, ...] = (),
-    hear: Callable[[Card], None] = lambda _: None,
+    on_update: Callable[[Card], None] = lambda _: None,
     changes: Changes = (),
 ) -> Card:
     """Make the sag card of a filament.
@@ -288,7 +288,7 @@ def card(
         Receiver of progress reports; each run begins a stage.
     span : bool
         Whether to search the longest span, which takes a large part of the time.
-    hear : callable
+    on_update : callable
         Given the card as far as it is, whenever more of it is known: first with the run and all that the rules predict.
     changes : mapping or sequence of str, optional
         Values that replace the scene's, as :func:`load_scene` takes them: ``{"filament.span": "6 mm"}``.
@@ -320,18 +320,18 @@ def card(
     pending = tuple(part for part, asked in parts.items() if asked)
     texts = (*notes, *scene.notes, *filter(None, [scene.material.assumed]))
     found = Card(name, scene, run, descent, certificate, rules, str(limit), *unsought, None, texts, pending)
-    hear(found)
+    on_update(found)
     if span:
         longest, why = _longest_span(scene, limit, progress, given=sag is not None)
-        found = _with(found, SPAN, hear, span=longest, span_text=why)
+        found = _with(found, SPAN, on_update, span=longest, span_text=why)
     if moves:
         seek = partial(_longest_span, limit=limit, progress=progress, given=False, exponents=False)
         surface = surface_hold(run, limit, found.span, seek if span else lambda _: unsought, progress)
-        found = _with(found, SURFACE, hear, surface=surface)
+        found = _with(found, SURFACE, on_update, surface=surface)
     for number in failing:
         rules = found.rules
         rules = (*rules[:number], blamed(rules[number], RULES[number], variants), *rules[number + 1 :])
-        found = _with(found, CAUSES if number == failing[-1] else "", hear, rules=rules)
+        found = _with(found, CAUSES if number == failing[-1] else "", on_update, rules=rules)
     return found
 
 
@@ -343,10 +343,10 @@ def check_limit(sag: object) -> None:
         raise SceneError([Fault("sag", str(error), LIMITS)]) from None
 
 
-def _with(card: Card, part: str, hear: Callable[[Card], None], **more: Any) -> Card:
+def _with(card: Card, part: str, on_update: Callable[[Card], None], **more: Any) -> Card:
     """The card with what was computed, of which is told; a part may not be pending any more."""
     found = replace(card, pending=tuple(one for one in card.pending if one != part), **more)
-    hear(found)
+    on_update(found)
     return found
 
 
