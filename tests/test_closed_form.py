@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -141,6 +142,19 @@ def test_a_film_that_shows_nothing_and_a_filament_of_another_theory_are_refused(
     for changes in ({"material.law": "kelvin-voigt"}, {"ends.left": "pinned"}):
         with pytest.raises(SoftcatError, match="closed form: accepted: a Maxwell or Newtonian filament"):
             constants_of(Series(time, -0.01 * time), seen, strand(**changes))
+
+
+def test_a_strand_too_stiff_to_show_its_tension_is_refused_and_nothing_else_escapes() -> None:
+    with pytest.raises(SoftcatError, match=r"closed form: a sag of 0\.022 radii of gyration.*accepted: 0\.07 or more"):
+        of(features_of(90.0, 0.03, 5e-5, 0.013), 1.6e-3)
+    random = np.random.default_rng(0)
+    for _ in range(25):
+        frequency, decay, sag, load = np.exp(random.uniform((0, -4, -10, -18), (7, 5, -0.5, -3))).tolist()
+        seen = features_of(frequency, decay, sag, load, t_high=0.1)
+        law = LateLaw((sag * SPAN) ** 3, 0.0, 0.0, 0.9, 1.1)
+        with suppress(SoftcatError):
+            for one in (of(replace(seen, late=law)).youngs_modulus, of(replace(seen, late=law)).viscosity):
+                assert one.value is None or 0 < one.value < math.inf
 
 
 def test_a_film_gives_its_material_without_a_fit(tmp_path: Path) -> None:

@@ -272,7 +272,8 @@ COMPARISONS = (
     *("Drawn 7 times as long", "6 % less than the solvent alone", "after 40 swings"),
     "It grows by 1 mm/min at 711 C, 10^7.9 dPa s: 13 K below",
 )
-"""Numbers of other runs than the scene's own; the last are those of tests/slow/test_softening_point.py."""
+"""Numbers of other runs than the scene's own, or that its frames do not show: nothing here checks them. The last are
+held by tests/slow/test_softening_point.py."""
 FORMULAS = ("3/4 of its first frequency", "sqrt 2", "1/3 law", "4/3", "ASTM C598", "w L^3/(E I)", "c/(2 L)")
 REGIMES = {
     r"\bstops\b": ("arrested-overdamped", "arrested-underdamped"),

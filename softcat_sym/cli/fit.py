@@ -127,7 +127,8 @@ def fit(
     Ctrl-C the same command resumes from the finished evaluations, and gives the same numbers.
     """
     if features_only:
-        _check_features(data, free or [], law or [], test)
+        given = {"--free": free, "--law": law, "--test": test, "--flow-curve": flow_curve, "--prior": prior}
+        _check_features(data, given | {"--posterior": posterior})
     else:
         _check(data, free or [], law or [], test, flow_curve, prior or [], loss, posterior=posterior)
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
@@ -170,13 +171,12 @@ def fit(
         raise typer.Exit(cli.UNTRUSTED)
 
 
-def _check_features(data: list[Path], free: list[str], law: list[str], test: str | None) -> None:
-    """Refuse what is not of the closed form."""
-    given = {"--free": free, "--law": law, "--test": test, "DATA": data[1:]}
-    for name, value in given.items():
-        if value:
-            message = "features are of one film" if name == "DATA" else "the closed form fits nothing: leave it out"
-            raise typer.BadParameter(f"{message}; or leave --features-only out", param_hint=name)
+def _check_features(data: list[Path], given: dict[str, object]) -> None:
+    """Refuse options of a fit, and a second film, beside --features-only."""
+    for name in (name for name, value in given.items() if value):
+        raise typer.BadParameter("--features-only reads features and fits nothing: leave one of both", param_hint=name)
+    if len(data) > 1:
+        raise typer.BadParameter("--features-only takes one film", param_hint="DATA")
 
 
 def _check(

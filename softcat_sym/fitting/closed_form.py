@@ -179,12 +179,16 @@ class _Problem:
         solver = ca.nlpsol("closed_form", "ipopt", {"x": x, "f": ca.sumsqr(residual) / 2, "g": equations}, _SETTINGS)
         answer = solver(x0=self.start, lbg=0, ubg=0)
         if not solver.stats()["success"]:
-            raise SoftcatError(f"closed form: IPOPT finds no constants: {solver.stats()['return_status']}")
+            found = "no constants explain all features of the film together"
+            raise SoftcatError(f"closed form: {found} (IPOPT: {solver.stats()['return_status']})")
         jacobians = ca.Function("jacobians", [x], [ca.jacobian(residual, x), ca.jacobian(equations, x)])
         of_residual, of_equations = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(answer["x"]))
         # Directions along the equations: the last rows of V in the singular value decomposition of their Jacobian.
         free = np.linalg.svd(of_equations)[2][len(of_equations) :].T
-        spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
+        try:
+            spread = free @ np.linalg.inv(free.T @ of_residual.T @ of_residual @ free) @ free.T
+        except np.linalg.LinAlgError:
+            raise SoftcatError("closed form: the features leave a combination of constants open") from None
         found = dict(zip(self.unknowns, np.asarray(answer["x"], dtype=float).ravel().tolist(), strict=True))
         return found, spread, 2 * float(answer["f"])
 
@@ -245,7 +249,11 @@ def _boundary_layer(sag: float, slimness: float) -> float:
         known = {rheometry.r_T: math.exp(log_r), SAG: sag, SPAN: 1.0, rheometry.k_g: slimness}
         return math.log(evaluate(rheometry.LAYER.left, known)[0] / evaluate(rheometry.LAYER.right, known)[0])
 
-    return math.exp(brentq(excess, math.log(0.1), math.log(1e6)))
+    shallowest, deepest = math.log(0.1), math.log(1e6)
+    if not excess(shallowest) < 0 < excess(deepest):
+        found = f"a sag of {sag / slimness:.2g} radii of gyration of the section"
+        raise SoftcatError(f"closed form: {found}; accepted: 0.07 or more, where tension can be told from bending")
+    return math.exp(brentq(excess, shallowest, deepest))
 
 
 def _add_late_law(problem: _Problem, V: ca.SX, load: float, features: Features, shape: float) -> None:
