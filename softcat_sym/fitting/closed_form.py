@@ -179,8 +179,8 @@ class _Problem:
         solver = ca.nlpsol("closed_form", "ipopt", {"x": x, "f": ca.sumsqr(residual) / 2, "g": equations}, _SETTINGS)
         answer = solver(x0=self.start, lbg=0, ubg=0)
         if not solver.stats()["success"]:
-            found = "no constants explain all features of the film together"
-            raise SoftcatError(f"closed form: {found} (IPOPT: {solver.stats()['return_status']})")
+            ending = solver.stats()["return_status"]
+            raise SoftcatError(f"closed form: no constants explain all features of the film together (IPOPT: {ending})")
         jacobians = ca.Function("jacobians", [x], [ca.jacobian(residual, x), ca.jacobian(equations, x)])
         of_residual, of_equations = (np.asarray(ca.DM(matrix), dtype=float) for matrix in jacobians(answer["x"]))
         # Directions along the equations: the last rows of V in the singular value decomposition of their Jacobian.
