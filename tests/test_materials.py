@@ -154,7 +154,7 @@ def test_modes() -> None:
         ([], [("", "missing: the law 'multimode-maxwell' needs it")]),
         ("1 MPa", [("", "'1 MPa' is not a list")]),
         (one * 51, [("", "51 modes; accepted: at most 50")]),
-        ([3, *one], [(".1", "3 is not a mode")]),
+        ([3, *one], [(".1", "3 is not a table")]),
         ([*one, {"youngs_modulus": "1 MPa"}], [(".2.viscosity", "missing")]),
         ([*one, one[0] | {"width": 1}], [(".2.width", "unknown key; accepted: youngs_modulus, viscosity")]),
         (

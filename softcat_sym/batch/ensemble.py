@@ -33,7 +33,7 @@ from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.run import Run
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.scene.units import SI_UNITS, Number, Quantity
+from softcat_sym.scene.units import Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import watched
@@ -185,7 +185,7 @@ def _column(scenes: Sequence[Scene], rows: Sequence[Row], key: str) -> tuple[str
     if isinstance(kind, (Quantity, Number)):
         table, _, name = key.partition(".")
         values = [getattr(getattr(scene, table), name) for scene in scenes]
-        unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else "1"
+        unit = kind.unit or "1"
         return "member", np.array([np.nan if value is None else value for value in values], float), {"units": unit}
     given = [row[key] for row in rows]
     if all(is_number(value) for value in given):

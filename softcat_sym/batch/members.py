@@ -134,7 +134,7 @@ def constants_of(scene: Scene, row: Row) -> Row:
     slenderness = numbers.pop("delta", None)
     constants: Row = {}
     if slenderness is not None:
-        constants["filament.thickness"] = with_unit(slenderness * scene.filament.span, "length")
+        constants["filament.thickness"] = with_unit(slenderness * scene.filament.span, "m")
     material = scene.material
     names = material.spec.constants
 

@@ -28,7 +28,7 @@ from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
 from softcat_sym.scene.toml import read_overrides
-from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
+from softcat_sym.scene.units import NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
@@ -459,7 +459,7 @@ def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
     kind = kind_of(scene, {}, axis.key)
     quantity = kind if isinstance(kind, Quantity) else None
     if quantity is not None:
-        units = quantity.unit or SI_UNITS[quantity.dimension]
+        units = quantity.unit
     elif isinstance(kind, (Number, Whole)) or is_group(axis.key) or all(map(is_number, axis.values)):
         units = "1"
     elif all(map(_is_quantity, axis.values)):

@@ -37,7 +37,7 @@ from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
 from softcat_sym.scene.temperature import PREFIX, Temperature
-from softcat_sym.scene.units import Quantity, si_unit
+from softcat_sym.scene.units import si_unit
 
 MIN_CELLS = 4
 """Per half span: with fewer, the two ends see each other."""
@@ -212,7 +212,7 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     if name.startswith(PREFIX):
         kind = kinds_of(Temperature).get(name.removeprefix(PREFIX))
         kelvin = "K" if name.startswith(f"{PREFIX}activation") else "m" if name.startswith(f"{PREFIX}heated") else "1"
-        return (kind.unit if isinstance(kind, Quantity) else "") or kelvin
+        return kind.unit if kind and kind.unit else kelvin
     own = _named_by_user(scene)
     if name in own:
         return str(si_unit(own[name].dimension)).replace(" ", "") or "1"

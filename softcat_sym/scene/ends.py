@@ -12,7 +12,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import ValidatorFunctionWrapHandler, field_validator
 
 from softcat_sym.scene.parts import Part, Rule
-from softcat_sym.scene.units import MOTION, TURNS, Choice, Flag, Quantity, refusal, shown
+from softcat_sym.scene.units import FLAG, MOTION, TURNS, Choice, Quantity, refusal, shown
 
 
 class Hold(Enum):
@@ -137,7 +137,7 @@ class Ends(Part):
     """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
     right_twist: Annotated[tuple[tuple[float, ...], ...], TURNS] = ()
     """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
-    right_slides: Annotated[bool, Flag()] = False
+    right_slides: Annotated[bool, FLAG] = False
     """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""
 
     @property

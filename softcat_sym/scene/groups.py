@@ -255,10 +255,10 @@ def _of_law(
 
 def _fill_physical(rest: Table, block: GroupBlock, sizes: Mapping[str, float], unit: float, index: float) -> None:
     """Fill in thickness, times and the constants of the law; `unit` is that of times [s]."""
-    _fill(rest, "filament.thickness", with_unit(sizes["thickness"], "length"))
+    _fill(rest, "filament.thickness", with_unit(sizes["thickness"], "m"))
     for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if times is not None:
-            _fill(rest, path, with_unit(times * unit, "time"))
+            _fill(rest, path, with_unit(times * unit, "s"))
     for name in LAWS[block.law].constants:
         if not set(shear_names(name)) & set(_section(rest, "material")):
             _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(sizes[name]))

@@ -15,7 +15,7 @@ from softcat_sym.scene.material import tensile_name, twins
 from softcat_sym.scene.parts import Part, dotted, kinds_of, meanings_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
-from softcat_sym.scene.units import SI_UNITS, Kind, Quantity, consistency_unit
+from softcat_sym.scene.units import Kind, consistency_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,11 +42,10 @@ def scene_keys(part: str = "") -> tuple[SceneKey, ...]:
 
 
 def _key(path: str, field: FieldInfo, kind: Kind, meaning: str) -> SceneKey:
-    unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else ""
     default = "required" if field.is_required() else ""
     if not field.is_required() and field.default is not None:
         default = toml_value(kind.write(field.default))
-    return SceneKey(path, unit, default, meaning, kind.accepted)
+    return SceneKey(path, kind.unit, default, meaning, kind.accepted)
 
 
 PAGE = """# Keys of a scene

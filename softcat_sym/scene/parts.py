@@ -21,22 +21,21 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.scene.shapes import Shape
+from softcat_sym.scene.shapes import SHAPE
 from softcat_sym.scene.units import (
+    FLAG,
     NUMBERS,
     POINTS,
+    UNIT_VECTOR,
     Choice,
-    Flag,
     Kind,
     Names,
     Number,
     Quantity,
-    UnitVector,
     Values,
     Whole,
     refusal,
     shown,
-    three,
 )
 
 
@@ -113,6 +112,7 @@ Point = tuple[float, ...]
 Section = Literal["rectangle", "circle", "sheet"]
 _THICKNESS = Quantity("length", "6 mm")
 Length = Annotated[float, _THICKNESS]
+_PROFILE = Values(Number(above=0), "a list of positive numbers without units, at least 2", 2, optional=True)
 
 
 class Filament(Part):
@@ -134,11 +134,9 @@ class Filament(Part):
     """Width D0 across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
-    profile: Annotated[
-        tuple[float, ...], Values(Number(above=0), "a list of positive numbers without units, at least 2", 2)
-    ] = ()
+    profile: Annotated[tuple[float, ...], _PROFILE] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
-    shape: Annotated[str | tuple[Point, ...], Shape()] = "straight"
+    shape: Annotated[str | tuple[Point, ...], SHAPE] = "straight"
     """Natural curve between the supports: straight, arc, helix, or through points of a CSV file; in space."""
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
     """Natural curvature, in the plane."""
@@ -205,7 +203,9 @@ Rule = tuple[object, str, str, str]
 
 
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
+_TIP_FORCE = Values(Quantity("force", "1 N", "any"), _FORCES, 3, 3)
 _TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
+_TIP_TORQUE = Values(Quantity("torque", "1 N*m", "any"), _TORQUES, 3, 3)
 
 
 DOWN = (0.0, -1.0, 0.0)
@@ -219,7 +219,7 @@ class Load(Part):
 
     gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
     """Acceleration g, downwards unless load.direction says otherwise."""
-    direction: Annotated[tuple[float, ...], UnitVector()] = DOWN
+    direction: Annotated[tuple[float, ...], UNIT_VECTOR] = DOWN
     """Where gravity points: right, up and towards the viewer; of any length."""
     ramp: Annotated[float, Quantity("time", "0.1 s", "non-negative")] = 0.0
     """Time in which gravity grows from nothing, by a quintic smooth step; 0: at once."""
@@ -227,9 +227,9 @@ class Load(Part):
     """Mass at midspan."""
     tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at a free right end; in three dimensions."""
-    tip_force: Annotated[tuple[float, ...], three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
+    tip_force: Annotated[tuple[float, ...], _TIP_FORCE] = (0.0, 0.0, 0.0)
     """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
-    tip_torque: Annotated[tuple[float, ...], three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
+    tip_torque: Annotated[tuple[float, ...], _TIP_TORQUE] = (0.0, 0.0, 0.0)
     """Dead torque on a free right end, about axes that point right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
@@ -247,7 +247,7 @@ class Initial(Part):
 
     stretch: Annotated[float, Number(above=0)] = 1.0
     """Stretch before the load acts, s0."""
-    relaxed: Annotated[bool, Flag()] = True
+    relaxed: Annotated[bool, FLAG] = True
     """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
     P: Annotated[tuple[float, ...], NUMBERS] = ()
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
@@ -321,5 +321,5 @@ class Numerics(Part):
     """Relative tolerance of the integrator; chosen by the program unless given."""
     backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
-    estimate: Annotated[bool, Flag()] = True
+    estimate: Annotated[bool, FLAG] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.history import History
 from softcat_sym.scene.laws import laws_with
-from softcat_sym.scene.material import EffectTable, EffectTables, Material
+from softcat_sym.scene.material import EFFECT_TABLES, EffectTable, Material
 from softcat_sym.scene.parts import (
     Filament,
     Initial,
@@ -23,7 +23,7 @@ from softcat_sym.scene.parts import (
     Surroundings,
 )
 from softcat_sym.scene.temperature import FROZEN, MOST, Temperature
-from softcat_sym.scene.units import Choice, Text
+from softcat_sym.scene.units import TEXT, Choice
 
 _OF_LAW: dict[str, tuple[str, ...]] = {
     "constant": (),
@@ -42,7 +42,7 @@ Model = Literal["filament", "small-deflection"]
 class Tables(Part):
     """What a scene file holds; :class:`softcat_sym.scene.scene.Scene` reads it, and sees that it goes together."""
 
-    title: Annotated[str, Text()] = ""
+    title: Annotated[str, TEXT] = ""
     """Title for pictures and tables."""
     model: Annotated[Model, Choice(Model)] = "filament"
     """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
@@ -55,7 +55,7 @@ class Tables(Part):
     temperature: Temperature = Temperature()
     run: RunSettings
     numerics: Numerics = Numerics()
-    effects: Annotated[tuple[EffectTable, ...], EffectTables()] = ()
+    effects: Annotated[tuple[EffectTable, ...], EFFECT_TABLES] = ()
     """Constants of effects that other packages register, a table [effects.NAME] each."""
 
 
