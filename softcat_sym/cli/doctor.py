@@ -80,7 +80,9 @@ def _say(name: str, text: str) -> None:
 
 def _findings(*, quiet: bool) -> Iterator[Check]:
     packages = list(_packages())
-    yield from (_python(), *packages)
+    cores = f"{executor.worker_count(None)} of {os.cpu_count()} processors"
+    system = f"{platform.system()} {platform.machine()}"
+    yield from (Check("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})"), *packages)
     if any(finding.is_fault for finding in packages):
         yield Check("self-test", "not run, since required packages are missing or too old")
         return
@@ -94,13 +96,6 @@ def _findings(*, quiet: bool) -> Iterator[Check]:
         yield Check("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")
     else:
         yield _tested("compiled", quiet=quiet)
-
-
-def _python() -> Check:
-
-    cores = f"{executor.worker_count(None)} of {os.cpu_count()} processors"
-    system = f"{platform.system()} {platform.machine()}"
-    return Check("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})")
 
 
 def _packages() -> Iterator[Check]:

@@ -225,14 +225,9 @@ def kirchhoff(b: Builder) -> Mechanics:
         shown,
         double_force=double_force,
         profiles=section.profiles,
-        ageing=_aged(b, section, surface),
+        ageing=[*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else [],
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
     )
-
-
-def _aged(b: Builder, section: Section, surface: list[Field]) -> list[Field]:
-    """What clocks do to stored energies at strains that are held, and to what resists."""
-    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else []
 
 
 def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:

@@ -261,7 +261,14 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     list.
     """
     refuse_tables(scene)
-    estimates = _estimates(scene)
+    # Estimate of each effect that applies, by its name. For a material that changes in time, the largest of its
+    # beginning, middle and end
+    stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
+    estimates = {
+        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)
+        for effect in REGISTRY
+        if effect.applies(scene)
+    }
     reasons = _reasons(scene, estimates, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
     refuse_together(scene, chosen)
@@ -273,19 +280,6 @@ def bare(scene: Scene) -> Terms:
     """The filament of this material and shape without any effect; the small-deflection model has its own tension."""
     stretches = scene.model == "small-deflection"
     return Terms(law=law_in(scene), curved=is_curved(scene), stretches=stretches)
-
-
-def _estimates(scene: Scene) -> dict[str, Estimate]:
-    """Estimate of each effect that applies, by its name.
-
-    For a material that changes in time, the largest of its beginning, middle and end.
-    """
-    stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
-    return {
-        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)
-        for effect in REGISTRY
-        if effect.applies(scene)
-    }
 
 
 def _decision(effect: Effect, scene: Scene, estimate: Estimate | None, reasons: Mapping[str, str]) -> Decision:

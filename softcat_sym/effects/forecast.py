@@ -134,7 +134,12 @@ def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity:
     if largest == 0 or gravity == 0 or len(time) < 2:
         return 0.0
     moved = np.abs(sag - sag[0])
-    slow = _accelerated(time, sag, gravity)
+    # Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries
+    if len(time) < 3:
+        slow = 0.0
+    else:
+        acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
+        slow = float(np.max(np.minimum(acceleration / gravity, 1.0) * np.abs(sag[1:-1])))
     if ramp > 0:
         loaded = time > ramp
         return max(_late(time[loaded], moved[loaded], gravity), slow) / largest
@@ -162,14 +167,6 @@ def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -
     power = np.clip(np.gradient(np.log(safe), np.log(time)), 0.0, 1.0)
     fallen = 2 * safe / (gravity * time**2)
     return float(np.max(power * safe * np.minimum(1.0, fallen ** (1 / (2 - power)))))
-
-
-def _accelerated(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
-    """Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries."""
-    if len(time) < 3:
-        return 0.0
-    acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
-    return float(np.max(np.minimum(acceleration / gravity, 1.0) * np.abs(sag[1:-1])))
 
 
 _HINGES = 0.7
@@ -241,6 +238,11 @@ def _forecast(scene: Scene) -> Motion:
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
     moved = moved or any(scene.load.tip_torque)
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
+    # Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall
+    span = scene.filament.span
+    growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
+    ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
+    fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
     return Motion(
         sag=sag,
         scale=sag,
@@ -257,18 +259,9 @@ def _forecast(scene: Scene) -> Motion:
         damped=_damped(scene, sag, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=scales.neck_folds(scene, strain_of(scene, sag)),
-        speed=_speed(scene, history, rings),
+        speed=min(max(growing, ringing_speed) * span, fallen),
         capillary=_capillary(scene, float(np.max(free.sag))),
     )
-
-
-def _speed(scene: Scene, history: quasi_static.SagHistory, rings: Ringing) -> float:
-    """Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall."""
-    span = scene.filament.span
-    growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
-    ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
-    fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
-    return min(max(growing, ringing_speed) * span, fallen)
 
 
 def _left_by_surface(scene: Scene, sag: float) -> float:

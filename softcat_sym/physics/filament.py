@@ -163,7 +163,12 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     elif terms.hardens:
         raise ValueError("backstress: only in a section that is resolved through its thickness")
     if law.chains is not None:
-        _refuse_chains(terms, resolved)
+        if terms.shear:
+            raise ValueError("chains have no shear here: their conformation is that along and across a fibre")
+        if terms.bending and resolved is None:
+            raise ValueError(
+                "the stress of chains is not linear through the thickness: a section that bends is resolved"
+            )
     return FilamentEquations(
         terms=terms,
         shape=shape,
@@ -182,14 +187,6 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         force=internal_force(centreline, bending=terms.bending, stretches=terms.stretches),
         exchange=sp.S.Zero if terms.heat is None else lateral_area(shape, thins=terms.thins),
     )
-
-
-def _refuse_chains(terms: Terms, resolved: ResolvedSection | None) -> None:
-    """Refuse a section of which the stress of chains is not known."""
-    if terms.shear:
-        raise ValueError("chains have no shear here: their conformation is that along and across a fibre")
-    if terms.bending and resolved is None:
-        raise ValueError("the stress of chains is not linear through the thickness: a section that bends is resolved")
 
 
 def _refuse_stretching(terms: Terms) -> None:

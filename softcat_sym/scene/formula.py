@@ -235,7 +235,16 @@ def _bounds(operation: str, one: Interval, other: Interval = (0.0, 0.0)) -> Inte
             least = 0.0 if a <= 0 <= b else min(abs(a), abs(b))
             return _compute(operation, (least,)), _compute(operation, (max(abs(a), abs(b)),))
         case "sin" | "cos":
-            return _of_wave(a, b, 0.5 * math.pi if operation == "sin" else 0.0, operation)
+            # Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them
+            crest = 0.5 * math.pi if operation == "sin" else 0.0
+            if not b - a < 2 * math.pi:
+                return -1.0, 1.0
+            ends = _compute(operation, (a,)), _compute(operation, (b,))
+            holds = [
+                math.floor((b - place) / (2 * math.pi)) != math.floor((a - place) / (2 * math.pi))
+                for place in (crest, crest + math.pi)
+            ]
+            return -1.0 if holds[1] else min(ends), 1.0 if holds[0] else max(ends)
         case "div" if c <= 0 <= d:
             return -math.inf, math.inf
         case "pow":
@@ -247,18 +256,6 @@ def _bounds(operation: str, one: Interval, other: Interval = (0.0, 0.0)) -> Inte
             return (math.nan, math.nan) if any(map(math.isnan, corners)) else (min(corners), max(corners))
     # All others grow; a logarithm or a root of what may be negative has no bounds.
     return _compute(operation, (a,)), _compute(operation, (b,))
-
-
-def _of_wave(a: float, b: float, crest: float, operation: str) -> Interval:
-    """Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them."""
-    if not b - a < 2 * math.pi:
-        return -1.0, 1.0
-    ends = _compute(operation, (a,)), _compute(operation, (b,))
-    holds = [
-        math.floor((b - place) / (2 * math.pi)) != math.floor((a - place) / (2 * math.pi))
-        for place in (crest, crest + math.pi)
-    ]
-    return -1.0 if holds[1] else min(ends), 1.0 if holds[0] else max(ends)
 
 
 def _of_power(a: float, b: float, c: float, d: float) -> Interval:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
@@ -21,10 +21,8 @@ _GROUPED = [one.name for one in LAWS.values() if one.has_groups]
 Positive = Annotated[float | None, Number(above=0)]
 
 
-class GroupBlock(Part):
+class GroupBlock(Part, table="groups"):
     """The table ``[groups]``; dimensionless. It vanishes when the scene is resolved."""
-
-    table_name: ClassVar[str] = "groups"
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from keyword import iskeyword
-from typing import Annotated, Any, ClassVar, cast
+from typing import Annotated, Any, cast
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -323,13 +323,11 @@ POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
 
 
-class Material(Part):
+class Material(Part, table="material"):
     """A law and its constants, all tensile; SI.
 
     A constant that the law does not use is None.
     """
-
-    table_name: ClassVar[str] = "material"
 
     law: Annotated[str, Choice(tuple(LAWS))]
     """Constitutive law: how the material answers to stress."""

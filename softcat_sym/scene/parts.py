@@ -11,15 +11,7 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Field,
-    ValidationInfo,
-    ValidatorFunctionWrapHandler,
-    field_validator,
-    model_validator,
-)
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 
 from softcat_sym.scene.shapes import SHAPE
 from softcat_sym.scene.units import (
@@ -47,7 +39,11 @@ class Part(BaseModel):
 
     # Built when first used: parts are read as fields of a scene, whose build has them all.
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
-    table_name: ClassVar[str] = ""
+    table_name: ClassVar[str]
+
+    def __init_subclass__(cls, table: str = "", **settings: Any) -> None:
+        cls.table_name = table
+        super().__init_subclass__(**settings)
 
     def kinds(self) -> Mapping[str, Kind]:
         """Return how each value is written, by field name."""
@@ -115,10 +111,8 @@ Length = Annotated[float, _THICKNESS]
 _PROFILE = Values(Number(above=0), "a list of positive numbers without units, at least 2", 2, optional=True)
 
 
-class Filament(Part):
+class Filament(Part, table="filament"):
     """Geometry and density; lengths in m, density in kg/m^3."""
-
-    table_name: ClassVar[str] = "filament"
 
     span: Annotated[float, Quantity("length", "0.2 m")]
     """Horizontal distance between the supports, L."""
@@ -148,45 +142,37 @@ class Filament(Part):
     def _round_if_it_has_a_diameter(cls, data: Any) -> Any:
         return {"section": "circle", **data} if isinstance(data, dict) and data.get("diameter") is not None else data
 
-    @field_validator("thickness", mode="wrap")
+    @field_validator("thickness", mode="plain")
     @classmethod
-    def _thinner_than_long(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        diameter = info.data.get("diameter", math.nan)
+    def _thinner_than_long(cls, value: Any, info: ValidationInfo) -> float:
+        diameter, span = info.data.get("diameter", math.nan), info.data.get("span", math.inf)
         if value is None and diameter is None:
             raise refusal("missing", f"{_THICKNESS.accepted}, or filament.diameter")
         if value is not None and diameter is not None:
             raise refusal("given twice, here and as filament.diameter", "one of the two")
-        thickness = diameter if value is None else handler(value)
-        span = info.data.get("span")
-        if span is not None and thickness >= span:
+        thickness = diameter if value is None else _THICKNESS.read(value)
+        if thickness >= span:
             found = shown(value) if diameter is None else f"the diameter, {diameter:g} m,"
             raise refusal(f"{found} is not less than the span", f"a thickness below the span, {span:g} m")
-        return thickness
+        return float(thickness)
 
-    @field_validator("section", mode="wrap")
+    @field_validator("section")
     @classmethod
-    def _round_where_it_has_a_diameter(
-        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
-    ) -> Any:
-        section = handler(value)
+    def _round_where_it_has_a_diameter(cls, section: Section, info: ValidationInfo) -> Section:
         if section != "circle" and info.data.get("diameter") is not None:
-            raise refusal(
-                f"{shown(value)}, but filament.diameter is given",
-                "circle, or filament.thickness instead of filament.diameter",
-            )
+            accepted = "circle, or filament.thickness instead of filament.diameter"
+            raise refusal(f"{section!r}, but filament.diameter is given", accepted)
         return section
 
-    @field_validator("width", mode="wrap")
+    @field_validator("width", mode="plain")
     @classmethod
-    def _follow_thickness(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+    def _follow_thickness(cls, value: Any, info: ValidationInfo) -> float:
         # NaN never escapes: without a thickness there is a fault, and with a fault there is no filament.
         thickness = info.data.get("thickness", math.nan)
-        if value is None:
-            return thickness
-        width = handler(value)
+        width = thickness if value is None else _THICKNESS.read(value)
         if info.data.get("section") == "circle" and math.isfinite(thickness) and width != thickness:
             raise refusal("a circle has no width of its own", "leaving it out; the diameter is filament.thickness")
-        return width
+        return float(width)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -212,10 +198,8 @@ DOWN = (0.0, -1.0, 0.0)
 """Direction of gravity unless a scene states another."""
 
 
-class Load(Part):
+class Load(Part, table="load"):
     """Gravity, its ramp and its shaking, and what hangs or pulls at a right end that is free or slides; SI."""
-
-    table_name: ClassVar[str] = "load"
 
     gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
     """Acceleration g, downwards unless load.direction says otherwise."""
@@ -240,10 +224,8 @@ class Load(Part):
 SurfaceAge = Literal["fresh", "relaxed"]
 
 
-class Initial(Part):
+class Initial(Part, table="initial"):
     """State at the first instant; dimensionless."""
-
-    table_name: ClassVar[str] = "initial"
 
     stretch: Annotated[float, Number(above=0)] = 1.0
     """Stretch before the load acts, s0."""
@@ -259,10 +241,8 @@ class Initial(Part):
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""
 
 
-class Surroundings(Part):
+class Surroundings(Part, table="surroundings"):
     """The medium around the filament; SI."""
-
-    table_name: ClassVar[str] = "surroundings"
 
     surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
     """Surface tension Gamma between the filament and what surrounds it."""
@@ -277,10 +257,8 @@ Closure = Literal["material", "printed"]
 Dimensions = Literal["auto", 2, 3]
 
 
-class RunSettings(Part):
+class RunSettings(Part, table="run"):
     """What is asked of the run; times in s."""
-
-    table_name: ClassVar[str] = "run"
 
     duration: Annotated[float, Quantity("time", "2 s")]
     """Simulated time; the longest one where the run may settle before."""
@@ -302,10 +280,8 @@ Solver = Literal["cvodes", "idas", "rosenbrock"]
 Backend = Literal["auto", "interpreted", "compiled"]
 
 
-class Numerics(Part):
+class Numerics(Part, table="numerics"):
     """Overrules; None means that the program chooses."""
-
-    table_name: ClassVar[str] = "numerics"
 
     cells: Annotated[int | None, Whole(4, 100_000)] = None
     """N, cells per half span; chosen by the program unless given."""

@@ -124,7 +124,15 @@ def temperature_rules(scene: Tables) -> Iterator[Rule]:
         return
     yield from _of_exchange(scene, heat)
     yield from _of_the_law(scene, heat)
-    yield from _of_the_extremes(scene, heat)
+    # What a law of the viscosity says of the temperatures of the scene; below where it ends a strand is frozen
+    if heat.law == "vft" and heat.T_0 is not None and heat.reference is not None:
+        found = f"{heat.T_0:g} K, not below the reference {heat.reference:g} K: the viscosity there would be infinite"
+        yield heat.reference <= heat.T_0, "temperature.T_0", found, f"a temperature below {heat.reference:g} K"
+    for kelvin in {*heat.extremes(scene.run.duration)}:
+        factor = heat.viscosity_factor(kelvin)
+        found = f"'{heat.law}', whose viscosity at {kelvin:g} K is {factor:.3g} times that of [material]"
+        broken = factor <= 1 / MOST or (factor >= MOST and heat.law not in _ENDING)
+        yield broken, "temperature.law", found, "constants that fit the temperatures of the scene"
 
 
 def _of_exchange(scene: Tables, heat: Temperature) -> Iterator[Rule]:
@@ -180,18 +188,6 @@ def _of_the_law(scene: Tables, heat: Temperature) -> Iterator[Rule]:
     yield heat.expansion and lags, path, found, accepted
     stiff = heat.modulus is not None and not scene.material.spec.is_elastic
     yield stiff, "temperature.modulus", "given, but a newtonian fluid has no modulus", "leaving it out"
-
-
-def _of_the_extremes(scene: Tables, heat: Temperature) -> Iterator[Rule]:
-    """What a law of the viscosity says of the temperatures of the scene; below where it ends a strand is frozen."""
-    if heat.law == "vft" and heat.T_0 is not None and heat.reference is not None:
-        found = f"{heat.T_0:g} K, not below the reference {heat.reference:g} K: the viscosity there would be infinite"
-        yield heat.reference <= heat.T_0, "temperature.T_0", found, f"a temperature below {heat.reference:g} K"
-    for kelvin in {*heat.extremes(scene.run.duration)}:
-        factor = heat.viscosity_factor(kelvin)
-        found = f"'{heat.law}', whose viscosity at {kelvin:g} K is {factor:.3g} times that of [material]"
-        broken = factor <= 1 / MOST or (factor >= MOST and heat.law not in _ENDING)
-        yield broken, "temperature.law", found, "constants that fit the temperatures of the scene"
 
 
 def frozen_below(scene: Tables) -> float | None:

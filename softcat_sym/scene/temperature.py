@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, Literal
 
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.history import Changing, History
@@ -157,10 +157,8 @@ Softened = Literal["constant", "vft", "wlf", "arrhenius"]
 Correlation = Literal["none", "cylinder-in-air"]
 
 
-class Temperature(Part):
+class Temperature(Part, table="temperature"):
     """Heat of the filament; temperatures in K."""
-
-    table_name: ClassVar[str] = "temperature"
 
     initial: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
     """Temperature of the filament at the start; with it the filament has a temperature at all."""
