@@ -26,7 +26,7 @@ from proving import prove_equal
 
 from softcat_sym.physics import bulk, laws, reissner, symbols
 from softcat_sym.physics.kinematics import TRUE_STRAIN
-from softcat_sym.physics.section_response import Shape, natural_strains, respond, shrunk
+from softcat_sym.physics.section_response import SectionShape, natural_strains, respond, shrunk
 from softcat_sym.physics.section_response import material as closure
 from softcat_sym.physics.sections import SECTIONS
 
@@ -80,7 +80,7 @@ prove_equal(stress_rate, E * sp.diff(eps, t) + sp.diff(E, t) / E * sigma)
 growth = laws.growth_of(symbols.E)
 for law in (laws.law_of("elastic"), laws.law_of("maxwell")):
     branch = laws.Branch(flow=law.branches[0].flow, growth=growth)
-    outline = Shape(
+    outline = SectionShape(
         SECTIONS["rectangle"],
         SECTIONS["rectangle"].contraction,
         TRUE_STRAIN,

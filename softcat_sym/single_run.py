@@ -9,7 +9,7 @@ import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.progress import Clock
+from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import break_frame, breakable
 from softcat_sym.results.fields import dense_fields, node_positions, whole_span_fields
 from softcat_sym.results.motion import settling_time
@@ -30,7 +30,7 @@ OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
 """Outcomes that shorter steps may cure."""
 
 
-def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None) -> Prepared:
+def build(scene: Scene, effects: Effects, clock: Stopwatch | None = None, progress: Progress | None = None) -> Prepared:
     """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready."""
     listener = progress or Silence()
     listener.doing("building")
@@ -51,7 +51,7 @@ def run_once(
     scene: Scene,
     resolved: Scene,
     effects: Effects,
-    clock: Clock,
+    clock: Stopwatch,
     progress: Progress,
     times: int = 0,
     watched: Watched | None = None,

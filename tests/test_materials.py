@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym.errors import SceneError
 from softcat_sym.scene import laws
 from softcat_sym.scene.formula import FUNCTIONS, parse_formula
-from softcat_sym.scene.material import Mode, Parameter
+from softcat_sym.scene.material import Mode, NamedConstant
 from softcat_sym.scene.scene import Scene
 from tests.common.scenes import BINGHAM, LAWS, MODES, faults_of, spoiled
 
@@ -170,7 +170,7 @@ def test_modes() -> None:
 
 def test_parameters_of_a_custom_law_can_be_replaced() -> None:
     scene = scene_of("custom")
-    assert scene.material.parameters[-1] == Parameter("tau_c", 2.0, (1.0, -1.0, -2.0))
+    assert scene.material.parameters[-1] == NamedConstant("tau_c", 2.0, (1.0, -1.0, -2.0))
     other = scene.replace({"material.parameters.tau_c": "3 Pa"})
     assert other.material.threshold == pytest.approx(3.0, rel=1e-12)
     assert scene.material.threshold == pytest.approx(2.0, rel=1e-12)

@@ -12,7 +12,7 @@ import pytest
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.studies import validate as study
-from softcat_sym.studies.published.case import Case, Finding, Kind, Row, published_scene
+from softcat_sym.studies.published.case import Case, DataKind, Finding, Row, published_scene
 from tests.common.in_process import Softcat
 
 FAST = ("smay", "martinie", "u-shape")
@@ -107,4 +107,4 @@ def test_finished_cases_come_from_the_store_unless_fresh_ones_are_asked_for(
     first = softcat("validate", "-o", "out")
     assert softcat("validate", "-o", "out").out == first.out and len(calls) == 1
     assert softcat("validate", "-o", "out", "--fresh").out == first.out and len(calls) == 2
-    assert f"({Kind.ASSUMED.value})" in first.out and first.out.count("assumed") >= 2 and "within" not in first.out
+    assert f"({DataKind.ASSUMED.value})" in first.out and first.out.count("assumed") >= 2 and "within" not in first.out

@@ -33,7 +33,7 @@ from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.initial_stress import initial_strain
 from softcat_sym.errors import PrintingError
-from softcat_sym.scene.material import Parameter, constant_in_c
+from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
 from softcat_sym.scene.temperature import PREFIX, Temperature
@@ -198,7 +198,7 @@ class Description:
         return () if natural is None else tuple(np.column_stack([self.graph.grid.centres, natural]).ravel().tolist())
 
 
-def _named_by_user(scene: Scene) -> dict[str, Parameter]:
+def _named_by_user(scene: Scene) -> dict[str, NamedConstant]:
     """Constants that only this scene has, by their names in C."""
     return {constant_in_c(path): one for path, one in scene.named_constants().items()}
 

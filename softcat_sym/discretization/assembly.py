@@ -20,7 +20,7 @@ from softcat_sym.discretization.grid import (
 )
 from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, Supports, node_mass
+from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
@@ -32,7 +32,7 @@ from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_le
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.symbolic import Filament
+    from softcat_sym.discretization.symbolic import SymbolicFilament
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -134,7 +134,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
     )
     return Body(
         supports,
-        Profile.sampled(scene.filament.profile, grid),
+        ThicknessProfile.sampled(scene.filament.profile, grid),
         weighted=scene.load.point_mass > 0,
         tip_mass=scene.load.tip_mass > 0,
         tip_force=any(scene.load.tip_force),
@@ -240,7 +240,7 @@ class Recorded:
     body: Body
 
     @cached_property
-    def program(self) -> Filament:
+    def program(self) -> SymbolicFilament:
         """What its sites compute, or the small-deflection model, which has none."""
         if self.theory.model != "small-deflection":
             return self.sampled_by(self.theory.rule)

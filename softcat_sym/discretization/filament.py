@@ -32,8 +32,8 @@ from softcat_sym.discretization.unknowns import (
     SPEEDS,
     TURN,
     WORK_OF_AGEING,
+    SiteRange,
     Slot,
-    Where,
 )
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
@@ -57,7 +57,7 @@ def build(equations: FilamentEquations, ends: tuple[Support, Support], body: Bod
 
 _SIDES = ((0, (None, 0)), (-1, (-1, None)))
 """End nodes, and the distances of the cells before and behind them."""
-_AT_RIGHT = Where(-1, 0, alone=True)
+_AT_RIGHT = SiteRange(-1, 0, alone=True)
 
 
 class _Balance:
@@ -101,7 +101,7 @@ class _Balance:
     def _of_masses(self, name: str, value: ca.SX) -> Field:
         """A field of the nodes in proportion to their masses."""
         ends = {-1: self._heavy(None) * value} if self.b.body.tip_mass else {}
-        return Field(name, Where(0, int(bool(ends))), self.mass * value, ends)
+        return Field(name, SiteRange(0, int(bool(ends))), self.mass * value, ends)
 
     def _rate(self, slot: Slot) -> Field:
         """Rate of an unknown, or what must vanish for an algebraic one: the rate of its momentum."""

@@ -33,7 +33,7 @@ _NO_STRESS = 1e-12
 
 
 @dataclass(frozen=True)
-class Sampled:
+class SectionSums:
     """Sums over the points of a section, and what a run shows of them."""
 
     means: dict[Any, ca.SX]  # By their symbols
@@ -51,7 +51,7 @@ def one_of(rule: SectionRule) -> SectionRule:
     return SectionRule.of_points({name: (ca.SX.sym(name),) for name in rule.tables}, stands_for_all=True)
 
 
-def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> Sampled:
+def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> SectionSums:
     """Stress and flow at the points of a section, and their sums."""
     if rule.stands_for_all:
         for name, (symbol,) in rule.tables.items():
@@ -90,7 +90,7 @@ def _summed(
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
     states: Sequence[State],
-) -> Sampled:
+) -> SectionSums:
     weights = [place["weight"] for place in rule.places]
 
     def mean(name: str, values: Iterable[ca.SX], levers: Iterable[Any] | None = None) -> ca.SX:
@@ -107,7 +107,7 @@ def _summed(
         if any(branch.hardening is not None for branch in section.branches):
             found["backstress"] = point.backstress
         shown |= {f"{POINT}{name}_{label}": value for name, value in found.items()}
-    return Sampled(
+    return SectionSums(
         means={
             symbol: mean(
                 name,

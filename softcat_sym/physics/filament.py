@@ -31,7 +31,7 @@ from softcat_sym.physics.laws import Constant, Law, law_of
 from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.reissner import ResolvedSection, resolve
-from softcat_sym.physics.section_response import CLOSURES, SectionResponse, Shape, respond
+from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
 from softcat_sym.physics.structure import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
@@ -146,7 +146,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     strain, clocks = TRUE_STRAIN if terms.finite else SMALL_STRAIN, clocks_of(terms)
     centreline, law = LARGE_ROTATION if terms.large_rotation else SMALL_SLOPE, law_in_force(terms, clocks)
     closed = CLOSURES[closure_name](strain, contraction)
-    outline = Shape(
+    outline = SectionShape(
         shape,
         contraction,
         strain,

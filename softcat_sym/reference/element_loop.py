@@ -205,7 +205,7 @@ class Mesh:
         return np.asarray(edges)
 
 
-class Strip:
+class HalfFilament:
     """Nodes and elements of half a filament; lengths over the span, mass over density times span^2 times width."""
 
     def __init__(self, mesh: Mesh, thickness: float) -> None:
@@ -255,7 +255,7 @@ class Clamp(Enum):
 
 
 @dataclass(frozen=True)
-class Supports:
+class Restraints:
     """Which displacements are zero, and which face thins as one."""
 
     held: npt.NDArray[np.bool_]  # shape (nodes, 2); Displacements along x and y that stay zero
@@ -263,12 +263,12 @@ class Supports:
     face: Indices
 
 
-def half_span_supports(strip: Strip, clamp: Clamp) -> Supports:
+def half_span_supports(strip: HalfFilament, clamp: Clamp) -> Restraints:
     """Symmetry at midspan (u_x = 0, u_y free), the clamp at X = L/2."""
     held = np.zeros(strip.position.shape, dtype=bool)
     held[strip.midspan, 0] = True
     held[strip.face] = True
-    return Supports(held, strip.face if clamp is Clamp.THINNING else strip.face[:0])
+    return Restraints(held, strip.face if clamp is Clamp.THINNING else strip.face[:0])
 
 
 State = Mapping[str, npt.NDArray[Any]]
@@ -359,8 +359,8 @@ class ElementLoop(ctypes.Structure):
 
     def __init__(
         self,
-        strip: Strip,
-        supports: Supports,
+        strip: HalfFilament,
+        supports: Restraints,
         code: PointCode,
         material: Mapping[str, float],
         *,
@@ -466,7 +466,7 @@ class ElementLoop(ctypes.Structure):
         )
 
 
-def deformation_of(strip: Strip, displacement: Floats) -> Floats:
+def deformation_of(strip: HalfFilament, displacement: Floats) -> Floats:
     """Deformation gradients at the Gauss points; shape (elements, 4, 2, 2)."""
     slopes = np.einsum("eai,Jap->epiJ", displacement[strip.corner], shape_gradients(POINTS))
     return np.asarray(np.eye(2) + slopes * (2 / strip.size)[:, None, None, :])

@@ -20,10 +20,10 @@ from softcat_sym.reference.element_loop import (
     Clamp,
     ElementLoop,
     Floats,
+    HalfFilament,
     Mesh,
     Problem,
     State,
-    Strip,
     deformation_of,
     element_sources,
     fingerprint,
@@ -45,7 +45,7 @@ ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "pote
 class Records:
     """Arrays that fill up as a run goes on."""
 
-    def __init__(self, problem: Problem, strip: Strip, shares: Sequence[float] = ()) -> None:
+    def __init__(self, problem: Problem, strip: HalfFilament, shares: Sequence[float] = ()) -> None:
         frames, elements = problem.frames, len(strip.corner)
         fields = np.array(shares) if len(shares) else np.linspace(0, 1, min(_FIELDS, frames))
         self.frame_of_field = np.unique((fields * (frames - 1)).round().astype(int))
@@ -128,7 +128,7 @@ class ElementRun:
         return float(np.abs(self.energy_residual).max() / self.work) if self.work > 0 else 0.0
 
 
-def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
+def run_of(scene: Scene, strip: HalfFilament, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
     """Put units to what was recorded."""
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
@@ -170,9 +170,9 @@ class ElementField:
     stress: Floats  # shape (elements, 4, 2, 2); Cauchy stress in the plane [Pa]; the other components are zero
 
 
-def strip_of(scene: Scene, run: ElementRun) -> Strip:
+def strip_of(scene: Scene, run: ElementRun) -> HalfFilament:
     """The mesh of a run, with its nodes; lengths over the span."""
-    return Strip(run.mesh, problem_of(scene).thickness)
+    return HalfFilament(run.mesh, problem_of(scene).thickness)
 
 
 def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
@@ -208,7 +208,7 @@ class Snapshot:
     )
 
 
-def snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
+def snapshot(strip: HalfFilament, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
     """The strip with these displacements of its nodes and rates at its Gauss points."""
     corners = (strip.position + displacement)[strip.corner]
 
@@ -324,7 +324,7 @@ class March:
             )
 
 
-class Progress(Protocol):
+class ElementProgress(Protocol):
     """Listens to a run."""
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
@@ -350,7 +350,7 @@ def run_elements(
     checkpoint: Path | None = None,
     checkpoint_every: float = 30.0,
     fields: Sequence[float] = (),
-    progress: Progress | None = None,
+    progress: ElementProgress | None = None,
 ) -> ElementRun:
     """Run the elements over a scene: a rectangular filament between two clamps; elastic, Maxwell or Bingham.
 
@@ -368,7 +368,7 @@ def run_elements(
     if checkpoint is not None and not checkpoint.parent.is_dir():
         raise SoftcatError(f"no folder {checkpoint.parent} for the checkpoint {checkpoint.name}; make it first")
     problem, began = problem_of(scene), time.perf_counter()
-    strip, code = Strip(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
+    strip, code = HalfFilament(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
     if problem.pull * problem.thickness > _FOLDS * strip.size[:, 0].min():
         found = f"pulls with {problem.pull:.2g} of Young's modulus, which folds the edges of elements this short"
         raise SceneError(

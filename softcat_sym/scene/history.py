@@ -306,9 +306,9 @@ class Changing(Kind):
         return value.text or {f"{time!r} s": super(Changing, self).write(one) for time, one in value.table}
 
 
-class Timed(Changing, Quantity):
+class ChangingQuantity(Changing, Quantity):
     """A quantity that may change in time."""
 
 
-class TimedNumber(Changing, Number):
+class ChangingNumber(Changing, Number):
     """A dimensionless number that may change in time."""

@@ -13,7 +13,7 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene import formula as formulas
 from softcat_sym.scene.formula import Formula, parse_formula
-from softcat_sym.scene.history import Changing, History, Timed, TimedNumber, scaled, value_at
+from softcat_sym.scene.history import Changing, ChangingNumber, ChangingQuantity, History, scaled, value_at
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec, kind_of_constant, laws_with, spec_of
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.thixotropy import STRUCTURE, Thixotropy
@@ -54,12 +54,12 @@ _MOST = 50
 class Mode:
     """A spring in line with a dashpot."""
 
-    youngs_modulus: Annotated[float, Timed("stress", "1 MPa")]  # [Pa]
-    viscosity: Annotated[float, Timed("viscosity", "2 kPa*s")]  # [Pa s], extensional
+    youngs_modulus: Annotated[float, ChangingQuantity("stress", "1 MPa")]  # [Pa]
+    viscosity: Annotated[float, ChangingQuantity("viscosity", "2 kPa*s")]  # [Pa s], extensional
 
 
 @dataclass(frozen=True, slots=True)
-class Parameter:
+class NamedConstant:
     """A named constant of a flow rule, SI."""
 
     name: str
@@ -89,8 +89,8 @@ MODE = Record(Mode, MODES.accepted)
 class _Parameters(Kind):
     """A table of named constants of any unit."""
 
-    def check(self, value: Any) -> tuple[Parameter, ...]:
-        if isinstance(value, tuple) and all(isinstance(item, Parameter) for item in value):
+    def check(self, value: Any) -> tuple[NamedConstant, ...]:
+        if isinstance(value, tuple) and all(isinstance(item, NamedConstant) for item in value):
             return value
         if value in ("", []):
             return ()
@@ -99,7 +99,7 @@ class _Parameters(Kind):
         read = read_each("parameters", ((str(name), self._parameter, (name, one)) for name, one in value.items()))
         return tuple(sorted(read.values(), key=lambda parameter: parameter.name))
 
-    def _parameter(self, name: object, given: object) -> Parameter:
+    def _parameter(self, name: object, given: object) -> NamedConstant:
         if not isinstance(name, str) or not (name.isascii() and name.isidentifier()) or iskeyword(name):
             raise refusal(f"{shown(name)} is no name", "letters, digits and _, not starting with a digit")
         if name in RESERVED or name.startswith("_"):
@@ -108,9 +108,9 @@ class _Parameters(Kind):
             value, dimension = to_si_of_any(given)
         except NotAQuantity as found:
             raise refusal(str(found), 'a bare number, or text with a number and a unit, such as "1 kPa"') from None
-        return Parameter(name, value + 0.0, dimension)
+        return NamedConstant(name, value + 0.0, dimension)
 
-    def write(self, value: tuple[Parameter, ...]) -> object:
+    def write(self, value: tuple[NamedConstant, ...]) -> object:
         units = {one: si_unit(one.dimension) for one in value}
         return {one.name: with_unit(one.value, unit) if unit else one.value for one, unit in units.items()}
 
@@ -125,7 +125,7 @@ class _EffectTables(Kind):
         if isinstance(value, tuple) and all(isinstance(item, tuple) for item in value):
             return value
 
-        def read(table: object) -> tuple[Parameter, ...]:
+        def read(table: object) -> tuple[NamedConstant, ...]:
             return tuple(PARAMETERS.read(self.table(table)))
 
         reads = ((str(name), read, (one,)) for name, one in self.table(value).items())
@@ -138,7 +138,7 @@ class _EffectTables(Kind):
 EFFECT_TABLES = _EffectTables(
     'tables of named constants, such as [effects.elastic-foundation] with stiffness = "1 kPa"'
 )
-EffectTable = tuple[str, tuple[Parameter, ...]]
+EffectTable = tuple[str, tuple[NamedConstant, ...]]
 """An effect's name and its constants."""
 
 
@@ -285,13 +285,13 @@ def _ends_and_start(structure: Thixotropy, limit: float | None) -> Iterator[Refu
         yield ("destroyed_viscosity",), refusal(found, "structured_viscosity")
 
 
-def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
+def stress_scales(parameters: tuple[NamedConstant, ...], youngs_modulus: float | None) -> tuple[float, ...]:
     """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
     sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
     return tuple(size for size in (*sizes, youngs_modulus) if size)
 
 
-def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> None:
+def check_own_law(formula: Formula, parameters: tuple[NamedConstant, ...], youngs_modulus: float | None) -> None:
     """Refuse unknown symbols, unused parameters, units that do not fit, and rules that no material has."""
     known = {parameter.name: parameter for parameter in parameters}
     faults: list[Refused] = [
@@ -384,13 +384,13 @@ class Material(Part, table="material"):
     """True stress at which the outer fibre breaks in tension; the run ends there."""
     modes: Annotated[tuple[Mode, ...], MODES] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
-    natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    natural_strain: Annotated[float, ChangingNumber(-1.0, 1.0)] = 0.0
     """Strain without stress, mean over the thickness, negative where it shrinks; or a history that starts from 0."""
-    natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    natural_strain_difference: Annotated[float, ChangingNumber(-1.0, 1.0)] = 0.0
     """Natural strain at the top less that at the bottom: negative where the top shrinks more; or a history of it."""
     flow: Annotated[str, TEXT] = Field(default="", validate_default=True)
     """Rate of strain phi(sigma) of a custom law, of the stress sigma and of material.parameters."""
-    parameters: Annotated[tuple[Parameter, ...], PARAMETERS] = Field(default=(), validate_default=True)
+    parameters: Annotated[tuple[NamedConstant, ...], PARAMETERS] = Field(default=(), validate_default=True)
     """Named constants of a custom law."""
 
     @field_validator("index", "poisson")

@@ -18,7 +18,7 @@ from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, resolve_groups
 from softcat_sym.scene.laws import LAWS
-from softcat_sym.scene.material import Parameter, power
+from softcat_sym.scene.material import NamedConstant, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
 from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
@@ -386,14 +386,14 @@ class Scene(Tables):
         """What was converted from other names or data, in all tables."""
         return (*self.filament.notes, *self.material.notes, *filter(None, [frozen_note(self)]))
 
-    def named_constants(self) -> dict[str, Parameter]:
+    def named_constants(self) -> dict[str, NamedConstant]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
         own = {f"material.parameters.{one.name}": one for one in self.material.parameters}
         if (structure := self.material.structure) is not None:
-            own |= {f"material.structure.{name}": Parameter(name, *one) for name, one in structure.numbers.items()}
+            own |= {f"material.structure.{name}": NamedConstant(name, *one) for name, one in structure.numbers.items()}
         if (modulus := self.material.hardening_modulus) is not None:
-            own["material.hardening_modulus"] = Parameter("hardening_modulus", modulus, (1, -1, -2))
-            own["material.hardening_recovery"] = Parameter(
+            own["material.hardening_modulus"] = NamedConstant("hardening_modulus", modulus, (1, -1, -2))
+            own["material.hardening_recovery"] = NamedConstant(
                 "hardening_recovery", self.material.hardening_recovery, (0, 0, 0)
             )
         return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}

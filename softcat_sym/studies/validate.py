@@ -17,7 +17,7 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.studies.published import elastic, glass, viscous, yield_stress
-from softcat_sym.studies.published.case import Case, Curve, Finding, Kind, Picture, Row, published_scene
+from softcat_sym.studies.published.case import Case, Curve, DataKind, Finding, Picture, Row, published_scene
 
 _RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yield_stress.RUNS
 
@@ -25,7 +25,7 @@ _RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yield_stress.RUNS
 def _published_cases() -> tuple[Case, ...]:
     text = (files("softcat_sym.studies.published") / "cases.toml").read_text(encoding="utf-8")
     return tuple(
-        Case(**entry | {"kind": Kind(entry["kind"]), "run": _RUNS.get(entry["name"])})
+        Case(**entry | {"kind": DataKind(entry["kind"]), "run": _RUNS.get(entry["name"])})
         for entry in tomllib.loads(text)["case"]
     )
 

@@ -23,7 +23,7 @@ from softcat_sym.simulate import simulated
 Floats = npt.NDArray[np.float64]
 
 
-class Kind(StrEnum):
+class DataKind(StrEnum):
     """Kind of data with which a case is compared."""
 
     MEASURED = "measured"
@@ -93,7 +93,7 @@ class Case:
     name: str  # Name of the case for the command
     title: str  # Subject
     source: str  # Publication
-    kind: Kind  # Kind of the published data
+    kind: DataKind  # Kind of the published data
     stated: str  # Statement of the source, and where it was read
     independent: str = ""  # Parts of the comparison that are independent of this package
     explains: str = ""  # Possible explanation of a difference
