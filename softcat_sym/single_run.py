@@ -89,9 +89,12 @@ def run_once(
     if series and len(every.time) > len(solution.time):
         fields = {**fields, **dense_fields(scene, prepared, every)}
     watched = watched.between_frames(series, stride)
-    told, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
-    told = told | {"scale_m": scale, "largest_m": told["largest_m"] + scale - told["scale_m"]}
-    summary = trajectory.summary | {"displacement": told}
+    displacement, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
+    displacement = displacement | {
+        "scale_m": scale,
+        "largest_m": displacement["largest_m"] + scale - displacement["scale_m"],
+    }
+    summary = trajectory.summary | {"displacement": displacement}
     return replace(trajectory, fields=fields, watched=watched, series=series, summary=summary)
 
 

@@ -21,7 +21,7 @@ from softcat_sym.physics import heat as sy
 from softcat_sym.results.fields import heat_residual
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.start import Start

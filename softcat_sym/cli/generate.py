@@ -63,13 +63,13 @@ def generate(
             output = cli.output_directory(output, "generate")
             written, refused = _all_bundled(output, web=web, quiet=quiet)
         else:
-            asked, output = cli.scene_and_directory(scene, changes, output, "generate")
+            resolved, output = cli.scene_and_directory(scene, changes, output, "generate")
             if web:
                 page = name if name != _NAME else Path(scene).stem
-                written = _page(asked, output, sliders or (), page, quiet=quiet)
+                written = _page(resolved, output, sliders or (), page, quiet=quiet)
             else:
-                with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-                    written = generation.generate(asked, output, rhs, name, progress)
+                with terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+                    written = generation.generate(resolved, output, rhs, name, progress)
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written; finished C texts are kept in the cache") from None
     if quiet:

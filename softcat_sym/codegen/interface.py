@@ -17,9 +17,9 @@ import numpy as np
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
 from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
-from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import choose_grading, towards_middle
+from softcat_sym.discretization.parameter_table import CATALOGUE
 from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
@@ -36,7 +36,7 @@ from softcat_sym.errors import PrintingError
 from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
-from softcat_sym.scene.temperature import PREFIX, Temperature
+from softcat_sym.scene.temperature_table import PREFIX, Temperature
 from softcat_sym.scene.units import si_unit
 
 MIN_CELLS = 4

@@ -252,7 +252,7 @@ class Recorded:
 
     def sampled_by(self, rule: SectionRule | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
-        from softcat_sym.discretization.filament import build
+        from softcat_sym.discretization.filament_graph import build
         from softcat_sym.physics.filament import equations_of
 
         return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
@@ -261,13 +261,13 @@ class Recorded:
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:
     """A filament whose sites compute what a signature names."""
     grid, formulation = recorded.grid, recorded.formulation
-    moving, still = (
+    differential, algebraic = (
         Layout([_block(slot, grid) for slot in signature.slots if slot.differential == differential])
         for differential in (True, False)
     )
     places = places_of(grid, recorded.body, formulation.area_power)
     described = effects, formulation.terms, formulation.conserves_energy
-    return Graph(grid, *described, signature, recorded.theory.rule, recorded, places, moving, still)
+    return Graph(grid, *described, signature, recorded.theory.rule, recorded, places, differential, algebraic)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:

@@ -14,8 +14,8 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import CATALOGUE, symbols_of
 from softcat_sym.discretization.held_ends import Held, held
+from softcat_sym.discretization.parameter_table import CATALOGUE, symbols_of
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,

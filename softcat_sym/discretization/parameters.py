@@ -27,7 +27,7 @@ from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 from softcat_sym.scene.tables import frozen_below
-from softcat_sym.scene.temperature import PREFIX
+from softcat_sym.scene.temperature_table import PREFIX
 
 REST_LENGTH = "rest_length"
 AREA = "area"

@@ -21,12 +21,12 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
-from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
+from softcat_sym.physics import conformation, hardening_rule, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.clocks import Clock, State
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
 from softcat_sym.physics.structure import speed
+from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12
 """Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
@@ -185,7 +185,7 @@ def _add_branch(
     moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
-    for row, symbol in zip(back, (backstress.axial, backstress.shear), strict=False):
+    for row, symbol in zip(back, (hardening_rule.axial, hardening_rule.shear), strict=False):
         for point, state in zip(points, _recalled(b, rule, row), strict=True):
             point.values[symbol] = state
     nothing = [ca.SX(0)] * rule.points

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import symbols_of
+from softcat_sym.discretization.parameter_table import symbols_of
 from softcat_sym.discretization.parameters import AREA, REST_LENGTH, TIME_SCALE, energy_scale
 from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.symbolic import Evaluated

@@ -16,7 +16,7 @@ from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import frozen_below, viscosity_factor
-from softcat_sym.scene.temperature import PREFIX
+from softcat_sym.scene.temperature_table import PREFIX
 
 _THICK = 0.1
 """Biot number above which the temperature is not uniform: the middle lags by a twentieth of the difference."""

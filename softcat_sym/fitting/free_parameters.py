@@ -26,7 +26,7 @@ from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.tables import frozen_below
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.thixotropy import Thixotropy
 from softcat_sym.scene.units import (
     Kind,

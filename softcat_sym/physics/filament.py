@@ -10,8 +10,7 @@ from functools import lru_cache
 
 import sympy as sp
 
-from softcat_sym.physics import backstress, loads, sections
-from softcat_sym.physics.clocks import Clock
+from softcat_sym.physics import hardening_rule, loads, sections
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.conformation import respond as respond_chains
 from softcat_sym.physics.densities import Densities
@@ -36,6 +35,7 @@ from softcat_sym.physics.structure import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms
+from softcat_sym.physics.time_dependent_constants import Clock
 from softcat_sym.scene.formula import parse_formula
 
 
@@ -67,7 +67,7 @@ class FilamentEquations:
         of_densities = (one for density in self.densities for one in density.constants)
         of_clocks = (one for clock in self.clocks for one in clock.constants)
         of_heat = () if self.heat is None else self.heat.constants
-        of_hardening = backstress.CONSTANTS if self.terms.hardens else ()
+        of_hardening = hardening_rule.CONSTANTS if self.terms.hardens else ()
         return (*self.law.constants, *of_densities, *of_clocks, *of_heat, *of_hardening)
 
     @property

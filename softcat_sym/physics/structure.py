@@ -11,9 +11,9 @@ from collections.abc import Collection
 
 import sympy as sp
 
-from softcat_sym.physics.clocks import Clock, State
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, enter, eta, sigma_Y
+from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _MOORE, _ROUSSEL = "Moore 1959; de Souza Mendes & Thompson 2013", "Roussel 2006"
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import backstress, conformation, heat, reissner
+from softcat_sym.physics import conformation, hardening_rule, heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.conformation import ChainResponse
@@ -281,17 +281,16 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
         total = flow if branch.flow is not None else reissner.STILL
         if branch.flow is not None and equations.terms.hardens:
             total, hardening = reissner.hardened(flow, share, carry, shear=resolved.shears)
-            chi = dict(
-                zip(backstress.back_stress(share), (backstress.axial_stress, backstress.shear_stress), strict=True)
-            )
+            symbols = hardening_rule.axial_stress, hardening_rule.shear_stress
+            chi = dict(zip(hardening_rule.back_stress(share), symbols, strict=True))
             total = total.subs(chi)
             names = (("backstress", "back strain"), ("shear backstress", "back strain in shear"))[: 1 + resolved.shears]
             for (name, _), (value, symbol) in zip(names, chi.items(), strict=False):
-                yield parts.stated(j, f"{name} of a fibre", symbol, value, backstress.SOURCE)
-            strains = (backstress.axial, backstress.shear)
+                yield parts.stated(j, f"{name} of a fibre", symbol, value, hardening_rule.SOURCE)
+            strains = (hardening_rule.axial, hardening_rule.shear)
             for (_, name), strain, rate in zip(names, strains, hardening.rates, strict=False):
                 left, right = Rate(strain, sy.t, 1), rate.xreplace(chi)
-                yield parts.stated(j, f"{name} of a fibre", left, right, backstress.SOURCE)
+                yield parts.stated(j, f"{name} of a fibre", left, right, hardening_rule.SOURCE)
         if branch.flow is not None:
             yield parts.stated(j, "equivalent stress", sigma_eq, total.equivalent, "3.5")
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)

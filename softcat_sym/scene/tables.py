@@ -22,7 +22,7 @@ from softcat_sym.scene.parts import (
     RunSettings,
     Surroundings,
 )
-from softcat_sym.scene.temperature import FROZEN, MOST, Temperature
+from softcat_sym.scene.temperature_table import FROZEN, MOST, Temperature
 from softcat_sym.scene.units import TEXT, Choice
 
 _OF_LAW: dict[str, tuple[str, ...]] = {

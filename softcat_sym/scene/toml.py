@@ -12,7 +12,7 @@ from typing import Any
 from softcat_sym.errors import Fault
 from softcat_sym.scene.material import Material, twins
 from softcat_sym.scene.parts import Filament, Part, meanings_of
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.units import shown
 
 _FORM = "dotted.key=value, such as material.yield_stress=5 kPa"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
+from softcat_sym.discretization.body_forces import outer_forces
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
@@ -15,9 +16,8 @@ from softcat_sym.discretization.cell import (
     ordered,
     program_of,
 )
-from softcat_sym.discretization.heat import heating
+from softcat_sym.discretization.heat_balance import heating
 from softcat_sym.discretization.kirchhoff import kirchhoff
-from softcat_sym.discretization.outer_forces import outer_forces
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import shearing
