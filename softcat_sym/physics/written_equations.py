@@ -78,7 +78,6 @@ _FIBRE: Rows = (
     (reissner.sigma_c, r"\hat\sigma^{{({j})}}", sy.STRESS, "stress conjugate to the axial strain"),
     (reissner.tau_d, r"\tau_d^{{({j})}}", sy.STRESS, "driving shear stress of a fibre"),
 )
-_ELASTIC = (reissner.eps_e, reissner.gamma_e)
 
 
 class _Parts:
