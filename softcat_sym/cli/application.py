@@ -29,7 +29,7 @@ with lazy_imports():
     from importlib import metadata
 
     from softcat_sym import files, store
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
@@ -191,7 +191,7 @@ def output_directory(
         check_directory(output)
     except OSError:
         if resolved is not None:
-            choosing.choose_effects(resolved)
+            selection.choose_effects(resolved)
         raise
     return output
 

@@ -22,8 +22,8 @@ from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
@@ -246,14 +246,14 @@ class Recorded:
             return self.sampled_by(self.theory.rule)
         # Imported here and below: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.small_deflection import SmallDeflection
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.physics.section_equations import equations_of
 
         return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
 
     def sampled_by(self, rule: SectionRule | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
         from softcat_sym.discretization.filament_graph import build
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.physics.section_equations import equations_of
 
         return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 

@@ -26,9 +26,9 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Floats,
     Magnification,
-    Section,
     array,
     largest_sag,
     outline,
@@ -222,7 +222,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
 class Shape:
     """What is drawn of one frame."""
 
-    section: Section  # Centreline, normals, thickness
+    section: FilamentOutline  # Centreline, normals, thickness
     outline: Floats  # Closed polygon, shape (vertex, 2) [m]
     yielded: Floats  # Quads of the yielded zones, shape (quad, 4, 2) [m]
     label: str  # Time, sag and yielded share, one per line

@@ -21,7 +21,7 @@ from softcat_sym.plotting.files import page
 from softcat_sym.plotting.style import legend, plain_log, png, sheet
 from softcat_sym.plotting.units import typeset
 from softcat_sym.scene.table_reader import counted
-from softcat_sym.studies.published.case import Case, DataKind, Row, published_scene
+from softcat_sym.studies.published.case import Case, DataKind, PublishedValue, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
 HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
@@ -36,7 +36,7 @@ _NAMED = 8
 """More curves than this are told apart by no legend."""
 
 
-def difference_text(row: Row) -> str:
+def difference_text(row: PublishedValue) -> str:
     """A difference in the unit of the number, or in per cent; none within a range that is published."""
     if row.agrees and row.band is not None and row.band[0] < row.band[1]:
         return "within"
@@ -49,14 +49,14 @@ def _number(value: float, unit: str, digits: int) -> str:
     return f"{value:.{digits}g} {typeset(unit)}".rstrip()
 
 
-def _published(row: Row) -> str:
+def _published(row: PublishedValue) -> str:
     if row.band is None:
         return _number(row.published, row.unit, 4)
     low, high = row.band
     return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {typeset(row.unit)}".rstrip()
 
 
-def _texts(row: Row, case: Case) -> tuple[str, str, str]:
+def _texts(row: PublishedValue, case: Case) -> tuple[str, str, str]:
     """What is published, ours, and the difference; what is assumed does not differ by being right."""
     apart = "assumed" if case.kind is DataKind.ASSUMED else difference_text(row)
     return _published(row), _number(row.ours, row.unit, 4), apart
@@ -207,7 +207,7 @@ def validation_page(validation: Validation, pictures: dict[str, bytes], command:
     )
 
 
-def _verdict(row: Row) -> str:
+def _verdict(row: PublishedValue) -> str:
     if row.agrees is None:
         return "no uncertainty is published"
     return "within what is published" if row.agrees else "outside what is published"

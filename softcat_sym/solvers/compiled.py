@@ -14,10 +14,10 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from softcat_sym.codegen.c_model import Model, Structure, model_for
 from softcat_sym.codegen.compiler import beside
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.section_rule import POINT, shown_of_section
 from softcat_sym.discretization.unknowns import Floats
