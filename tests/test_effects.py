@@ -12,7 +12,6 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import terms_of
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
@@ -33,6 +32,7 @@ from softcat_sym.effects.scaling_estimates import (
     first_yield_gravity_number,
     weight_stress,
 )
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
 from softcat_sym.reference.calculix import calculix_deck

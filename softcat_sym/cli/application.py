@@ -29,7 +29,7 @@ with lazy_imports():
     from importlib import metadata
 
     from softcat_sym import files, store
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
@@ -189,7 +189,7 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
         check_directory(output)
     except OSError:
         if asked is not None:
-            choosing.choose_effects(asked)
+            selection.choose_effects(asked)
         raise
     return output
 

@@ -260,8 +260,8 @@ class Effect:
         """Densities of the effect, with the constants of its table."""
         import sympy as sp
 
+        from softcat_sym.physics.constitutive_laws import Constant
         from softcat_sym.physics.densities import Densities
-        from softcat_sym.physics.laws import Constant
 
         given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
         stored, dissipation, kinetic = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))

@@ -12,8 +12,8 @@ import numpy.typing as npt
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.added_mass import mass_ratio
 from softcat_sym.effects.discrete_filament import (
-    Cells,
     Configuration,
+    DeformedElements,
     Elements,
     angles_in,
     stiffness_of_angles,
@@ -85,7 +85,7 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     rest = None if begin is None else crept.at_rest(begin, 1.0)
     if begin is None or rest is None:
         return None
-    cells = replace(Cells.of(crept, rest), straining=Cells.of(elements, rest).straining)
+    cells = replace(DeformedElements.of(crept, rest), straining=DeformedElements.of(elements, rest).straining)
     squares, modes, strained, mass = elements.vibrations(cells)
     away = begin.seen_from(rest)
     first, way = 0, 0.0
@@ -275,7 +275,7 @@ _OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 
 
 @dataclass(frozen=True, slots=True)
-class Ringing:
+class LowestMode:
     """Ringing of the lowest mode about the elastic shape."""
 
     frequency: float  # Of the first mode, angular [1/s]; infinite for a filament that does not spring back
@@ -294,17 +294,17 @@ class Ringing:
         return self.frequency * min(duration, 1 / self.decay if self.decay > 0 else math.inf)
 
 
-def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
+def ringing(scene: Scene, *, lossless: bool = False) -> LowestMode:
     """Ringing that the load of a scene causes; without amplitude where the scene begins at rest under its load."""
     vibration = first_vibration(scene)
     if vibration is None:
-        return Ringing(math.inf, 0.0, 0.0)
+        return LowestMode(math.inf, 0.0, 0.0)
     frequency, way = vibration.frequency, vibration.way / scene.filament.span
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
     if scales.weight_stress(scene) == 0 or decay >= frequency:
-        return Ringing(frequency, decay, 0.0, way)
+        return LowestMode(frequency, decay, 0.0, way)
     left = min(1.0, _left_by_ramp(scene, frequency, way)) if scene.load.ramp > 0 else 1.0
-    return Ringing(frequency, decay, way * left, way)
+    return LowestMode(frequency, decay, way * left, way)
 
 
 def _left_by_ramp(scene: Scene, frequency: float, way: float) -> float:

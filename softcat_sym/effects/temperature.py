@@ -53,7 +53,7 @@ def transfer_coefficient(scene: Scene) -> float:
 
 
 def cylinder_in_air(kelvin: float, around: float, diameter: float, gravity: float) -> float:
-    """The correlation of Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat.cylinder_in_air`."""
+    """Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat_balance.cylinder_in_air`."""
     film = (kelvin + around) / 2
     conducts = 2.64638e-3 * math.pow(film, 1.5) / (film + 245.4 * math.pow(10, -12 / film))
     viscosity = 1.458e-6 * math.pow(film, 1.5) / (film + 110.4) * 287.05287 * film / 101325

@@ -15,8 +15,8 @@ from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.scene.tables import right_places
 from softcat_sym.solvers.outcome import refused
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
+from softcat_sym.solvers.solve import Prepared
 
 
 class Variable(NamedTuple):

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import (
@@ -33,12 +32,13 @@ from softcat_sym.effects.scaling_estimates import (
     weight_stress,
     yield_stress_of,
 )
+from softcat_sym.effects.selection import Effects
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Extremes, Progress, Solution
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0

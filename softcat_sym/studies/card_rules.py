@@ -26,7 +26,7 @@ from softcat_sym.effects.scaling_estimates import (
 )
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics import beams, closed_forms, regimes
-from softcat_sym.physics.laws import K, n
+from softcat_sym.physics.constitutive_laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.breaking import unbreakable

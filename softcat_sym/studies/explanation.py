@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING, Any
 
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.drawing import html
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.free_vibration import damping_note
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import groups_of
-from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.run_cost import run_cost
 from softcat_sym.solvers.settings import choose_backend, settings_for
+from softcat_sym.solvers.solve import assembled
 
 if TYPE_CHECKING:
     from softcat_sym.physics.equation import Stated
@@ -169,7 +169,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
         If the scene names effects that it cannot have.
     """
     # The equations need SymPy, which is loaded only here.
-    from softcat_sym.physics.filament import equations_of
+    from softcat_sym.physics.section_equations import equations_of
     from softcat_sym.physics.written_equations import equations_in_force
 
     scene = as_scene(scene, changes)
