@@ -15,9 +15,9 @@ import pytest
 from softcat_sym import load_scene, progress, simulate
 from softcat_sym.effects import selection
 from softcat_sym.effects.effect import Estimate
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates.expected_regime import TURNS_BACK
+from softcat_sym.estimates.forecast import forecast
 from softcat_sym.results import run as run_module
 from softcat_sym.results import verdict
 from softcat_sym.results.fields import energy_residual

@@ -10,7 +10,7 @@ from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.effects.expected_regime import ExpectedRegime
+    from softcat_sym.estimates.expected_regime import ExpectedRegime
     from softcat_sym.physics.equation import Stated
 
 with lazy_imports():

@@ -22,8 +22,8 @@ from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
-from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from softcat_sym.codegen.c_model import model_for, signature_of
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import choose_backend

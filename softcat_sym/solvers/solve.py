@@ -22,8 +22,8 @@ from softcat_sym.discretization.assembly import (
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import kinks as temperature_kinks

@@ -11,13 +11,13 @@ import pandas as pd
 
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.scaling import (
     effective_viscosity_at,
     pull_of_surface,
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
 from softcat_sym.scene.laws import spec_of

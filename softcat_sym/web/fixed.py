@@ -16,15 +16,15 @@ from softcat_sym.codegen.interface import Description
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.parameters import heat_unit, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.expected_regime import worst_gravity_number
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.errors import SceneError
+from softcat_sym.estimates.expected_regime import worst_gravity_number
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.scaling import (
     neck_length,
     pull_of_surface,
     yield_stress_of,
 )
-from softcat_sym.effects.selection import Effects, choose_effects
-from softcat_sym.errors import SceneError
 from softcat_sym.generation import export, start_of
 from softcat_sym.results.fields import min_energy
 from softcat_sym.results.motion import lowest_yield_stress, pace_of

@@ -18,9 +18,9 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatWarning
+from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.single_run import build
 from softcat_sym.solvers.compiled import CModel

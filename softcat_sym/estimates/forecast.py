@@ -8,10 +8,10 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import quasi_static_sag as quasi_static
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.free_vibration import LowestMode, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates import quasi_static_sag as quasi_static
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.free_vibration import LowestMode, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
     Scene,
