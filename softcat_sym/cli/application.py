@@ -156,6 +156,7 @@ OutputOption = Annotated[Path | None, output_option("softcat-out/SCENE-COMMAND")
 FreshOption = Annotated[
     bool, switch("Run everything again, even what an earlier command has finished (see softcat cache).", "--fresh")
 ]
+MaxSagOption = Annotated[str, option("LENGTH", "Largest sag allowed: '0.2 mm', or '5 %' of the span.")]
 QuietOption = Annotated[bool, switch("Print no progress and no summary.", "--quiet", "-q")]
 VerboseOption = Annotated[bool, switch("Print everything, with reasons and formulas.", "--verbose", "-v")]
 

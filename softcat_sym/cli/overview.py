@@ -28,6 +28,7 @@ COMMANDS: Final = {
         "keys": "List the keys of a scene: unit, default and meaning.",
         "explain": "Explain before a run what to expect, and which effects are on.",
         "card": "Find how far, when and over which gap a filament sags.",
+        "span": "Find the longest gap that a filament spans with a sag below a limit.",
         "sweep": "Simulate a filament for every value of some parameters.",
     },
     "Fitting": {

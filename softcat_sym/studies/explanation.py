@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from softcat_sym.design.critical_span import DEFAULT_LIMIT, foreseen_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.drawing import html
 from softcat_sym.effects.selection import choose_effects
@@ -82,6 +83,8 @@ class Explanation:
         Regime that a run should show.
     sag, strain : float
         Rough largest sag over span, and mean strain.
+    longest_span : float or None
+        Rough longest span whose sag stays below 5 % of it [m]; None where the forecast knows none.
     effects : list of dict
         All effects, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the
         midpoint without it, `estimate` (None where there is no estimate), its `meaning` and `formula`.
@@ -113,6 +116,7 @@ class Explanation:
     regime: ExpectedRegime
     sag: float
     strain: float
+    longest_span: float | None
     effects: list[dict[str, Any]]
     equations: tuple[Stated, ...]
     unknowns: list[dict[str, Any]]
@@ -223,6 +227,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
         ],
         regime=regime,
         sag=expected_sag(scene),
+        longest_span=foreseen_span(scene, DEFAULT_LIMIT),
         strain=expected_strain(scene),
         effects=decisions,
         equations=equations_in_force(
