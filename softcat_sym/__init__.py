@@ -4,8 +4,8 @@
 ``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
 name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
 each effect is worth; ``longest_span`` how far a filament reaches; ``fit`` finds the material of one that was filmed,
-``card`` puts all on one page; ``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are
-first used.
+``read_material`` that of a rheometer's files; ``card`` puts all on one page; ``register_effect`` adds physics. SymPy,
+CasADi and matplotlib are loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.fitting.result import Fit
+    from softcat_sym.fitting.rheometer import read_material
     from softcat_sym.generation import generate
     from softcat_sym.results.run import Run, open_run
     from softcat_sym.scene.bundled import bundled_names
@@ -52,6 +53,7 @@ _HOMES = {
     "fitting.result": ("Fit",),
     "fitting.flow_curve": ("fit_flow_curve",),
     "fitting.measurements": ("Measurements",),
+    "fitting.rheometer": ("read_material",),
     "generation": ("generate",),
     "results.run": ("Run", "open_run"),
     "scene.bundled": ("bundled_names",),
@@ -94,6 +96,7 @@ __all__ = [
     "longest_span",
     "open_run",
     "price_effects",
+    "read_material",
     "register_effect",
     "simulate",
     "simulate_many",

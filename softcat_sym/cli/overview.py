@@ -33,6 +33,7 @@ COMMANDS: Final = {
     },
     "Fitting": {
         "fit": "Fit a material to films of a falling filament.",
+        "material": "Make the table [material] of a scene from a rheometer's files.",
         "flow-curve": "Fit a law to a rheometer's flow curve.",
         "experiment": "Design the film that determines a material best.",
     },
