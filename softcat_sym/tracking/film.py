@@ -94,7 +94,7 @@ class Film:
                     number += 1
 
     def _of_video(self) -> Iterator[Frame]:
-        av = _pyav()
+        av = pyav()
         if not self.path.exists():
             raise FileNotFoundError(f"no such film: {self.path}")
         try:
@@ -119,7 +119,7 @@ class Film:
         if self.path.is_dir() or self.path.suffix.lower() in _STACKS:
             names = [one.suffix.lower() for one in self.path.iterdir()] if self.path.is_dir() else []
             return Codec("pictures", np.inf, is_lossless=not {".jpg", ".jpeg"} & {*names})
-        with _pyav().open(str(self.path)) as container:
+        with pyav().open(str(self.path)) as container:
             stream = container.streams.video[0]
             kind, bits = stream.codec_context.codec, 8.0 * sum(packet.size for packet in container.demux(stream))
             return Codec(stream.codec_context.name, bits, is_lossless=bool(kind.lossless and not kind.lossy))
@@ -143,7 +143,8 @@ def _natural(path: Path) -> list[tuple[int, int | str]]:
     return [(0, int(part)) if part.isdigit() else (1, part) for part in re.split(r"(\d+)", path.name)]
 
 
-def _pyav() -> Any:
+def pyav() -> Any:
+    """The module of PyAV, or an error that says how to install it."""
     try:
         import av
     except ImportError:

@@ -53,7 +53,7 @@ class Light:
         where = np.array([(u[0, b].mean(), v[a, 0].mean()) for a, b in parts]).T
         coefficients = _one_sided(_powers(*where), bright)
         flat_u, flat_v, values = u.ravel(), v.ravel(), small.ravel()
-        near = np.abs(values - _powers(flat_u, flat_v) @ coefficients) < 0.5 * np.ptp(bright) + 0.1 * np.ptp(values)
+        near = np.abs(values - _powers(flat_u, flat_v) @ coefficients) <= 0.5 * np.ptp(bright) + 0.1 * np.ptp(values)
         coefficients = _one_sided(_powers(flat_u[near], flat_v[near]), values[near])
         v, u = np.meshgrid(np.linspace(-1, 1, rows), np.linspace(-1, 1, columns), indexing="ij")
         surface = (_powers(u.ravel(), v.ravel()) @ coefficients).reshape(rows, columns)
@@ -97,7 +97,7 @@ def threshold(signal: Picture) -> float:
     mass = np.cumsum(count * level)
     with np.errstate(divide="ignore", invalid="ignore"):
         between = (mass[-1] * below / total - mass) ** 2 / (below * (total - below))
-    return float(level[np.nanargmax(between[:-1])])
+    return float(level[np.nan_to_num(between[:-1]).argmax()])
 
 
 def light_of(grey: Picture, is_dark: bool | None, *, flat: bool = True) -> Light:

@@ -16,6 +16,9 @@ _REJECTED = 4.0
 _CORRELATED = 0.05
 """Correlation of residuals down to which it is summed."""
 
+_GRADED = 16
+"""Pieces from which on those next to the supports are shorter."""
+
 
 @dataclass(frozen=True, eq=False)
 class Curve:
@@ -42,7 +45,7 @@ class Curve:
 
 
 def curve(x: Floats, y: Floats, pieces: int, weight: Floats | None = None, rejected: float = _REJECTED) -> Curve:
-    """Fit a cubic spline of equal pieces, twice as short at both ends, without outliers.
+    """Fit a cubic spline of equal pieces, shorter ones next to the supports, without outliers.
 
     Parameters
     ----------
@@ -56,7 +59,10 @@ def curve(x: Floats, y: Floats, pieces: int, weight: Floats | None = None, rejec
         Robust standard deviations beyond which a point is left out.
     """
     inner = np.arange(1, pieces) / pieces
-    inner = np.unique(np.concatenate([[0.5 / pieces], inner, [1 - 0.5 / pieces]])) if pieces >= 8 else inner
+    if pieces >= _GRADED:
+        # Next to a clamp a strand bends within its thickness.
+        close = np.array([0.2, 0.5, 1.5]) / pieces
+        inner = np.sort(np.concatenate([close, inner, 1 - close]))
     ends = x[[0, -1]]
     knots = np.concatenate([[ends[0]] * 4, ends[0] + inner * np.ptp(ends), [ends[1]] * 4])
     basis = _basis(knots, x)

@@ -41,8 +41,8 @@ shows it.
 """
 _STARVED = 0.02
 """Bits a pixel and frame below which predicted frames follow slow motion late."""
-_VISIBLE = 4.0
-"""Contrast of a strand over the noise of the background at least."""
+_VISIBLE, _FAINTEST = 4.0, 0.02
+"""Contrast of a strand over the noise of the background, and over its brightness, at least."""
 _RESOLVED = 2.5
 """Thickness in blur widths below which blur and thickness cannot be told apart."""
 _BLUR = 1.1
@@ -283,9 +283,10 @@ def _contrast(signal: Picture) -> float:
     """Brightness of the strand: median of what is above Otsu's threshold."""
     is_strand = signal > threshold(signal)
     strand, rest = signal[is_strand], signal[~is_strand]
-    if not strand.size or not float(strand.mean() - rest.mean()) > _VISIBLE * float(rest.std()):
-        raise SoftcatError("no strand stands out from the noise of the rest; accepted: one that is darker or lighter than "
-                           "what is behind it")  # fmt: skip
+    contrast = float(strand.mean() - rest.mean()) if strand.size and rest.size else 0.0
+    if contrast < max(_VISIBLE * float(rest.std()), _FAINTEST):
+        raise SoftcatError("no strand stands out from the noise of the rest; accepted: one that is darker or lighter "
+                           "than what is behind it")  # fmt: skip
     return float(np.median(strand))
 
 

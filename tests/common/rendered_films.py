@@ -13,9 +13,11 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import av
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 
 from tests.common.draws import draws
@@ -33,6 +35,20 @@ def falling(sag: float, span: float, duration: float, release: float = 0.25) -> 
     def depth(time: float, x: Array) -> Array:
         elapsed = max(time - release, 0.0) / (duration - release)
         return sag * (1 - np.exp(-2.5 * elapsed)) / (1 - np.exp(-2.5)) * (1 - (2 * x / span) ** 2) ** 2
+
+    return depth
+
+
+def simulated(data: Any, scale: float, release: float) -> Shape:
+    """Depth of a run's midline, from its Dataset, where a metre has so many pixels."""
+    time, x, y = (np.asarray(data[name]) for name in ("time", "x", "y"))
+
+    def depth(when: float, place: Array) -> Array:
+        at = np.clip(when - release, 0.0, time[-1])
+        later = int(np.clip(np.searchsorted(time, at), 1, time.size - 1))
+        share = (at - time[later - 1]) / (time[later] - time[later - 1])
+        right, up = (scale * ((1 - share) * one[later - 1] + share * one[later]) for one in (x, y))
+        return -np.asarray(CubicSpline(right - (right[0] + right[-1]) / 2, up)(place))
 
     return depth
 
