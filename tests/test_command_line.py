@@ -37,7 +37,7 @@ from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import TEMPLATES, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
-from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.store import keep
 from softcat_sym.studies.explanation import Explanation, explain
 from tests.common.in_process import Softcat, sets

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
 import softcat_sym as sc
-from softcat_sym.effects.free_vibration import (
+from softcat_sym.estimates.free_vibration import (
     damping_note,
     first_vibration,
     ringing,

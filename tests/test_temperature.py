@@ -12,12 +12,12 @@ import sympy as sp
 from scipy.integrate import quad
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.temperature import biot_number, cooling_time, transfer_coefficient
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.physics import heat as sy
+from softcat_sym.physics import heat_balance as sy
 from softcat_sym.results.fields import heat_residual
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part

@@ -13,13 +13,13 @@ from sympy import chebyshevu, legendre
 from softcat_sym.discretization.point_rule import POINT_TABLES
 from softcat_sym.discretization.section_rule import polynomials
 from softcat_sym.effects.temperature import cylinder_in_air
-from softcat_sym.physics import heat
+from softcat_sym.physics import heat_balance
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.filament import clocks_of, derive, law_named
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.section_equations import clocks_of, derive, law_named
 from softcat_sym.physics.section_response import stiffness
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.spatial import POINT
@@ -49,7 +49,7 @@ import sys, tomllib
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.solvers.settings import choose_backend, settings_for
 scenes = [sc.load_scene(name) for name in {SCENES}]
@@ -140,5 +140,5 @@ def test_numbers_of_sections_are_those_of_their_expressions() -> None:
 
 
 def test_the_correlation_of_a_cylinder_in_air_is_that_of_its_expression() -> None:
-    given = {heat.temperature: 900.0, heat.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
-    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat.cylinder_in_air().subs(given)))
+    given = {heat_balance.temperature: 900.0, heat_balance.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
+    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat_balance.cylinder_in_air().subs(given)))

@@ -17,7 +17,7 @@ import xarray as xr
 from softcat_sym.batch.executor import MembersProgress, Where, counted, worker_count
 from softcat_sym.batch.lane_pool import Stop
 from softcat_sym.batch.members import Choosing, Member, Row, is_group, is_number, kind_of, members_of, rows_of
-from softcat_sym.batch.records import Column, Record, table_of, variables_of, versions
+from softcat_sym.batch.records import Record, RecordField, table_of, variables_of, versions
 from softcat_sym.batch.reference_member import (
     RESOLUTION,
     ReferenceMember,
@@ -41,15 +41,17 @@ from softcat_sym.solvers.solution import watched
 _ROUNDING = 1e-9
 
 _COLUMNS = {
-    "midpoint": Column("m", "height of the midpoint X = 0, negative down; NaN where it was not reached", ("time",)),
-    "midpoint_final": Column("m", "height of the midpoint in the last frame reached, negative down"),
-    "time_final": Column("s", "time of the last frame reached"),
-    "outcome": Column("", "how the run ended", dtype=str),
-    "message": Column("", "why, if that is no success", dtype=str),
-    "energy_residual": Column("1", "energy imbalance of the last frame against the first, of the largest energy"),
-    "effects": Column("", "effects in force", dtype=str),
-    "steps": Column("", "steps of the integrator", dtype=int),
-    "wall_s": Column("s", "wall time, side by side with other members"),
+    "midpoint": RecordField(
+        "m", "height of the midpoint X = 0, negative down; NaN where it was not reached", ("time",)
+    ),
+    "midpoint_final": RecordField("m", "height of the midpoint in the last frame reached, negative down"),
+    "time_final": RecordField("s", "time of the last frame reached"),
+    "outcome": RecordField("", "how the run ended", dtype=str),
+    "message": RecordField("", "why, if that is no success", dtype=str),
+    "energy_residual": RecordField("1", "energy imbalance of the last frame against the first, of the largest energy"),
+    "effects": RecordField("", "effects in force", dtype=str),
+    "steps": RecordField("", "steps of the integrator", dtype=int),
+    "wall_s": RecordField("s", "wall time, side by side with other members"),
     **RESOLUTION,
 }
 

@@ -10,7 +10,7 @@ from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.effects.expected_regime import ExpectedRegime
+    from softcat_sym.estimates.expected_regime import ExpectedRegime
     from softcat_sym.physics.equation import Stated
 
 with lazy_imports():
@@ -154,8 +154,15 @@ def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
+        ("longest span", _span_words(explanation.longest_span)),
     ]
     return [row for row in rows if row[1]]
+
+
+def _span_words(span: float | None) -> str:
+    return (
+        "" if span is None else f"roughly {units.length_unit(span).text(span)} for a sag of 5 %; softcat span finds it"
+    )
 
 
 def _regime_rows(explanation: study.Explanation) -> Rows:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
+from softcat_sym.discretization.body_forces import outer_forces
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import (
     Builder,
@@ -17,7 +18,6 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.heat import heating
 from softcat_sym.discretization.kirchhoff import kirchhoff
-from softcat_sym.discretization.outer_forces import outer_forces
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import shearing
@@ -32,11 +32,11 @@ from softcat_sym.discretization.unknowns import (
     SPEEDS,
     TURN,
     WORK_OF_AGEING,
+    SiteRange,
     Slot,
-    Where,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support
 
@@ -62,7 +62,7 @@ def _refuse_space(b: Builder) -> None:
 
 _SIDES = ((0, (None, 0)), (-1, (-1, None)))
 """End nodes, and the distances of the cells before and behind them."""
-_AT_RIGHT = Where(-1, 0, alone=True)
+_AT_RIGHT = SiteRange(-1, 0, alone=True)
 
 
 class _Balance:
@@ -106,7 +106,7 @@ class _Balance:
     def _of_masses(self, name: str, value: ca.SX) -> Field:
         """A field of the nodes in proportion to their masses."""
         ends = {-1: self._heavy(None) * value} if self.b.body.tip_mass else {}
-        return Field(name, Where(0, int(bool(ends))), self.mass * value, ends)
+        return Field(name, SiteRange(0, int(bool(ends))), self.mass * value, ends)
 
     def _rate(self, slot: Slot) -> Field:
         """Rate of an unknown, or what must vanish for an algebraic one: the rate of its momentum."""

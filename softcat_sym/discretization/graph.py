@@ -17,14 +17,14 @@ from softcat_sym.physics.terms import Terms
 if TYPE_CHECKING:
     import casadi as ca
 
-    from softcat_sym.discretization.symbolic import Filament, Symbolic
+    from softcat_sym.discretization.symbolic import FilamentGraph, Symbolic
 
 
 class RecordedProgram(Protocol):
     """What its sites compute, written down when somebody asks for it."""
 
     @property
-    def program(self) -> Filament:
+    def program(self) -> FilamentGraph:
         """The fields."""
         ...
 
@@ -49,7 +49,7 @@ class Graph:
     still: Layout
 
     @property
-    def program(self) -> Filament:
+    def program(self) -> FilamentGraph:
         """What its sites compute."""
         return self.recorded.program
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.forecast import shaken_share
-from softcat_sym.effects.quasi_static_sag import load_factor
-from softcat_sym.effects.scaling_estimates import beam_of, first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.forecast import shaken_share
+from softcat_sym.estimates.quasi_static_sag import load_factor
+from softcat_sym.estimates.scaling import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.scene.ends import SYMMETRY, Support
 from softcat_sym.scene.scene import Scene, carries_moment, groups_of
 

@@ -21,7 +21,7 @@ from softcat_sym.discretization.supports import (
     path_name,
     turn_name,
 )
-from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.estimates.free_vibration import solid_viscosity
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve

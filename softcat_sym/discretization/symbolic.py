@@ -28,7 +28,7 @@ class Evaluated:
     support: tuple[ca.SX, ...]  # Force of the right support
 
 
-class Filament(Protocol):
+class FilamentGraph(Protocol):
     """Equations of a filament on any grid."""
 
     @property
@@ -52,7 +52,7 @@ class Filament(Protocol):
 class Symbolic:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures."""
 
-    program: Filament
+    program: FilamentGraph
     places: Mapping[str, Floats]  # Geometry of each site
     moving: Layout  # Where the differential and the algebraic unknowns stand
     still: Layout

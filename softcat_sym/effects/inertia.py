@@ -8,8 +8,8 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, OfMotion, always
-from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import Fault
+from softcat_sym.estimates.scaling import instant_modulus
 from softcat_sym.scene.scene import Scene
 
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.natural_strain import shrinking
-from softcat_sym.effects.scaling_estimates import gravity_of
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import gravity_of
 from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
@@ -53,7 +54,7 @@ def transfer_coefficient(scene: Scene) -> float:
 
 
 def cylinder_in_air(kelvin: float, around: float, diameter: float, gravity: float) -> float:
-    """The correlation of Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat.cylinder_in_air`."""
+    """Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat_balance.cylinder_in_air`."""
     film = (kelvin + around) / 2
     conducts = 2.64638e-3 * math.pow(film, 1.5) / (film + 245.4 * math.pow(10, -12 / film))
     viscosity = 1.458e-6 * math.pow(film, 1.5) / (film + 110.4) * 287.05287 * film / 101325

@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.selection import Effects
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.scene.scene import Scene

@@ -12,8 +12,8 @@ from typing import Any, TypedDict
 import numpy as np
 from scipy import stats
 
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import everything, named
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import ClosedForm, constants_of, features_of
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS

@@ -14,10 +14,10 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.scaling_estimates import pull_of_surface
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.scaling import pull_of_surface
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.laws import CONSTANTS, kind_of_constant

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.necking import aspect
 
 _OF_A_POINT = (sy.x, sy.y, sy.x_t, sy.y_t, sy.X)

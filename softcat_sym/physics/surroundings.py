@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.symbols import A0, L_0, g_t, h0, mu_b, rho_b, s, x_t, x_X, y, y_t, y_X
 from softcat_sym.physics.terms import Terms

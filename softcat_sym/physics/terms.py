@@ -2,7 +2,7 @@
 
 :class:`Terms` starts with nothing: an elastic filament at small slope and strain that neither stretches nor bends,
 without inertia, under gravity switched on at once. Each effect replaces what it is responsible for.
-:func:`softcat_sym.physics.filament.derive` makes expressions of it; a run whose C is there asks for none.
+:func:`softcat_sym.physics.section_equations.derive` makes expressions of it; a run whose C is there asks for none.
 """
 
 from __future__ import annotations

@@ -6,17 +6,16 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import backstress, conformation, heat, reissner
+from softcat_sym.physics import heat_balance, kinematic_hardening, polymer_chains, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics.constitutive_laws import Flow, plastic_rate
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
-from softcat_sym.physics.laws import Flow, plastic_rate
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import s_slope
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import (
     Gam,
     Lam,
@@ -34,6 +33,7 @@ from softcat_sym.physics.reissner import (
     tau_f,
     tau_mean,
 )
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.section_response import CLOSURES, PLANE_STRAIN, A, SectionResponse, h, shrunk, stiffness
 from softcat_sym.physics.sections import NONE, Section
 
@@ -135,14 +135,14 @@ def _conformation(chains: ChainResponse, strain: sp.Symbol) -> Iterator[Stated]:
     """The conformation of the chains of a fibre, what it relaxes by, and its stress."""
     words, source = {"along": "along", "across": "across", "width": "in the width of"}, "Bird et al. 1987"
     for one, extension in zip(chains.directions, chains.extensions, strict=True):
-        shown = extension.xreplace({conformation.strain: strain})
+        shown = extension.xreplace({polymer_chains.strain: strain})
         yield stated(f"conformation {words[one.name]} a fibre", one.extension, shown, source)
     factor = chains.spring_factor
     if chains.relaxes or factor != 1:
-        yield stated("trace of the conformation", conformation.trace, chains.trace, source)
+        yield stated("trace of the conformation", polymer_chains.trace, chains.trace, source)
     if factor != 1:
-        yield stated("stiffening of the chains", conformation.spring_factor, factor, "Bird et al. 1980")
-    plain = {conformation.spring_factor: factor} if factor == 1 else {}
+        yield stated("stiffening of the chains", polymer_chains.spring_factor, factor, "Bird et al. 1980")
+    plain = {polymer_chains.spring_factor: factor} if factor == 1 else {}
     for one, rate in zip(chains.states, chains.rates, strict=False):
         left = Rate(one.taken, sy.t, 1)
         yield stated(f"relaxation {words[one.name]} a fibre", left, rate.xreplace(plain), source)
@@ -282,16 +282,20 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
         if branch.flow is not None and equations.terms.hardens:
             total, hardening = reissner.hardened(flow, share, carry, shear=resolved.shears)
             chi = dict(
-                zip(backstress.back_stress(share), (backstress.axial_stress, backstress.shear_stress), strict=True)
+                zip(
+                    kinematic_hardening.back_stress(share),
+                    (kinematic_hardening.axial_stress, kinematic_hardening.shear_stress),
+                    strict=True,
+                )
             )
             total = total.subs(chi)
             names = (("backstress", "back strain"), ("shear backstress", "back strain in shear"))[: 1 + resolved.shears]
             for (name, _), (value, symbol) in zip(names, chi.items(), strict=False):
-                yield parts.stated(j, f"{name} of a fibre", symbol, value, backstress.SOURCE)
-            strains = (backstress.axial, backstress.shear)
+                yield parts.stated(j, f"{name} of a fibre", symbol, value, kinematic_hardening.SOURCE)
+            strains = (kinematic_hardening.axial, kinematic_hardening.shear)
             for (_, name), strain, rate in zip(names, strains, hardening.rates, strict=False):
                 left, right = Rate(strain, sy.t, 1), rate.xreplace(chi)
-                yield parts.stated(j, f"{name} of a fibre", left, right, backstress.SOURCE)
+                yield parts.stated(j, f"{name} of a fibre", left, right, kinematic_hardening.SOURCE)
         if branch.flow is not None:
             yield parts.stated(j, "equivalent stress", sigma_eq, total.equivalent, "3.5")
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
@@ -456,31 +460,36 @@ def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
         given = sy.enter(
             f"{symbol.name}_stated", f"{row.latex}_{{r}}", row.dimension, f"{row.meaning}, as stated", "Ferry 1980"
         )
-        factor = heat.viscosity_factor if value == law.viscosity else heat.modulus_factor
+        factor = heat_balance.viscosity_factor if value == law.viscosity else heat_balance.modulus_factor
         yield stated(f"{row.meaning}, at its temperature", symbol, given * factor, "Ferry 1980")
     if law.viscosity != 1:
-        yield stated("viscosity over the stated one", heat.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980")
-    gained = heat.heat_source
+        yield stated(
+            "viscosity over the stated one", heat_balance.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980"
+        )
+    gained = heat_balance.heat_source
     if law.stiffens:
-        gained -= Rate(heat.stored, heat.temperature, 1) * Rate(heat.temperature, sy.t, 1)
+        gained -= Rate(heat_balance.stored, heat_balance.temperature, 1) * Rate(heat_balance.temperature, sy.t, 1)
     if law.expands:
         yield stated("natural strain", sy.n_0, law.strain, "Timoshenko 1925")
-    around = heat.around if law.partial else heat.ambient
+    around = heat_balance.around if law.partial else heat_balance.ambient
     if law.coefficient != 0:
-        gained -= heat.transfer * sy.A0 * equations.exchange * (heat.temperature - around)
+        gained -= heat_balance.transfer * sy.A0 * equations.exchange * (heat_balance.temperature - around)
     if law.conducts:
-        through = heat.conductivity * equations.response.area / sy.s * Rate(heat.temperature, sy.X, 1)
+        through = heat_balance.conductivity * equations.response.area / sy.s * Rate(heat_balance.temperature, sy.X, 1)
         gained += Rate(through, sy.X, 1)
-    held = sy.rho * heat.heat_capacity * sy.A0 * Rate(heat.temperature, sy.t, 1)
+    held = sy.rho * heat_balance.heat_capacity * sy.A0 * Rate(heat_balance.temperature, sy.t, 1)
     yield stated("balance of heat", held, gained, "Incropera 2007")
     if law.partial:
         place = sy.X + sy.L_0 / 2
-        within = sp.Piecewise((heat.ambient, (place >= heat.begin) & (place <= heat.end)), (heat.outside, True))
-        yield stated("temperature around a place", heat.around, within, "ASTM C338")
-    if law.coefficient not in (0, heat.transfer):
+        within = sp.Piecewise(
+            (heat_balance.ambient, (place >= heat_balance.begin) & (place <= heat_balance.end)),
+            (heat_balance.outside, True),
+        )
+        yield stated("temperature around a place", heat_balance.around, within, "ASTM C338")
+    if law.coefficient not in (0, heat_balance.transfer):
         coefficient = law.coefficient if equations.terms.thins else law.thick().coefficient
-        shown = coefficient.subs(heat.around, around).evalf(4)
-        yield stated("coefficient of a cylinder in air", heat.transfer, shown, "Churchill & Chu 1975")
+        shown = coefficient.subs(heat_balance.around, around).evalf(4)
+        yield stated("coefficient of a cylinder in air", heat_balance.transfer, shown, "Churchill & Chu 1975")
 
 
 def _changes(equations: FilamentEquations) -> bool:

@@ -10,6 +10,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from softcat_sym import drawing
+from softcat_sym.design.critical_span import CriticalSpan, with_span
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
@@ -18,7 +19,7 @@ from softcat_sym.plotting.style import plain_log
 from softcat_sym.plotting.units import length_unit
 
 if TYPE_CHECKING:
-    from softcat_sym.design.critical_span import CriticalSpan
+    from softcat_sym.scene.scene import Scene
 
 _LABELS = {
     SPAN: ("span [mm]", 1e3),
@@ -58,12 +59,13 @@ def experiment_figure(experiment: Experiment) -> Figure:
     return figure
 
 
+@drawing.plot.register(CriticalSpan)
 def critical_span_figure(found: CriticalSpan) -> Figure:
     """Draw sag over span as scanned, with the critical span; crosses at the top: the run has no answer."""
     spans, sags = np.array(found.scan).T
     finite = np.isfinite(sags) & (sags > 0)
     ruler, across = length_unit(found.sag), length_unit(found.span)
-    below = "spans that were scanned; ring: the critical span; crosses: the filament has no answer"
+    below = "spans that were run; dashed: the limit; ring: the largest span, with its error; crosses: no answer"
     with style.styled():
         figure, body = style.sheet(
             "Largest span that sags less than a limit", below, height=3.4, notes="\n".join(found.text), columns=112
@@ -72,8 +74,10 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
         axes.plot(across.of(spans[finite]), ruler.of(sags[finite]), ".-", color=style.BLUE, linewidth=1.0)
         top = np.full_like(spans[~finite], ruler.of(sags[finite].max()))
         axes.plot(across.of(spans[~finite]), top, "x", color=style.GREY, markersize=5)
-        place = [found.span / across.size], [found.sag / ruler.size]
-        axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
+        allowed = [ruler.of(found.limit.at(span)) for span in (spans.min(), spans.max())]
+        axes.plot(across.of(spans[[0, -1]]), allowed, "--", color=style.GREY, linewidth=0.9)
+        x, y, error = across.of(found.span), ruler.of(found.sag), across.of(found.error or 0.0)
+        axes.errorbar(x, y, xerr=error, fmt="o", markersize=10, fillstyle="none", color=style.VERMILLION)
         axes.set(xscale="log", yscale="log", xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
         for axis in (axes.xaxis, axes.yaxis):
             plain_log(axis)
@@ -97,3 +101,15 @@ def experiment_report(experiment: Experiment, critical: CriticalSpan | None = No
         files["critical_span.png"] = partial(critical_span_figure, critical)
         files["critical_span.csv"] = critical.to_frame
     return Report(files, texts, stale=("critical_span.png", "critical_span.csv"))
+
+
+@drawing.report.register(CriticalSpan)
+def span_report(found: CriticalSpan, scene: Scene) -> Report:
+    """The longest span in a line, and what limits it; with the scene that has it."""
+    files = {
+        "span.json": found.to_dict(),
+        "span.csv": found.to_frame,
+        "span.png": partial(critical_span_figure, found),
+        "scene.toml": with_span(scene, found.span).to_toml,
+    }
+    return Report(files, found.text)

@@ -18,7 +18,7 @@ import numpy as np
 from softcat_sym.codegen.compiler import run
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Floats, Indices, Mesh, Strip, problem_of
-from softcat_sym.reference.elements import Progress
+from softcat_sym.reference.elements import ElementProgress
 from softcat_sym.scene.scene import Scene, elastic_time
 
 _HEAD = re.compile(r"^ displacements \(vx,vy,vz\) for set \S+ and time\s+(\S+)\s*$", re.MULTILINE)
@@ -288,7 +288,7 @@ def run_calculix(
     *,
     clamp: Clamp = Clamp.THINNING,
     step: float = STEP,
-    progress: Progress | None = None,
+    progress: ElementProgress | None = None,
 ) -> CalculixRun:
     """Run a scene in CalculiX.
 
@@ -323,7 +323,7 @@ def run_calculix(
     )
 
 
-def _execute(program: str, folder: Path, progress: Progress | None) -> None:
+def _execute(program: str, folder: Path, progress: ElementProgress | None) -> None:
     """Run the deck of a folder to its end, telling how far it is."""
     status = folder / f"{_JOB}.sta"
 

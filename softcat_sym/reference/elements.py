@@ -324,7 +324,7 @@ class March:
             )
 
 
-class Progress(Protocol):
+class ElementProgress(Protocol):
     """Listens to a run."""
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
@@ -350,7 +350,7 @@ def run_elements(
     checkpoint: Path | None = None,
     checkpoint_every: float = 30.0,
     fields: Sequence[float] = (),
-    progress: Progress | None = None,
+    progress: ElementProgress | None = None,
 ) -> ElementRun:
     """Run the elements over a scene: a rectangular filament between two clamps; elastic, Maxwell or Bingham.
 

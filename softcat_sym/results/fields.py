@@ -10,13 +10,13 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
 from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
-from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.estimates.scaling import instant_modulus
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.scene.tables import right_places
 from softcat_sym.solvers.outcome import refused
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
+from softcat_sym.solvers.solve import Prepared
 
 
 class Variable(NamedTuple):

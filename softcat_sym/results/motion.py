@@ -11,10 +11,9 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import (
+from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.expected_regime import TURNS_BACK
+from softcat_sym.estimates.forecast import (
     compliant_sag,
     flowing_overstress,
     forecast,
@@ -23,9 +22,10 @@ from softcat_sym.effects.forecast import (
     sheared_share,
     tension_share,
 )
-from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
-from softcat_sym.effects.quasi_static_sag import load_factor, retardation, solvent_lag
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.estimates.free_vibration import first_vibration, ringing, solid_decay
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.quasi_static_sag import load_factor, retardation, solvent_lag
+from softcat_sym.estimates.scaling import (
     effective_viscosity,
     effective_viscosity_at,
     pull_of_surface,
@@ -37,8 +37,8 @@ from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Extremes, Progress, Solution
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0

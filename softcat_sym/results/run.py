@@ -16,12 +16,12 @@ from pydantic import TypeAdapter, ValidationError
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.free_vibration import damping_note
-from softcat_sym.effects.initial_stress import surface_note
+from softcat_sym.effects.selection import Effects
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.estimates.free_vibration import damping_note
+from softcat_sym.estimates.initial_stress import surface_note
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import break_frame
@@ -60,8 +60,8 @@ from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Extremes, Solution
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.store import Form, packed, unpacked, version
 
 if TYPE_CHECKING:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from softcat_sym.codegen.structure import model_for, signature_of
+from softcat_sym.codegen.c_model import model_for, signature_of
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.run import structure_for
 from softcat_sym.solvers.settings import choose_backend
+from softcat_sym.solvers.solve import structure_for
 
 STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "damped": (20.0, 1.0, 0.35)}
 """Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of

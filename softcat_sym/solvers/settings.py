@@ -12,10 +12,11 @@ import numpy as np
 from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
 from softcat_sym.discretization.assembly import choose_grid
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.free_vibration import ringing
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.effects.selection import Effects
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag, expected_strain
+from softcat_sym.estimates.free_vibration import ringing
+from softcat_sym.estimates.scaling import (
     effective_viscosity,
     gravity_number_of,
     instant_modulus,
@@ -24,7 +25,6 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
     yields_throughout,
 )
-from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack, why_interpreted
 

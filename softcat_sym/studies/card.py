@@ -11,13 +11,13 @@ import pandas as pd
 
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.scaling import (
     effective_viscosity_at,
     pull_of_surface,
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
 from softcat_sym.scene.laws import spec_of
@@ -254,9 +254,6 @@ SPAN, SURFACE, CAUSES = "the longest span", "what surface tension holds", "what 
 LIMIT = "5 %"
 """Default of the largest sag over span."""
 
-_NEAR, _FAR = 3.0, 30.0
-"""Factors of the scene's span within which the longest span is searched: first near, then far."""
-
 
 def card(
     scene: SceneLike,
@@ -351,22 +348,11 @@ def _with(card: Card, part: str, on_update: Callable[[Card], None], **more: Any)
 
 
 def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool, exponents: bool = True) -> Span:
-    """The critical span near the scene's own, or farther away; with a default limit, the reason if there is none."""
-    own = scene.filament.span
+    """The longest span, searched from the one that is foreseen; with a default limit, the reason if there is none."""
     progress.stage("the longest span")
-    for factor in (_NEAR, _FAR):
-        try:
-            return critical_span(
-                scene,
-                limit,
-                within=(own / factor, own * factor),
-                progress=progress,
-                exponents=exponents,
-            ), ""
-        except SoftcatError as error:
-            # Other spans may be invalid, for example with a moving support.
-            if factor == _FAR or isinstance(error, SceneError):
-                if given:
-                    raise
-                return None, str(error)
-    return None, ""
+    try:
+        return critical_span(scene, limit, progress=progress, exponents=exponents, scan=False), ""
+    except SoftcatError as error:
+        if given or isinstance(error, SceneError):
+            raise
+        return None, str(error)

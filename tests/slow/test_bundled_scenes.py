@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.forecast import expected_sag
+from softcat_sym.estimates.forecast import expected_sag
 from softcat_sym.results.motion import period_of
 from softcat_sym.scene.bundled import bundled_lesson
 from tests.common.table import show

@@ -15,10 +15,10 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Effect
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.physics.filament import derive
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene

@@ -36,9 +36,9 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.design.experiment import design_experiment
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.free_vibration import first_vibration, ringing
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.free_vibration import first_vibration, ringing
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome

@@ -7,10 +7,10 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.quasi_static_sag import load_factor
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (

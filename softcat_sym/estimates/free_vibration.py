@@ -9,21 +9,21 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.added_mass import mass_ratio
-from softcat_sym.effects.discrete_filament import (
-    Cells,
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.discrete_filament import (
     Configuration,
+    DeformedElements,
     Elements,
     angles_in,
     stiffness_of_angles,
     turns_by,
     unstrained,
 )
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.law import may_have
-from softcat_sym.effects.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
-from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.law import may_have
+from softcat_sym.estimates.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
+from softcat_sym.estimates.scaling import added_mass_ratio
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.dimensions import is_spatial
@@ -85,7 +85,7 @@ def _first_vibration(scene: Scene) -> Vibration | None:
     rest = None if begin is None else crept.at_rest(begin, 1.0)
     if begin is None or rest is None:
         return None
-    cells = replace(Cells.of(crept, rest), straining=Cells.of(elements, rest).straining)
+    cells = replace(DeformedElements.of(crept, rest), straining=DeformedElements.of(elements, rest).straining)
     squares, modes, strained, mass = elements.vibrations(cells)
     away = begin.seen_from(rest)
     first, way = 0, 0.0
@@ -256,7 +256,7 @@ def _elements(scene: Scene, modulus: float, natural: Configuration, begin: Confi
         bending=bending,
         natural=angles,
         mass=mass,
-        mass_across=mass * (1 + may_have(scene, "added-mass") * mass_ratio(scene)),
+        mass_across=mass * (1 + may_have(scene, "added-mass") * added_mass_ratio(scene)),
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,
@@ -275,7 +275,7 @@ _OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 
 
 @dataclass(frozen=True, slots=True)
-class Ringing:
+class LowestMode:
     """Ringing of the lowest mode about the elastic shape."""
 
     frequency: float  # Of the first mode, angular [1/s]; infinite for a filament that does not spring back
@@ -294,17 +294,17 @@ class Ringing:
         return self.frequency * min(duration, 1 / self.decay if self.decay > 0 else math.inf)
 
 
-def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
+def ringing(scene: Scene, *, lossless: bool = False) -> LowestMode:
     """Ringing that the load of a scene causes; without amplitude where the scene begins at rest under its load."""
     vibration = first_vibration(scene)
     if vibration is None:
-        return Ringing(math.inf, 0.0, 0.0)
+        return LowestMode(math.inf, 0.0, 0.0)
     frequency, way = vibration.frequency, vibration.way / scene.filament.span
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
     if scales.weight_stress(scene) == 0 or decay >= frequency:
-        return Ringing(frequency, decay, 0.0, way)
+        return LowestMode(frequency, decay, 0.0, way)
     left = min(1.0, _left_by_ramp(scene, frequency, way)) if scene.load.ramp > 0 else 1.0
-    return Ringing(frequency, decay, way * left, way)
+    return LowestMode(frequency, decay, way * left, way)
 
 
 def _left_by_ramp(scene: Scene, frequency: float, way: float) -> float:

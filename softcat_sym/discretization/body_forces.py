@@ -12,7 +12,7 @@ from softcat_sym.discretization.cell import Builder, Mechanics, derivatives
 from softcat_sym.discretization.end_springs import EndSpring, end_springs
 from softcat_sym.discretization.parameters import AREA
 from softcat_sym.discretization.stencil import Field, Neighbours
-from softcat_sym.discretization.unknowns import CELLS, NODES, Where
+from softcat_sym.discretization.unknowns import CELLS, NODES, SiteRange
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.densities import Densities
 
@@ -175,7 +175,7 @@ def _given(b: Builder, area: ca.SX, h: ca.SX, X: ca.SX) -> dict[sp.Symbol, ca.SX
 
 def _audit(
     densities: Densities,
-    where: Where,
+    where: SiteRange,
     share: ca.SX,
     values: dict[sp.Symbol, ca.SX],
     rates: tuple[sp.Symbol, ...],

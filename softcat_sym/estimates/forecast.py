@@ -8,10 +8,10 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import quasi_static_sag as quasi_static
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates import quasi_static_sag as quasi_static
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.free_vibration import LowestMode, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
     Scene,
@@ -262,7 +262,7 @@ def _forecast(scene: Scene) -> Motion:
     )
 
 
-def _speed(scene: Scene, history: quasi_static.SagHistory, rings: Ringing) -> float:
+def _speed(scene: Scene, history: quasi_static.SagHistory, rings: LowestMode) -> float:
     """Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall."""
     span = scene.filament.span
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
@@ -388,7 +388,7 @@ def _risen(scene: Scene, history: quasi_static.SagHistory, amplitude: float) -> 
     return min(1.0, reached + amplitude)
 
 
-def _relaxed(scene: Scene, rings: Ringing) -> float:
+def _relaxed(scene: Scene, rings: LowestMode) -> float:
     modulus, delta = scales.instant_modulus(scene), groups_of(scene).delta
     if modulus is None:
         return 0.0
@@ -406,7 +406,7 @@ def _relaxed(scene: Scene, rings: Ringing) -> float:
     return share * (1 - 1 / max(1.0, over))
 
 
-def _overstress(scene: Scene, rings: Ringing) -> float:
+def _overstress(scene: Scene, rings: LowestMode) -> float:
     """Largest elastic fibre stress over the yield stress."""
     limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if limit is None or modulus is None:
@@ -416,7 +416,7 @@ def _overstress(scene: Scene, rings: Ringing) -> float:
     return max(modulus * strained, squeezed) / limit
 
 
-def largest_strain(scene: Scene, rings: Ringing) -> float:
+def largest_strain(scene: Scene, rings: LowestMode) -> float:
     """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
     weight, delta = (
         scales.weight_stress(scene) * quasi_static.load_factor(scene) * shaken_peak(scene),
@@ -442,7 +442,7 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
     return max(min(1.0, rings.lasting(first) / max(scale, rings.way)) * lost, _lag(scene, solid_retardation(scene)))
 
 
-def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
+def _retarded(scene: Scene, rings: LowestMode, amplitude: float) -> float:
     """Lag of a solid's sag, or ringing that it damps; for polymer chains also the part of their solvent."""
     late = quasi_static.retardation(scene) or quasi_static.solvent_lag(scene)
     if late == 0 or is_slack(scene):

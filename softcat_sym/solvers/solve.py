@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from softcat_sym.codegen.structure import Structure, model_for, signature_of, structure_of
+from softcat_sym.codegen.c_model import Structure, model_for, signature_of, structure_of
 from softcat_sym.discretization.assembly import (
     Recorded,
     choose_body,
@@ -22,8 +22,8 @@ from softcat_sym.discretization.assembly import (
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.physics.terms import Formulation
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import kinks as temperature_kinks

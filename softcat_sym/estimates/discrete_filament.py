@@ -91,7 +91,7 @@ class Elements:
         foreseen by the step before: as a thin filament is much stiffer along itself, those of a shape that is not yet
         in balance are far too large (Magisano, Leonetti & Garcea 2017).
         """
-        cells, shift = Cells.of(self, shape), 0.0
+        cells, shift = DeformedElements.of(self, shape), 0.0
         mass, units = self.mass_matrix(cells), np.repeat([float(np.sum(self.length)), 1.0], 3)
         for _ in range(_STEPS):
             firm = self.stiffness(cells) + shift * mass
@@ -116,17 +116,17 @@ class Elements:
                 return shape
             if not np.all(np.isfinite(shape.places)):
                 return None
-            cells = Cells.of(self, shape, cells.foreseen(step))
+            cells = DeformedElements.of(self, shape, cells.foreseen(step))
             shift /= _FIRMER ** (3 if _EXACT <= far < _NEAR else 1)
             shift = shift if shift > _LEAST * largest else 0.0
         return None
 
     def is_strained(self, shape: Configuration) -> bool:
         """Whether a shape would move without load."""
-        forces = Cells.of(self, shape).forces
+        forces = DeformedElements.of(self, shape).forces
         return float(np.max(np.abs(self._assembled(forces)))) > _EXACT * float(np.max(np.abs(forces)))
 
-    def vibrations(self, cells: Cells) -> tuple[Floats, Floats, Floats, Floats]:
+    def vibrations(self, cells: DeformedElements) -> tuple[Floats, Floats, Floats, Floats]:
         """Squares of the natural frequencies about a stable equilibrium, from the lowest on, and their modes.
 
         Returns
@@ -148,13 +148,13 @@ class Elements:
         squares[np.abs(squares) < _ROUNDED * shift] = 0.0
         return squares, modes, np.sum(modes * (self.stiffness(cells, by_strain=True) @ modes), axis=0), mass
 
-    def stiffness(self, cells: Cells, *, by_strain: bool = False) -> Floats:
+    def stiffness(self, cells: DeformedElements, *, by_strain: bool = False) -> Floats:
         """Tangent stiffness of what is free; by strain alone it leaves out that of forces as they turn."""
         if by_strain:
             return self._assembled(cells.straining)
         return self._assembled(cells.straining + cells.turning) + np.diag(self.springs.flat[self.free])
 
-    def mass_matrix(self, cells: Cells) -> Floats:
+    def mass_matrix(self, cells: DeformedElements) -> Floats:
         """Mass matrix of what is free."""
         local, one = np.zeros((len(self.mass), 12, 12)), np.ones_like(cells.length)
         lever = np.stack([one, cells.length, one, cells.length], axis=1)
@@ -181,7 +181,7 @@ class Elements:
 
 
 @dataclass(frozen=True)
-class Cells:
+class DeformedElements:
     """Elements of a shape."""
 
     length: Floats  # shape (n,); Of the chord
@@ -193,7 +193,7 @@ class Cells:
     hardening: Floats  # shape (n, 12)
 
     @classmethod
-    def of(cls, own: Elements, shape: Configuration, foreseen: Floats | None = None) -> Cells:
+    def of(cls, own: Elements, shape: Configuration, foreseen: Floats | None = None) -> DeformedElements:
         """Derivatives of the stored energy, by length and angles of each element, and by what its nodes do."""
         frame, length, angles, normals = _frames(shape)
         longer = angles @ _LONGER
