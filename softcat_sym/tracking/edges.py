@@ -147,7 +147,7 @@ def midline(signal: Picture, level: float, left: float, right: float) -> Midline
     if whole.mean() < 0.5:
         raise UnreadableFrameError(f"cut by the edge of the picture over {1 - whole.mean():.0%} of the span")
     columns = np.asarray(first + 0.5 + 2.0 * np.flatnonzero(whole), dtype=np.float64)
-    line = curve(columns, (top + bottom)[whole] / 2.0, 16, rejected=5.0)
+    line = curve(columns, (top + bottom)[whole] / 2.0, 16, rejected=5.0, rounding=0.5)
     thickness = np.asarray((bottom - top + 1.0)[whole] / np.hypot(1, line(columns, 1)), dtype=np.float64)
     return Midline(line, thickness[line.kept], columns[line.kept], float(np.median(window[seen])))
 

@@ -35,7 +35,8 @@ def refusals(change: Floats, rms: Floats, height: Floats, std: Floats, *, is_pre
     Parameters
     ----------
     change : ndarray, shape (n,)
-        Mean difference of each frame to the one before [grey level]; infinite for the first.
+        Mean difference of each frame to the one before, over that of their times [grey level/s]; infinite for the
+        first.
     rms : ndarray, shape (n,)
         Residuals of the edges' brightness.
     height, std : ndarray, shape (n,)

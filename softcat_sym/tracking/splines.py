@@ -44,7 +44,15 @@ class Curve:
         return np.asarray(np.sqrt(np.maximum(np.diag(self.covariance(x)), 0.0)))
 
 
-def curve(x: Floats, y: Floats, pieces: int, weight: Floats | None = None, rejected: float = _REJECTED) -> Curve:
+def curve(
+    x: Floats,
+    y: Floats,
+    pieces: int,
+    weight: Floats | None = None,
+    *,
+    rejected: float = _REJECTED,
+    rounding: float = 0.0,
+) -> Curve:
     """Fit a cubic spline of equal pieces, shorter ones next to the supports, without outliers.
 
     Parameters
@@ -57,6 +65,8 @@ def curve(x: Floats, y: Floats, pieces: int, weight: Floats | None = None, rejec
         Inverse variances up to a factor.
     rejected : float
         Robust standard deviations beyond which a point is left out.
+    rounding : float
+        Smallest standard deviation of the points, where they are rounded.
     """
     inner = np.arange(1, pieces) / pieces
     if pieces >= _GRADED:
@@ -76,7 +86,7 @@ def curve(x: Floats, y: Floats, pieces: int, weight: Floats | None = None, rejec
         inverse = np.linalg.inv(basis.T @ (active[:, None] * basis) + smooth)
         coefficients = inverse @ (basis.T @ (active * y))
         residual = (y - basis @ coefficients) * np.sqrt(weight)
-        spread = max(1.4826 * float(np.median(np.abs(residual[kept]))), 1e-9)
+        spread = max(1.4826 * float(np.median(np.abs(residual[kept]))), rounding, 1e-9)
         now = np.abs(residual) < rejected * spread
         if np.array_equal(now, kept) or now.sum() < 2 * basis.shape[1]:
             break

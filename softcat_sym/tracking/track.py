@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 _PIECES, _THICKNESS_PIECES = 16, 4
+_BLOCKY = 0.02
+"""Scatter of the cuts' edges at least, from which on one is an outlier: a codec repeats blocks exactly [px]."""
 _STRAIGHT = 0.3
 """Largest rms of a strand about a line that is at rest between its supports [px]."""
 _FLOOR, _LOSSY_FLOOR, _PREDICTED_FLOOR, _STARVED_FLOOR = 0.003, 0.006, 0.1, 0.3
@@ -87,8 +89,8 @@ def measure(camera: Camera, grey: Picture, *, width: float | None = None, free: 
     x, y = camera.to_world(cuts.x, cuts.y)
     order = np.argsort(x)
     x, y = x[order], y[order]
-    height = curve(x, y, _PIECES, 1 / cuts.variance[order])
-    thickness = curve(x, cuts.thickness[order], _THICKNESS_PIECES)
+    height = curve(x, y, _PIECES, 1 / cuts.variance[order], rounding=_BLOCKY)
+    thickness = curve(x, cuts.thickness[order], _THICKNESS_PIECES, rounding=_BLOCKY)
     if height.kept.mean() < 0.5:
         raise UnreadableFrameError(f"{height.kept.mean():.0%} of the cuts agree with a smooth strand")
     return Measured(cuts, x, y, height, thickness, cuts.width, coarse.window)
@@ -157,7 +159,8 @@ def track(
     look = _first_look(source, supports, dark, ruler, flatten=flatten)
     readings, refused = _readings(source, look, every, progress)
     std = np.hypot(readings.height_std, look.floor)
-    reasons = refusals(readings.change, readings.rms, readings.height, std, is_predicted=look.is_predicted)
+    rate = readings.change / np.diff(readings.time, prepend=readings.time[0] - 1.0)
+    reasons = refusals(rate, readings.rms, readings.height, std, is_predicted=look.is_predicted)
     refused += [RefusedFrame(int(readings.number[k]), float(readings.time[k]), text, text == REPEATED)
                 for k, text in reasons.items()]  # fmt: skip
     # Of a strand whose middle is not seen the shape is.

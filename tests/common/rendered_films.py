@@ -186,6 +186,7 @@ def write_film(
     name, pixels, options = codec
     base = Fraction(1, 10_000)
     with av.open(str(path), "w") as container:
+        container.metadata["comment"] = "Not a measurement: softcat_sym's tests rendered it"
         stream = container.add_stream(name, rate=Fraction(round(len(times) / max(np.ptp(times), 1e-9)) or 1))
         stream.pix_fmt, stream.options = pixels, {key: value for key, value in options.items() if key != "qscale"}
         stream.codec_context.time_base = base
