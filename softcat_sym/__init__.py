@@ -3,9 +3,14 @@
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
 ``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
 name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
+<<<<<<< HEAD
+each effect is worth; ``track`` reads a film, ``fit`` finds the material of a filament that was filmed, ``card`` puts
+all on one page; ``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
+=======
 each effect is worth; ``longest_span`` how far a filament reaches; ``fit`` finds the material of one that was filmed,
 ``read_material`` that of a rheometer's files; ``card`` puts all on one page; ``register_effect`` adds physics. SymPy,
 CasADi and matplotlib are loaded when they are first used.
+>>>>>>> main
 """
 
 from __future__ import annotations
@@ -38,6 +43,8 @@ if TYPE_CHECKING:
     from softcat_sym.studies.card import Card, card
     from softcat_sym.studies.effect_importance import Pricing, price_effects
     from softcat_sym.studies.explanation import Explanation, explain
+    from softcat_sym.tracking.result import Track
+    from softcat_sym.tracking.track import track
     from softcat_sym.web.page import live_page
 
     __version__: str
@@ -64,6 +71,8 @@ _HOMES = {
     "studies.explanation": ("Explanation", "explain"),
     "studies.effect_importance": ("Pricing", "price_effects"),
     "batch.sweep": ("Sweep", "sweep"),
+    "tracking.result": ("Track",),
+    "tracking.track": ("track",),
     "web.page": ("live_page",),
 }
 
@@ -84,6 +93,7 @@ __all__ = [
     "SoftcatError",
     "SoftcatWarning",
     "Sweep",
+    "Track",
     "bundled_names",
     "card",
     "closed_form",
@@ -101,6 +111,7 @@ __all__ = [
     "simulate",
     "simulate_many",
     "sweep",
+    "track",
 ]
 
 

@@ -246,7 +246,7 @@ def test_every_key_is_listed_with_its_meaning_and_the_page_of_keys_is_current(so
 def test_samples_are_read_by_the_commands_they_are_for(softcat: Softcat, tmp_path: Path) -> None:
     folder = tmp_path / "softcat-out" / "samples"
     assert softcat("samples").status == 0
-    assert {path.name for path in folder.iterdir()} == {"my-ink.toml", "film.csv", "my-curve.csv"}
+    assert {path.name for path in folder.iterdir()} == {"my-ink.toml", "film.csv", "film.mov", "my-curve.csv"}
     assert softcat("samples").status == 0, "the same files again"
     (folder / "my-ink.toml").write_text("mine")
     done = softcat("samples")

@@ -19,11 +19,14 @@ from softcat_sym.progress import StudyDisplay
 if TYPE_CHECKING:
     from softcat_sym.fitting.result import Fit
     from softcat_sym.scene.scene import Scene
+    from softcat_sym.tracking.result import Track
 
 with lazy_imports():
     from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
+    from softcat_sym.tracking import film as filmed
+    from softcat_sym.tracking import track as tracking
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -35,7 +38,9 @@ def fit(
     data: Annotated[
         list[Path],
         typer.Argument(
-            metavar="DATA...", help="CSV files, one for each filament, with columns time_s, midpoint_m and others."
+            metavar="DATA...",
+            help="CSV files, one for each filament, with columns time_s, midpoint_m and others; or films, with "
+            "--film-scale.",
         ),
     ],
     scene: Annotated[
@@ -57,6 +62,10 @@ def fit(
             "LAW",
             "Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
         ),
+    ] = None,
+    film_scale: Annotated[
+        cli.Text,
+        cli.option("WHAT=LENGTH", "Scale of DATA that are films, which are tracked: 'span=50 mm' (see softcat track)."),
     ] = None,
     test: Annotated[
         cli.Text,
@@ -141,6 +150,7 @@ def fit(
     if posterior:
         # A missing package is reported before the fit.
         bayes.packages()
+    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     films = collapse_test.read_contour(data[0]) if test else measurements.read_measurements(data)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
@@ -160,7 +170,9 @@ def fit(
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
         drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
-        report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
+        report = drawing.report(
+            found, command=command, laws=compared, posterior=drawn, collapse=collapse, tracks=tracks
+        )
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
     if not found.outcome.converged:
@@ -169,6 +181,22 @@ def fit(
         raise typer.Exit(cli.UNTRUSTED)
     if drawn is not None and not drawn.outcome.is_success:
         raise typer.Exit(cli.UNTRUSTED)
+
+
+def _tracked(data: list[Path], scale: str | None, output: Path, *, quiet: bool) -> tuple[list[Path], dict[int, Track]]:
+    """Track the films among the data and write their tables into DIR; the tracks by their places in the data."""
+    places = [place for place, path in enumerate(data) if filmed.is_film(path)]
+    if bool(places) != (scale is not None):
+        what = f"{data[places[0]]} is a film: name its scale" if places else "no film among DATA: leave it out"
+        raise typer.BadParameter(f"{what}; accepted: {tracking.SCALES}", param_hint="--film-scale")
+    tables, tracks = list(data), {}
+    with StudyDisplay(quiet=quiet) as progress:
+        for place in places:
+            progress.stage(f"tracking {data[place].name}")
+            tracks[place] = tracking.track(data[place], scale or "", progress=progress)
+            name = data[place].stem if len(places) == 1 else f"{data[place].stem}-{place + 1}"
+            tables[place] = tracks[place].save(output / f"{name}.csv")
+    return tables, tracks
 
 
 def _check_features(data: list[Path], given: dict[str, object]) -> None:

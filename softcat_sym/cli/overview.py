@@ -32,6 +32,7 @@ COMMANDS: Final = {
         "sweep": "Simulate a filament for every value of some parameters.",
     },
     "Fitting": {
+        "track": "Track a strand through a film: midpoint and thickness over time, with errors.",
         "fit": "Fit a material to films of a falling filament.",
         "material": "Make the table [material] of a scene from a rheometer's files.",
         "flow-curve": "Fit a law to a rheometer's flow curve.",

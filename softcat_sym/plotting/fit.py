@@ -16,6 +16,7 @@ from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting.closed_form import ClosedForm
+from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.fitting.result import Fit, FittedFilm, features_dict
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
@@ -32,6 +33,8 @@ from softcat_sym.plotting.fit_words import (
 )
 from softcat_sym.plotting.style import png
 from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.track import model_figure
+from softcat_sym.simulate import recalled, without_estimate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,6 +42,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.posterior import Posterior
+    from softcat_sym.tracking.result import Track
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 """Headings of the columns of :func:`softcat_sym.plotting.fit_words.parameter_texts`."""
@@ -133,7 +137,18 @@ def fit_page(
     )
 
 
-_SOMETIMES = ("features", "features_*", "profiles", "correlation", "starts", "laws", "posterior", "collapse")
+_SOMETIMES = (
+    "features",
+    "features_*",
+    "film",
+    "film_*",
+    "profiles",
+    "correlation",
+    "starts",
+    "laws",
+    "posterior",
+    "collapse",
+)
 """Pictures that only some fits have."""
 
 
@@ -144,9 +159,16 @@ def fit_report(
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
     collapse: CollapseTest | None = None,
+    tracks: Mapping[int, Track] | None = None,
 ) -> Report:
-    """The fit with its pictures and a page, beside it the laws that were compared, draws, and a collapse test."""
+    """The fit with its pictures and a page, beside it the laws compared, draws, a collapse test, and tracked films."""
     drawn = captioned_figures(fit)
+    for place, track in (tracks or {}).items():
+        scene = own_scene(fit.measurements.series[place], fit.fitted_scene).replace(
+            {"run.duration": f"{track.time[-1]:.9g} s"}
+        )
+        figure = model_figure(track, recalled(without_estimate(scene)))
+        drawn["film" if place == 0 else f"film_{place + 1}"] = ("the last frame, and the fitted model over it", figure)
     if laws is not None:
         drawn["laws"] = ("residuals of every law, the best law first", laws_figure(laws))
     if posterior is not None:
