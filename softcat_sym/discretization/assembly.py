@@ -25,6 +25,7 @@ from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, La
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
+from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
@@ -110,9 +111,11 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     left, right = scene.ends.supports
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
+    edges = [one.edge_place / rest_length(scene) for one in bodies_of(scene) if one.edge_place is not None]
+    edge = min(edges, default=0.5)
     if is_symmetric(scene) and all(one.symmetric for one in densities):
-        return half_span(cells, right, grading, middle=middle)
-    return whole_span(cells, left, right, grading, middle=middle)
+        return half_span(cells, right, grading, middle=middle, edge=edge)
+    return whole_span(cells, left, right, grading, middle=middle, edge=edge)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -13,6 +14,7 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.physics.beams import ramp_gain
+from softcat_sym.scene.bodies import unsupported
 from softcat_sym.scene.scene import (
     Scene,
     carries_moment,
@@ -220,8 +222,13 @@ _KINKED = 0.1
 
 
 def forecast(scene: Scene) -> Motion:
-    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11)."""
-    return _forecast(scene.without_numerics())
+    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11).
+
+    It is that of the filament until it touches anything; over pillars, that of a filament clamped at their walls.
+    """
+    free = unsupported(scene.without_numerics())
+    motion, share = _forecast(free), free.filament.span / scene.filament.span
+    return motion if share == 1 else replace(motion, sag=motion.sag * share, scale=motion.scale * share)
 
 
 @lru_cache(maxsize=256)

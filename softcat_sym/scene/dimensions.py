@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule
@@ -124,6 +125,7 @@ def _of_space(scene: Tables) -> Iterator[Rule]:
         ("initial.C", bool(scene.initial.C)),
         ("numerics.order", scene.numerics.order is not None),
         *((f"effects.{name}", True) for name, _ in scene.effects),
+        *((body.table_name, True) for body in bodies_of(scene)),
     )
     for path, broken in given:
         yield broken, path, f"given, {only}", out

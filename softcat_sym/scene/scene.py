@@ -14,6 +14,7 @@ from pydantic_core import ValidationError
 from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.bodies import bodies_of, body_rules
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
@@ -104,6 +105,7 @@ def is_symmetric(scene: Scene) -> bool:
         and mirrored
         and ends.drop == 0
         and not ends.motion
+        and not any(body.speed_along for body in bodies_of(scene))
         and _is_even(scene)
         and all(values == values[::-1] for values in along)
     )
@@ -153,7 +155,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
     checks = (_of_springs, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
-    others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
+    others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules, body_rules)
     rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
@@ -334,7 +336,7 @@ class Scene(Tables):
         Title for pictures and tables.
     model : str
         ``"filament"``.
-    filament, material, ends, load, initial, surroundings, temperature, run, numerics : Part
+    filament, material, ends, load, initial, surroundings, temperature, floor, pillars, run, numerics : Part
         The tables of the scene file, under the file's own names.
 
     Raises

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Annotated, Literal
 
+from softcat_sym.scene.bodies import Floor, Pillars
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.history import History
 from softcat_sym.scene.laws import laws_with
@@ -53,6 +54,8 @@ class Tables(Part):
     initial: Initial = Initial()
     surroundings: Surroundings = Surroundings()
     temperature: Temperature = Temperature()
+    floor: Floor = Floor()
+    pillars: Pillars = Pillars()
     run: RunSettings
     numerics: Numerics = Numerics()
     effects: Annotated[tuple[EffectTable, ...], EffectTables()] = ()
