@@ -18,8 +18,9 @@ from softcat_sym.effects.effect import Effect, Estimate, Fields, Motion, Observe
 from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.scaling_estimates import effective_viscosity, gravity_of, instant_modulus, section_of
 from softcat_sym.physics.terms import Terms, Touch
-from softcat_sym.scene.bodies import SMOOTHED, Body, bodies_of, body_number, overlap, unsupported
-from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.scene.bodies import Body, bodies_of, body_number, overlap, unsupported
+from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
+from softcat_sym.scene.tables import nearest
 from softcat_sym.scene.units import length_text
 
 Floats = npt.NDArray[np.float64]
@@ -100,10 +101,12 @@ def _adapt(scene: Scene, terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     sag, room = motion.sag * scene.filament.span, min(body.room() for body in bodies_of(scene))
-    held = max(0.0, 1 - room / sag)
+    if scene.ends.motion:
+        # No deeper than two straight halves between the supports where they are nearest.
+        sag = max(sag, math.sqrt(max(0.0, rest_length(scene) ** 2 - nearest(scene) ** 2)) / 2)
     # A body that is reached holds what falls on it, however little that is in the estimate.
-    meaning = "share of the free sag that lies below the first body"
-    return Estimate(float(held > 0 or room == 0), meaning, "1 if sag > depth", without=sag / room if room else None)
+    meaning = "whether the free sag reaches a body"
+    return Estimate(float(sag > room), meaning, "1 if sag > depth", without=sag / room if room else None)
 
 
 def _indispensable(scene: Scene) -> str:
@@ -131,7 +134,7 @@ def _observe(scene: Scene, fields: Fields) -> Observed:
     for body in bodies_of(scene):
         penetration = penetration_of(scene, body)
         gap = body.clearance(body, x, y, scene.filament.thickness, np.sqrt)
-        sunk = overlap(gap, SMOOTHED * penetration)[1]
+        sunk = overlap(gap, penetration)[1]
         pressure += _weight(scene) * sunk / penetration
         depth, stated = np.maximum(depth, sunk), min(stated, penetration)
         overlaps = np.maximum(overlaps, sunk / penetration)

@@ -1,7 +1,8 @@
 """Contact of a filament with rigid bodies: penalty energy, normal damping, bond and Coulomb friction, as densities.
 
 All are of a node's place and velocity, per unit of rest length. The penalty is so stiff that the filament sinks in by
-the stated penetration under its own weight, k = q/d_p; energy and rates are smoothed over a quarter of that.
+the stated penetration under its own weight, k = q/d_p, over which it is smoothed, too: a twentieth of that width changes
+an answer by 0.07 %, and takes twice as many steps.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.symbols import A0, LENGTH, ONE, VISCOSITY, enter, g, h0, rho, x, x_t, y, y_t
 from softcat_sym.physics.terms import Touch
-from softcat_sym.scene.bodies import BODIES, SMOOTHED, body_number, overlap
+from softcat_sym.scene.bodies import BODIES, body_number, overlap
 
 _SOURCE, _SPEED = "Winkler 1867", (0, 1, -1)
 _NUMBERS = {
@@ -54,11 +55,11 @@ class Contact:
 
 @cache
 def contact_of(body: str) -> Contact:
-    """Contact of a node with a body, smoothed over a share of the penetration."""
+    """Contact of a node with a body."""
     of = constants_of(body)
     gap = BODIES[body].clearance(SimpleNamespace(**of), x, y, h0, sp.sqrt)
     stiffness = rho * g * A0 / of["penetration"]
-    energy, depth = overlap(gap, SMOOTHED * of["penetration"])
+    energy, depth = overlap(gap, of["penetration"])
     n_x, n_y = sp.diff(gap, x), sp.diff(gap, y)
     slides = x_t - of["speed"]
     normal, tangential = n_x * slides + n_y * y_t, n_y * slides - n_x * y_t

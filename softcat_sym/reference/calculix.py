@@ -110,6 +110,10 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     if problem.pull:
         found = f"{scene.surroundings.surface_tension:g} N/m, which the deck of CalculiX does not know"
         raise SceneError([Fault("surroundings.surface_tension", found, "0 N/m, or our own elements")])
+    if problem.bodies:
+        raise SceneError(
+            [Fault("floor, pillars", "given, which the deck of CalculiX does not know", "our own elements")]
+        )
     strip = Strip(mesh if mesh is not None else Mesh(), problem.thickness)
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)

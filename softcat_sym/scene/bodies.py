@@ -33,9 +33,6 @@ class QuantityOrWord(Quantity):
         return value if isinstance(value, str) else super().write(value)
 
 
-SMOOTHED = 1.0
-"""Half width over which contact is smoothed, over the penetration: 0.05 to 1 change an answer by 0.07 %."""
-
 _KINK = 1e-3
 """Of the radius of an edge with half the thickness: changes the distance by half its square, 5e-7 of that radius."""
 
