@@ -99,8 +99,8 @@ for one, power in (
 # %% [markdown]
 # ## A beam on a floor
 #
-# The free part hangs from a clamp over a length $a$, touches at a tangent and without a moment, since what lies flat has
-# none. Five conditions give its shape and $a^4 = 72EID/q$; it presses with $qa/3$ where it touches.
+# The free part hangs from a clamp over a length $a$ and touches at a tangent, without a moment, since what lies flat
+# has none. Five conditions give its shape and $a^4 = 72EID/q$; it presses with $qa/3$ where it touches.
 
 # %%
 X, a, q, bending, depth = sp.symbols("X a q EI D", positive=True)
@@ -122,10 +122,11 @@ prove_equal(sp.simplify(-bending * sp.diff(solved, X, 3).subs(X, a)), q * a / 3)
 # $l = (4EI/k)^{1/4}$ with $k = q/d_p$, and yields by $F/(2kl)$ below a force $F$ in its middle (Hetenyi 1946).
 
 # %%
-k, l, F = sp.symbols("k l F", positive=True)
-near = F / (2 * k * l) * sp.exp(-X / l) * (sp.cos(X / l) + sp.sin(X / l))
-prove_equal((k * l**4 / 4 * sp.diff(near, X, 4) + k * near).simplify(), 0)
-prove_equal((-2 * k * l**4 / 4 * sp.diff(near, X, 3)).subs(X, 0).simplify(), -F)
+k, decay, F = sp.symbols("k l F", positive=True)
+near = F / (2 * k * decay) * sp.exp(-X / decay) * (sp.cos(X / decay) + sp.sin(X / decay))
+foundation = k * decay**4 / 4
+prove_equal((foundation * sp.diff(near, X, 4) + k * near).simplify(), 0)
+prove_equal((2 * foundation * sp.diff(near, X, 3)).subs(X, 0).simplify(), F)
 
 # %% [markdown]
 # ## A cable on a floor

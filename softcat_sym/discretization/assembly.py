@@ -25,11 +25,11 @@ from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, La
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
-from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
+from softcat_sym.scene.tables import bodies_of
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program

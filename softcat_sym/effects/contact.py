@@ -16,11 +16,12 @@ import numpy.typing as npt
 
 from softcat_sym.effects.effect import Effect, Estimate, Fields, Motion, Observed
 from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.quasi_static_sag import load_factor
 from softcat_sym.effects.scaling_estimates import effective_viscosity, gravity_of, instant_modulus, section_of
 from softcat_sym.physics.terms import Terms, Touch
-from softcat_sym.scene.bodies import Body, bodies_of, body_number, overlap, unsupported
+from softcat_sym.scene.bodies import Body, body_number, overlap
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
-from softcat_sym.scene.tables import nearest
+from softcat_sym.scene.tables import bodies_of, nearest, unsupported
 from softcat_sym.scene.units import length_text
 
 Floats = npt.NDArray[np.float64]
@@ -47,8 +48,9 @@ def penetration_of(scene: Scene, body: Body) -> float:
     least, share = _smallest(scene, body), _SHARE * scene.run.accuracy
     if body.edge_place is None:
         return share * least
-    # An edge carries the weight of half a gap over about a thickness.
-    return min(share, _OF_SAG) * least * min(1.0, scene.filament.thickness / (2 * body.edge_place))
+    # An edge carries half of the load over the gap on about a thickness.
+    narrow = scene.filament.thickness / (2 * body.edge_place * load_factor(scene))
+    return min(share, _OF_SAG) * least * min(1.0, narrow)
 
 
 def _bond_of(scene: Scene, body: Body) -> float:
@@ -129,51 +131,42 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
 def _observe(scene: Scene, fields: Fields) -> Observed:
     """Pressure at the nodes, length and force of the contact, and how deep the filament has sunk in."""
     x, y, time, nodes = (fields[name] for name in ("x", "y", "time", "X_node"))
-    pressure, depth, stated, doubt = np.zeros_like(x), np.zeros_like(x), math.inf, ""
-    overlaps, touches = np.zeros_like(x), np.full(len(time), -math.inf)
-    for body in bodies_of(scene):
-        penetration = penetration_of(scene, body)
-        gap = body.clearance(body, x, y, scene.filament.thickness, np.sqrt)
-        sunk = overlap(gap, penetration)[1]
-        pressure += _weight(scene) * sunk / penetration
-        depth, stated = np.maximum(depth, sunk), min(stated, penetration)
-        overlaps = np.maximum(overlaps, sunk / penetration)
-        touches = np.maximum(touches, -np.min(gap, axis=1))
-        deepest, bound = (
-            float(np.max(sunk)),
-            max(MAX_PENETRATION * penetration, scene.run.accuracy * _smallest(scene, body)),
-        )
-        if deepest > bound:
-            doubt = (
-                f"it sinks {length_text(deepest)} into [{body.table_name}], {deepest / penetration:.3g} times the "
-                f"stated penetration of {length_text(penetration)}"
-            )
-    lengths = np.array([_length_beyond(nodes, one - 0.5) for one in overlaps])
-    share = np.concatenate([[0.0], np.diff(nodes)]) / 2 + np.concatenate([np.diff(nodes), [0.0]]) / 2
-    force, blur = pressure @ share, _blur(scene, time, stated)
+    bodies, thickness, sag = bodies_of(scene), scene.filament.thickness, float(np.max(np.abs(y - y[:1])))
+    stated = np.array([penetration_of(scene, body) for body in bodies])
+    gaps = np.array([body.clearance(body, x, y, thickness, np.sqrt) for body in bodies])
+    sunk = np.array([overlap(gap, penetration)[1] for gap, penetration in zip(gaps, stated, strict=True)])
+    shares = sunk / stated[:, None, None]
+    pressure, lengths = _weight(scene) * shares.sum(axis=0), _lengths_beyond(nodes, shares.max(axis=0) - 0.5)
+    force, blur = np.trapezoid(pressure, nodes, axis=1), _blur(scene, time, float(stated.min()))
     found = {
         "contact_pressure": pressure,
         "contact_length": lengths,
         "contact_length_blur": blur,
         "contact_force": force,
-        "penetration_max": np.max(depth, axis=1),
+        "penetration_max": sunk.max(axis=(0, 2)),
     }
     summary = {
-        "touches_at_s": _first_time(time, touches),
+        "touches_at_s": _first_time(time, -gaps.min(axis=(0, 2))),
         "contact_length_m": float(lengths[-1]),
         "contact_length_blur_m": float(blur[-1]),
         "contact_force_N": float(force[-1]),
-        "penetration_max_m": float(np.max(depth)),
-        "penetration_stated_m": stated,
+        "penetration_max_m": float(sunk.max()),
+        "penetration_stated_m": float(stated.min()),
     }
-    return Observed(found, summary, doubt)
+    doubts = [
+        f"it sinks {length_text(deepest)} into [{body.table_name}], {deepest / penetration:.3g} times the stated "
+        f"penetration of {length_text(penetration)}"
+        for body, deepest, penetration in zip(bodies, sunk.max(axis=(1, 2)), stated, strict=True)
+        if deepest > max(MAX_PENETRATION * penetration, scene.run.accuracy * min(thickness, sag))
+    ]
+    return Observed(found, summary, "; ".join(doubts))
 
 
-def _length_beyond(nodes: Floats, values: Floats) -> float:
-    """Length on which a function of the nodes, linear between them, is positive."""
-    a, b, cells = values[:-1], values[1:], np.diff(nodes)
-    crossed = np.where(a * b < 0, np.maximum(a, b) / np.where(a == b, 1.0, np.abs(a - b)), (a + b) > 0)
-    return float(crossed @ cells)
+def _lengths_beyond(nodes: Floats, values: Floats) -> Floats:
+    """Length on which functions of the nodes, linear between them, are positive; shape (frames,)."""
+    above, below = np.maximum(values[:, :-1], values[:, 1:]), np.minimum(values[:, :-1], values[:, 1:])
+    share = np.clip(above / np.where(above > below, above - below, 1.0), 0.0, 1.0)
+    return np.asarray(np.where(below >= 0, 1.0, share) @ np.diff(nodes))
 
 
 def _first_time(time: Floats, depths: Floats) -> float | None:

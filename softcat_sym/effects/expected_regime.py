@@ -13,7 +13,6 @@ from softcat_sym.effects.initial_stress import initial_strain
 from softcat_sym.effects.quasi_static_sag import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
-from softcat_sym.scene.bodies import bodies_of, unsupported
 from softcat_sym.scene.scene import (
     Scene,
     carries_moment,
@@ -22,7 +21,7 @@ from softcat_sym.scene.scene import (
     is_slack,
     stress_free_length,
 )
-from softcat_sym.scene.tables import farthest
+from softcat_sym.scene.tables import bodies_of, farthest, unsupported
 
 TURNS_BACK = 0.05
 """A filament is underdamped if it springs back by more than this share of its sag, the criterion of finished runs.

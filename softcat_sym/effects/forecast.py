@@ -14,7 +14,6 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.physics.beams import ramp_gain
-from softcat_sym.scene.bodies import unsupported
 from softcat_sym.scene.scene import (
     Scene,
     carries_moment,
@@ -25,7 +24,7 @@ from softcat_sym.scene.scene import (
     rest_length,
     undeformed_area,
 )
-from softcat_sym.scene.tables import farthest
+from softcat_sym.scene.tables import farthest, unsupported
 
 
 def shaken_share(scene: Scene) -> float:

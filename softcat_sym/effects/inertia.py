@@ -10,8 +10,8 @@ from functools import partial
 from softcat_sym.effects.effect import Effect, OfMotion, always
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import Fault
-from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.tables import bodies_of
 
 
 def outrunning_faults(scene: Scene) -> list[Fault]:

@@ -1,8 +1,7 @@
 """Contact of a filament with rigid bodies: penalty energy, normal damping, bond and Coulomb friction, as densities.
 
 All are of a node's place and velocity, per unit of rest length. The penalty is so stiff that the filament sinks in by
-the stated penetration under its own weight, k = q/d_p, over which it is smoothed, too: a twentieth of that width changes
-an answer by 0.07 %, and takes twice as many steps.
+the stated penetration under its own weight, k = q/d_p, over which it is smoothed, too.
 """
 
 from __future__ import annotations

@@ -23,9 +23,9 @@ from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.reference.material_point import LAWS, PointCode
-from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
+from softcat_sym.scene.tables import bodies_of
 from softcat_sym.store import packed, unpacked
 
 _ONLY: dict[str, object] = {

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeVar
+from collections.abc import Callable
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.scene.parts import Part, Rule
+from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import Number, Quantity
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.tables import Tables
 
 _AUTO, _NONE, _STICK = "auto", "none", "stick"
 
@@ -103,23 +100,6 @@ class Body(Part):
         """Its parts within a picture as polygons, (points, 2) [m]."""
         raise NotImplementedError
 
-    def rules(self, scene: Tables) -> Iterator[Rule]:
-        """List what may be wrong with its table, and what does not go with it."""
-        table, out = self.table_name, "leaving it out"
-        given = sorted(name for name in self.model_fields_set if name != self.required)
-        missing = given and not self.present
-        found = f"missing, but {table}.{given[0]} is given" if missing else ""
-        yield missing, f"{table}.{self.required}", found, f'a length, such as "0.2 mm", or no table [{table}]'
-        if not self.present:
-            return
-        small, printed = scene.model == "small-deflection", scene.run.closure == "printed"
-        yield small, table, "given with model 'small-deflection'", f'{out}, or model = "filament"'
-        yield printed, table, "given with run.closure = 'printed'", f'{out}, or run.closure = "material"'
-        weightless = scene.load.gravity == 0
-        yield weightless, "load.gravity", f"zero, but [{table}] bears a weight", f"an acceleration, or no [{table}]"
-        profile = scene.filament.profile
-        yield profile, "filament.profile", f"given, but what lies on [{table}] has one thickness", out
-
 
 class Floor(Body):
     """A level floor, or a belt; lengths in m, velocities in m/s."""
@@ -153,23 +133,6 @@ class Floor(Body):
         top = -self.room() - thickness / 2
         return [np.array([(left, min(bottom, top)), (left, top), (right, top), (right, min(bottom, top))])]
 
-    def rules(self, scene: Tables) -> Iterator[Rule]:
-        """The supports stand above it; a belt that nothing couples to the filament drives nothing."""
-        yield from super().rules(scene)
-        if not self.present:
-            return
-        lowest = max(self._below(scene.ends.drop, *row[2:3]) for row in (((0.0,) * 3), *scene.ends.motion))
-        path = "ends.motion" if scene.ends.motion and self._below(scene.ends.drop) <= 0 else "ends.drop"
-        found = f"the right support comes {lowest:.3g} m below the floor"
-        yield lowest > 0, path, found, f"at most floor.depth, {self.room():.4g} m"
-        found = f"{self.speed:g} m/s, but neither floor.bond nor floor.friction carries the filament along"
-        accepted = 'floor.bond = "stick", or a coefficient floor.friction'
-        yield self.speed and not self.resists_sliding, "floor.speed", found, accepted
-
-    def _below(self, drop: float, up: float = 0.0) -> float:
-        """How far below the floor a right support is that was moved up [m]."""
-        return drop - up - self.room()
-
 
 class Pillars(Body):
     """Two pillars on either side of a gap, on whose level tops the filament lies; lengths in m."""
@@ -200,11 +163,11 @@ class Pillars(Body):
     @property
     def edge_place(self) -> float | None:
         """Where the level tops end."""
-        return (self.gap or 0.0) / 2 + self.edge
+        return None if self.gap is None else self.gap / 2 + self.edge
 
     def room(self) -> float:
-        """None: the filament lies on them."""
-        return 0.0
+        """None where the filament lies on them."""
+        return -self.height
 
     def outlines(self, thickness: float, left: float, right: float, bottom: float) -> list[npt.NDArray[np.float64]]:
         """Two pillars, each with its round edge."""
@@ -212,20 +175,6 @@ class Pillars(Body):
         x = np.concatenate([[wall], wall + self.edge * (1 - np.cos(turn)), [max(right, wall), max(right, wall)]])
         y = np.concatenate([[bottom], top - self.edge * (1 - np.sin(turn)), [top, bottom]])
         return [np.stack([x, y], axis=1), np.stack([np.minimum(-x, -wall), y], axis=1)]
-
-    def rules(self, scene: Tables) -> Iterator[Rule]:
-        """Both supports stand over the tops, at the height of the filament at rest."""
-        yield from super().rules(scene)
-        if not self.present:
-            return
-        gap, span, floor = self.gap or 0.0, scene.filament.span, scene.floor
-        found = f"{gap:.4g} m, but the supports are {span:.4g} m apart and stand over the pillars"
-        yield gap >= span, "pillars.gap", found, f"less than filament.span, {span:.4g} m"
-        yield scene.ends.drop, "ends.drop", "given, but the pillars are equally high", "leaving it out"
-        found = f"{self.height:.4g} m: the filament would begin inside the pillars"
-        yield self.height > 0, "pillars.height", found, "zero, or a negative length"
-        found = f"{floor.room():.4g} m, not below the tops of the pillars"
-        yield floor.present and floor.room() <= -self.height, "floor.depth", found, "a floor between the pillars"
 
 
 BODIES: dict[str, type[Body]] = {one.table_name: one for one in (Floor, Pillars)}
@@ -235,26 +184,3 @@ BODIES: dict[str, type[Body]] = {one.table_name: one for one in (Floor, Pillars)
 def body_number(body: str, key: str) -> str:
     """Name of a number of a body among those of a run."""
     return f"{body}_{key}"
-
-
-def bodies_of(scene: Tables) -> tuple[Body, ...]:
-    """Return the bodies that a scene has."""
-    return tuple(one for one in (getattr(scene, name) for name in BODIES) if one.present)
-
-
-def body_rules(scene: Tables) -> Iterator[Rule]:
-    """List what may be wrong with the tables of bodies."""
-    for name in BODIES:
-        yield from getattr(scene, name).rules(scene)
-
-
-SceneT = TypeVar("SceneT", bound="Tables")
-
-
-def unsupported(scene: SceneT) -> SceneT:
-    """Return the scene of what hangs free at the start: over pillars, a filament clamped at their walls."""
-    gap = scene.pillars.gap
-    if gap is None:
-        return scene
-    filament = scene.filament.model_copy(update={"span": gap, "rest_length": None})
-    return scene.model_copy(update={"filament": filament, "pillars": Pillars()})

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from softcat_sym.scene.bodies import bodies_of
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule
-from softcat_sym.scene.tables import Tables
+from softcat_sym.scene.tables import Tables, bodies_of
 
 _IN_THE_PLANE = 3
 """Values in a row of a motion that stays in the plane: time, right and up."""

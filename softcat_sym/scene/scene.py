@@ -14,7 +14,6 @@ from pydantic_core import ValidationError
 from softcat_sym.drawing import html
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
-from softcat_sym.scene.bodies import bodies_of, body_rules
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
@@ -22,7 +21,15 @@ from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import Parameter, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
+from softcat_sym.scene.tables import (
+    Tables,
+    bodies_of,
+    body_rules,
+    farthest,
+    frozen_note,
+    motion_rules,
+    temperature_rules,
+)
 from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
 
