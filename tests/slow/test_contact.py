@@ -14,7 +14,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.reference.element_loop import Mesh
-from tests.common.contact import G, RHO, STRING, THICK, WEIGHT, beam_on_floor, cable_on_floor
+from tests.common.contact import RHO, STRING, THICK, WEIGHT, G, beam_on_floor, cable_on_floor
 from tests.common.elements import elements, plane
 from tests.common.table import show
 
@@ -27,7 +27,14 @@ def test_a_beam_on_a_floor_converges_in_penetration_and_cells() -> None:
     by_share = {share: beam_on_floor(160, share) for share in penalties}
     by_cells = {N: beam_on_floor(N, 0.003) for N in cells}
     rows = [
-        (N, share, f"{one.moment - 1:+.3%}", f"{one.force - 1:+.3%}", f"{1e3 * one.length:+.2f}", f"{1e3 * one.blur:.2f}")
+        (
+            N,
+            share,
+            f"{one.moment - 1:+.3%}",
+            f"{one.force - 1:+.3%}",
+            f"{1e3 * one.length:+.2f}",
+            f"{1e3 * one.blur:.2f}",
+        )
         for pairs in ({(160, s): b for s, b in by_share.items()}, {(N, 0.003): b for N, b in by_cells.items()})
         for (N, share), one in pairs.items()
     ]
@@ -66,10 +73,9 @@ def hanging_part(bond: float, share: float = 0.001, cells: int = 80) -> tuple[np
     return run.data.time.values, np.sqrt(2 * depth * (1 + share) * np.maximum(pull, 0.0) / WEIGHT)
 
 
-@pytest.mark.parametrize(("name", "bond", "power", "growth"), [("stick", 1e15, 4, 48.0), ("slip", 0.0, 3, 18.0)])
+@pytest.mark.parametrize(("name", "bond", "power", "growth"), [("stick", 1e12, 4, 128 / 3), ("slip", 0.0, 3, 16.0)])
 def test_a_viscous_string_lies_down_as_it_sticks_or_slips(name: str, bond: float, power: int, growth: float) -> None:
     """a^-4 grows by 3 rho g/(eta D^3), a^-3 by 9 rho g L/(8 eta D^3): in L and t_0 by 128/3 and by 16."""
-    growth = {4: 128 / 3, 3: 16.0}[power]
     time, hanging = hanging_part(bond)
     rows = []
     for at in (2.0, 3.0, 4.0):
@@ -149,7 +155,11 @@ def test_ink_over_pillars_sags_as_elements_do() -> None:
     run, solid = sc.simulate(scene), elements(scene, Mesh(90, 4))
     late = slice(40, None)
     found, exact = float(run.data.midpoint.values[late].mean()), float(solid.midpoint[late].mean())
-    show("ink over pillars", ("sag [um]", "elements", "error"), [(-1e6 * found, -1e6 * exact, f"{found / exact - 1:+.2%}")])
+    show(
+        "ink over pillars",
+        ("sag [um]", "elements", "error"),
+        [(-1e6 * found, -1e6 * exact, f"{found / exact - 1:+.2%}")],
+    )
     assert run.outcome is sc.Outcome.solved and abs(found / exact - 1) < 0.02
 
 
@@ -161,9 +171,7 @@ def test_contact_keeps_the_energy_and_costs_few_steps() -> None:
         ("ink-on-pillars", {"pillars": None, "filament.span": "5.2 mm"}),
         ("honey-onto-a-table", {"floor": None}),
     ):
-        runs = [
-            sc.simulate(sc.load_scene(name, {"numerics.estimate": False, **changes})) for changes in ({}, free)
-        ]
+        runs = [sc.simulate(sc.load_scene(name, {"numerics.estimate": False, **changes})) for changes in ({}, free)]
         residual, steps = runs[0].summary["energy_residual"], [run.summary["steps"] for run in runs]
         rows.append((name, f"{residual:.1e}", *steps, f"{steps[0] / steps[1]:.2f}"))
         assert residual < 1e-4, rows
