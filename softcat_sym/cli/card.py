@@ -55,6 +55,9 @@ def card(
     flow_curve: Annotated[
         cli.Text, cli.option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
     ] = None,
+    pillars: Annotated[
+        cli.Text, _value("Radius of the edges of two pillars, --span apart, on which it lies: '0 mm' if sharp.")
+    ] = None,
     ends: Annotated[cli.Text, _value("Ends: clamped (default) or pinned.")] = None,
     duration: Annotated[
         cli.Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")

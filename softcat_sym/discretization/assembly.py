@@ -29,6 +29,7 @@ from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
+from softcat_sym.scene.tables import bodies_of
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
@@ -110,9 +111,11 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     left, right = scene.ends.supports
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
+    edges = [one.edge_place / rest_length(scene) for one in bodies_of(scene) if one.edge_place is not None]
+    edge = min(edges, default=0.5)
     if is_symmetric(scene) and all(one.symmetric for one in densities):
-        return half_span(cells, right, grading, middle=middle)
-    return whole_span(cells, left, right, grading, middle=middle)
+        return half_span(cells, right, grading, middle=middle, edge=edge)
+    return whole_span(cells, left, right, grading, middle=middle, edge=edge)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:

@@ -250,6 +250,7 @@ class Effects:
             shaken=False,
             drag="",
             added_mass=False,
+            touches=tuple(replace(one, resists=False) for one in found.touches),
             densities=tuple(one.at_rest for one in found.densities),
         )
 

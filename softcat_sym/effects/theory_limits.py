@@ -124,7 +124,7 @@ def _rupture(scene: Scene, regime: ExpectedRegime) -> str:
 def _descent(regime: ExpectedRegime) -> str:
     """Warning about a filament beyond the threshold of arrest, whose descent does not end in the theory."""
     threshold, number = regime.arrest_exact, regime.gravity_number
-    if threshold is None or number is None or number < threshold:
+    if threshold is None or number is None or number < threshold or regime.until:
         return ""
     return (
         f"it never stops (G = {number:.3g}, nothing rests beyond {threshold:.4g}): in a longer run it thins until "
