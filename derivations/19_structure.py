@@ -29,7 +29,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import structure as st
+from softcat_sym.physics import structure_parameter as st
 from softcat_sym.physics.symbols import eta, sigma_Y
 
 # %% [markdown]

@@ -25,7 +25,7 @@ from softcat_sym.physics import conformation, hardening_rule, reissner, spatial,
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
-from softcat_sym.physics.structure import speed
+from softcat_sym.physics.structure_parameter import speed
 from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12

@@ -31,7 +31,7 @@ from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
-from softcat_sym.physics.structure import structure_clock
+from softcat_sym.physics.structure_parameter import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms

@@ -17,7 +17,15 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.studies.published import elastic, glass, viscous, yield_stress
-from softcat_sym.studies.published.case import Case, Curve, DataKind, Finding, Picture, Row, published_scene
+from softcat_sym.studies.published.case import (
+    Case,
+    DataKind,
+    Finding,
+    PublishedCurve,
+    PublishedPicture,
+    Row,
+    published_scene,
+)
 
 _RUNS = elastic.RUNS | viscous.RUNS | glass.RUNS | yield_stress.RUNS
 
@@ -142,7 +150,9 @@ def _read(written: Mapping[str, Any]) -> Finding:
     rows = tuple(Row(**{**row, "band": row["band"] and tuple(row["band"])}) for row in written["rows"])
     picture = written["picture"]
     if picture is not None:
-        picture = Picture(**{**picture, "curves": tuple(Curve(**curve) for curve in picture["curves"])})
+        picture = PublishedPicture(
+            **{**picture, "curves": tuple(PublishedCurve(**curve) for curve in picture["curves"])}
+        )
     return Finding(rows, picture)
 
 

@@ -56,7 +56,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Curve:
+class PublishedCurve:
     """A line, or points where it `is_published`, of a case's picture."""
 
     label: str
@@ -66,12 +66,12 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Picture:
+class PublishedPicture:
     """Content of a case's picture."""
 
     x: str
     y: str
-    curves: tuple[Curve, ...]
+    curves: tuple[PublishedCurve, ...]
     is_log_x: bool = False
     is_log_y: bool = False
     published_x: float | None = None  # Published values, drawn as a vertical or a horizontal line
@@ -83,7 +83,7 @@ class Finding:
     """Results of the runs of a case."""
 
     rows: tuple[Row, ...]
-    picture: Picture | None = None
+    picture: PublishedPicture | None = None
 
 
 @dataclass(frozen=True)

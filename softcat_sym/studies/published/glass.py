@@ -9,10 +9,10 @@ import numpy as np
 
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.published.case import (
-    Curve,
     Finding,
     Floats,
-    Picture,
+    PublishedCurve,
+    PublishedPicture,
     Row,
     answer_of,
     answers_of,
@@ -98,10 +98,10 @@ def _softens(name: str) -> Finding:
         Row("log10 of the viscosity there [Pa s]", "", 6.75, decades, band=(6.5, 7.0), is_absolute=True),
     )
     curves = (
-        Curve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
-        Curve("softening point by the run", (found.at,), (1.0,), is_published=True),
+        PublishedCurve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
+        PublishedCurve("softening point by the run", (found.at,), (1.0,), is_published=True),
     )
-    picture = Picture("furnace [C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
+    picture = PublishedPicture("furnace [C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
     return Finding(rows, picture)
 
 
@@ -127,10 +127,10 @@ def _beam() -> Finding:
     masses = np.array([0.0, _WEIGHT])
     line = gravity * filament.span**3 / (2.4 * second * viscosity) * (masses + own / 1.6)
     curves = (
-        Curve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
-        Curve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
+        PublishedCurve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
+        PublishedCurve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
     )
-    return Finding(rows, Picture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
+    return Finding(rows, PublishedPicture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
 
 
 RUNS = {
