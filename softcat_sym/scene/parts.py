@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
@@ -186,6 +186,14 @@ class Filament(Part, table="filament"):
 
 Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
+
+
+def if_given(scene: Any, found: str, accepted: str, *paths: str) -> Iterator[Rule]:
+    """List the rules that keys by their dotted paths say nothing but their defaults."""
+    for path in paths:
+        table, _, key = path.partition(".")
+        part = getattr(scene, table)
+        yield getattr(part, key) != type(part).model_fields[key].default, path, found, accepted
 
 
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
