@@ -90,6 +90,11 @@ def carries_moment(scene: Scene) -> bool:
     return any(support.carries_moment for support in scene.ends.supports)
 
 
+def loaded_from(scene: Scene) -> float:
+    """Time from which neither the load nor a support changes [s]."""
+    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
+
+
 def is_slack(scene: Scene) -> bool:
     """Tell whether both ends are held and the filament is longer without stress than they are apart.
 
