@@ -143,6 +143,7 @@ def fit(
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
+    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     if features_only:
         report = drawing.report(closed_form.closed_form(data[0], known), command=command)
         cli.present(report, report.write(output), output, quiet=quiet)
@@ -150,7 +151,6 @@ def fit(
     if posterior:
         # A missing package is reported before the fit.
         bayes.packages()
-    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     films = collapse_test.read_contour(data[0]) if test else measurements.read_measurements(data)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")

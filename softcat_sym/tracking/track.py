@@ -286,8 +286,8 @@ def _contrast(signal: Picture) -> float:
     """Brightness of the strand: median of what is above Otsu's threshold."""
     is_strand = signal > threshold(signal)
     strand, rest = signal[is_strand], signal[~is_strand]
-    contrast = float(strand.mean() - rest.mean()) if strand.size and rest.size else 0.0
-    if contrast < max(_VISIBLE * float(rest.std()), _FAINTEST):
+    is_seen = min(strand.size, rest.size) > 1
+    if not is_seen or strand.mean() - rest.mean() < max(_VISIBLE * float(rest.std()), _FAINTEST):
         raise SoftcatError("no strand stands out from the noise of the rest; accepted: one that is darker or lighter "
                            "than what is behind it")  # fmt: skip
     return float(np.median(strand))
