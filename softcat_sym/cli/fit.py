@@ -25,6 +25,7 @@ with lazy_imports():
     from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
+    from softcat_sym.tracking import calibration
     from softcat_sym.tracking import film as filmed
     from softcat_sym.tracking import track as tracking
 
@@ -188,7 +189,7 @@ def _tracked(data: list[Path], scale: str | None, output: Path, *, quiet: bool) 
     places = [place for place, path in enumerate(data) if filmed.is_film(path)]
     if bool(places) != (scale is not None):
         what = f"{data[places[0]]} is a film: name its scale" if places else "no film among DATA: leave it out"
-        raise typer.BadParameter(f"{what}; accepted: {tracking.SCALES}", param_hint="--film-scale")
+        raise typer.BadParameter(f"{what}; accepted: {calibration.SCALES}", param_hint="--film-scale")
     tables, tracks = list(data), {}
     with StudyDisplay(quiet=quiet) as progress:
         for place in places:

@@ -12,36 +12,12 @@ from numpy.typing import NDArray
 
 from softcat_sym import drawing, files
 from softcat_sym.tracking.film import Film
-from softcat_sym.tracking.light import Light
-from softcat_sym.tracking.supports import Supports
+from softcat_sym.tracking.strand import Camera
 
 Floats = NDArray[np.float64]
 
 MAX_POINTS = 11
 """Points of a shape at most: of more, neighbours on one spline are no readings of their own."""
-
-
-@dataclass(frozen=True, eq=False)
-class Camera:
-    """How a film sees the strand."""
-
-    light: Light
-    level: float  # brightness above which a pixel is the strand's
-    width: float  # blur width [px]
-    supports: Supports
-    centre: tuple[float, float]  # column and row halfway between the supports, at their level
-    tilt: float  # of the supports' level in the picture, clockwise [rad]
-
-    def to_world(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Places from the centre to the right, and heights above the supports' level, of columns and rows [px]."""
-        right, down = x - self.centre[0], y - self.centre[1]
-        cos, sin = np.cos(self.tilt), np.sin(self.tilt)
-        return cos * right + sin * down, sin * right - cos * down
-
-    def to_picture(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Columns and rows of places and heights [px]."""
-        cos, sin = np.cos(self.tilt), np.sin(self.tilt)
-        return self.centre[0] + cos * x + sin * y, self.centre[1] + sin * x - cos * y
 
 
 @dataclass(frozen=True)
@@ -56,66 +32,30 @@ class RefusedFrame:
 
 @dataclass(frozen=True, eq=False)
 class Track(drawing.Drawable):
-    """A strand tracked through a film.
+    """A strand tracked through a film: n frames that were read, and those that were refused."""
 
-    Attributes
-    ----------
-    film : Film
-        The film, to be read again for pictures.
-    camera : Camera
-        Geometry and light of the picture.
-    pixel, pixel_std : float
-        Length of a pixel and its standard error [m].
-    number : ndarray of int, shape (n,)
-        Numbers of the frames that were read, from 0.
-    time : ndarray, shape (n,)
-        [s] since the release.
-    midpoint, midpoint_std : ndarray, shape (n,)
-        Height above the supports' level, negative below it, and its standard error [m].
-    thickness, thickness_std : ndarray, shape (n,)
-        At the midpoint, along the normal [m]; NaN where it is below 2.5 blur widths.
-    place : ndarray, shape (points,)
-        x of the shapes' points from halfway between the supports [m].
-    shapes, shapes_std, shapes_thickness : ndarray, shape (n, points)
-        Heights, standard errors and thicknesses there [m]; NaN where the strand was not seen.
-    release, release_std : float
-        Time of the release by the film's clock, and its standard error [s].
-    misfit : ndarray, shape (n,)
-        Residuals of the edges' brightness over the film's median.
-    refused : tuple of RefusedFrame
-        Frames that were refused, with the reason.
-    codec : str
-        Name of the codec.
-    bits_per_pixel : float
-        Size of the film; infinite for pictures.
-    factors : tuple of float
-        By which scatter over time widens the errors of midpoint and thickness.
-    warnings : tuple of str
-        What speaks against the numbers, and how to film better.
-    """
-
-    film: Film
+    film: Film  # The film, to be read again for pictures
     camera: Camera
-    pixel: float
+    pixel: float  # Length of a pixel and its standard error [m]
     pixel_std: float
-    number: NDArray[np.int64]
-    time: Floats
-    midpoint: Floats
-    midpoint_std: Floats
-    thickness: Floats
+    number: NDArray[np.int64]  # shape (n,); of the frames, from 0
+    time: Floats  # shape (n,); [s] since the release
+    midpoint: Floats  # shape (n,); height above the supports' level [m], negative below; NaN where it was not seen
+    midpoint_std: Floats  # shape (n,); its standard error [m]
+    thickness: Floats  # shape (n,); at the midpoint, along the normal [m]; NaN below 2.5 blur widths
     thickness_std: Floats
-    place: Floats
-    shapes: Floats
+    place: Floats  # shape (points,); x of the shapes' points from halfway between the supports [m]
+    shapes: Floats  # shape (n, points); heights there [m]; NaN where the strand was not seen
     shapes_std: Floats
     shapes_thickness: Floats
-    release: float
+    release: float  # Time by the film's clock and its standard error [s]
     release_std: float
-    misfit: Floats
+    misfit: Floats  # shape (n,); residuals of the edges' brightness over the film's median
     refused: tuple[RefusedFrame, ...]
     codec: str
-    bits_per_pixel: float
-    factors: tuple[float, float]
-    warnings: tuple[str, ...]
+    bits_per_pixel: float  # infinite for pictures
+    factors: tuple[float, float]  # by which scatter over time widens the errors of midpoint and thickness
+    warnings: tuple[str, ...]  # What speaks against the numbers, and how to film better
 
     @property
     def span(self) -> float:

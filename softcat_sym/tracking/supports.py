@@ -140,4 +140,5 @@ def width_of(signal: Picture, region: Region, level: float, width: float) -> tup
     cosine = 1 / np.hypot(1, np.polyfit(whole[good], centre, 1)[0])
     fitted = curve(whole[good].astype(np.float64), np.diff(found.place[good], axis=1)[:, 0] * cosine, 1)
     at = np.linspace(whole[0], whole[-1], 20)
-    return float(fitted(at).mean()), float(np.sqrt(fitted.covariance(at).mean()))
+    # Of a bar that is not equally wide everywhere it is not known where the width was measured.
+    return float(fitted(at).mean()), float(np.hypot(np.sqrt(fitted.covariance(at).mean()), fitted(at).std()))
