@@ -194,11 +194,9 @@ def _with_errors(
     """Errors over time, zero, release and units."""
     camera, pixel = setup.camera, setup.pixel
     seen = np.isfinite(readings.height)
-    factors = (1.0, 1.0)
-    if seen.sum() >= 5:
-        time = readings.time[seen]
-        factors = (time_factor(time, readings.height[seen], readings.height_std[seen]),
-                   time_factor(time, readings.thickness[seen], readings.thickness_std[seen]))  # fmt: skip
+    time = readings.time[seen]
+    factors = (time_factor(time, readings.height[seen], readings.height_std[seen]),
+               time_factor(time, readings.thickness[seen], readings.thickness_std[seen]))  # fmt: skip
     std = np.hypot(factors[0] * readings.height_std, setup.floor)
     thickness_std = np.hypot(factors[1] * readings.thickness_std, setup.floor)
     when, when_std = _release(release, readings.time, readings.number, readings.height, std)
@@ -209,7 +207,6 @@ def _with_errors(
     shapes = readings.shapes - zero - slope * _places(camera)
     is_thin = np.nanmedian(readings.thickness) < _RESOLVED * camera.width
     thickness = np.where(is_thin, np.nan, readings.thickness)
-    seen = np.isfinite(readings.height)
     first = onset(readings.height[seen], std[seen])
     found = _warnings(setup, is_thin=bool(is_thin), is_late=first == 0, is_still=first == seen.sum())
     return Track(
@@ -222,25 +219,19 @@ def _with_errors(
 
 
 def _warnings(setup: Calibration, *, is_thin: bool, is_late: bool, is_still: bool) -> tuple[str, ...]:
-    found = []
-    if setup.is_starved:
-        found.append(
-            f"{setup.bits_per_pixel:.2g} bits a pixel and frame: slow motion is late by up to {setup.floor} px; film "
-            "as MJPEG, all-intra, or H.264 with crf 15 or less"
-        )
-    if is_thin:
-        found.append(f"thinner than {_RESOLVED} blur widths of {setup.camera.width:.2f} px: no thickness; come closer")
-    if is_still:
-        found.append("nothing moves")
-    if setup.window > _WINDOW:
-        found.append(
-            "light falls through the strand: what is between both outer edges is taken for one strand, not two"
-        )
-    if is_late:
-        found.append("the film begins with the strand in motion: its first frame is taken for the release")
-    if setup.camera.supports.left_std >= 0.5:
-        found.append("the supports' edges are known to half a pixel only")
-    return tuple(found)
+    width = setup.camera.width
+    found = {
+        f"{setup.bits_per_pixel:.2g} bits a pixel and frame: slow motion is late by up to {setup.floor} px; film as "
+        "MJPEG, all-intra, or H.264 with crf 15 or less": setup.is_starved,
+        f"thinner than {_RESOLVED} blur widths of {width:.2f} px: no thickness; come closer": is_thin,
+        "light falls through the strand: what is between both outer edges is taken for one strand, not two": (
+            setup.window > _WINDOW
+        ),
+        "nothing moves": is_still,
+        "the film begins with the strand in motion: its first frame is taken for the release": is_late,
+        "the supports' edges are known to half a pixel only": setup.camera.supports.left_std >= 0.5,
+    }
+    return tuple(text for text, holds in found.items() if holds)
 
 
 def _release(
