@@ -20,13 +20,13 @@
 #
 # A kelvin and a mole count as pure numbers in the dimensions of the table of symbols.
 #
-# Effects derived here: `temperature` (`heat_balance.lateral_area`).
+# Effects derived here: `temperature` (`heat.lateral_area`).
 
 # %%
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import heat_balance
+from softcat_sym.physics import heat
 from softcat_sym.physics.loads import SURFACES
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.sections import SECTIONS
@@ -43,16 +43,13 @@ from softcat_sym.physics.symbols import A0, X, h0, rho, s, t
 
 # %%
 T, stretch = (sp.Function(name, positive=True)(X, t) for name in ("theta", "s"))
-source, coefficient = heat_balance.heat_source, heat_balance.transfer
+source, coefficient = heat.heat_source, heat.transfer
 area, perimeter = A0 / stretch, 4 * A0 / h0 / sp.sqrt(stretch)
-flux = -heat_balance.conductivity * area * sp.diff(T, X) / stretch  # d/dl = d/(s dX)
-held = rho * heat_balance.heat_capacity * area * stretch * sp.diff(T, t)
-balance = held - (source - coefficient * perimeter * stretch * (T - heat_balance.ambient) - sp.diff(flux, X))
-stored, conducted = (
-    rho * heat_balance.heat_capacity * A0 * sp.diff(T, t),
-    heat_balance.conductivity * A0 / stretch**2 * sp.diff(T, X),
-)
-passed = coefficient * 4 * A0 / h0 * sp.sqrt(stretch) * (T - heat_balance.ambient)
+flux = -heat.conductivity * area * sp.diff(T, X) / stretch  # d/dl = d/(s dX)
+held = rho * heat.heat_capacity * area * stretch * sp.diff(T, t)
+balance = held - (source - coefficient * perimeter * stretch * (T - heat.ambient) - sp.diff(flux, X))
+stored, conducted = rho * heat.heat_capacity * A0 * sp.diff(T, t), heat.conductivity * A0 / stretch**2 * sp.diff(T, X)
+passed = coefficient * 4 * A0 / h0 * sp.sqrt(stretch) * (T - heat.ambient)
 prove_equal(balance, stored - (source - passed + sp.diff(conducted, X)))
 
 # %% [markdown]
@@ -66,8 +63,8 @@ expected = {
     "sheet": 2 / h0 * s,
 }
 for name, over_volume in expected.items():
-    prove_equal(heat_balance.lateral_area(SECTIONS[name], thins=True), over_volume)
-    prove_equal(heat_balance.lateral_area(SECTIONS[name], thins=False), over_volume.subs(s, 1))
+    prove_equal(heat.lateral_area(SECTIONS[name], thins=True), over_volume)
+    prove_equal(heat.lateral_area(SECTIONS[name], thins=False), over_volume.subs(s, 1))
 assert set(expected) == set(SURFACES)
 
 # %% [markdown]
@@ -87,7 +84,7 @@ stored = m * E * (strain - plastic) ** 2 / 2
 stress = m * E * (strain - plastic)
 flow = {sp.Derivative(plastic, t): stress / viscosity}
 dissipated = stress**2 / viscosity
-capacity = rho * heat_balance.heat_capacity
+capacity = rho * heat.heat_capacity
 softening = sp.diff(stored, kelvin)
 prove_equal(softening, stored * sp.diff(m, kelvin) / m)
 warming = (dissipated - lost) / (capacity + softening)
@@ -103,9 +100,9 @@ prove_equal(sp.simplify(rate.doit()), stress * sp.diff(strain, t) - lost)
 
 # %%
 time, length, mode, pace = sp.symbols("t L n b", positive=True)
-start, around = heat_balance.initial, heat_balance.ambient
+start, around = heat.initial, heat.ambient
 d = h0
-tau = rho * heat_balance.heat_capacity * d / (4 * coefficient)
+tau = rho * heat.heat_capacity * d / (4 * coefficient)
 cooled = around + (start - around) * sp.exp(-time / tau)
 assert vanishes(capacity * sp.diff(cooled, time) + 4 * coefficient / d * (cooled - around))
 
@@ -114,18 +111,18 @@ relaxing = modulus * epsilon * sp.exp(-modulus * time / viscosity)
 warmer = modulus * epsilon**2 / 2 * (1 - sp.exp(-2 * modulus * time / viscosity)) / capacity
 assert vanishes(capacity * sp.diff(warmer, time) - relaxing**2 / viscosity)
 
-decay = heat_balance.conductivity * (mode * sp.pi / length) ** 2 / capacity
+decay = heat.conductivity * (mode * sp.pi / length) ** 2 / capacity
 wave = sp.cos(mode * sp.pi * X / length) * sp.exp(-decay * time)
-assert vanishes(capacity * sp.diff(wave, time) - heat_balance.conductivity * sp.diff(wave, X, 2))
+assert vanishes(capacity * sp.diff(wave, time) - heat.conductivity * sp.diff(wave, X, 2))
 
 following = pace * (time - tau * (1 - sp.exp(-time / tau)))
 assert vanishes(tau * sp.diff(following, time) - (pace * time - following))
 
-reach = sp.sqrt(heat_balance.conductivity * d / (4 * coefficient))
-inside = around + (heat_balance.outside - around) / 2 * sp.exp(X / reach)  # X < 0
-outside = heat_balance.outside - (heat_balance.outside - around) / 2 * sp.exp(-X / reach)
-for side, far in ((inside, around), (outside, heat_balance.outside)):
-    assert vanishes(heat_balance.conductivity * sp.diff(side, X, 2) - 4 * coefficient / d * (side - far))
+reach = sp.sqrt(heat.conductivity * d / (4 * coefficient))
+inside = around + (heat.outside - around) / 2 * sp.exp(X / reach)  # X < 0
+outside = heat.outside - (heat.outside - around) / 2 * sp.exp(-X / reach)
+for side, far in ((inside, around), (outside, heat.outside)):
+    assert vanishes(heat.conductivity * sp.diff(side, X, 2) - 4 * coefficient / d * (side - far))
 assert vanishes((inside - outside).subs(X, 0))
 assert vanishes(sp.diff(inside - outside, X).subs(X, 0))
 
@@ -137,23 +134,17 @@ assert vanishes(sp.diff(inside - outside, X).subs(X, 0))
 # temperature $B\ln 10$. All are one at the reference.
 
 # %%
-vft = heat_balance.shift("vft", by_reference=True)
-above = heat_balance.reference - heat_balance.T_V
-wlf = heat_balance.shift("wlf", by_reference=True).subs(
-    {heat_balance.C_1: heat_balance.B_V / above, heat_balance.C_2: above}
-)
+vft = heat.shift("vft", by_reference=True)
+above = heat.reference - heat.T_V
+wlf = heat.shift("wlf", by_reference=True).subs({heat.C_1: heat.B_V / above, heat.C_2: above})
 assert vanishes(sp.log(vft).expand(force=True) - sp.log(wlf).expand(force=True)) or vanishes(
     sp.simplify(sp.expand_log(sp.log(vft / wlf), force=True))
 )
-arrhenius = heat_balance.shift("arrhenius", by_reference=True)
-limit = sp.expand_log(
-    sp.log(vft.subs(heat_balance.T_V, 0) / arrhenius.subs(heat_balance.B_A, heat_balance.B_V * sp.log(10))), force=True
-)
+arrhenius = heat.shift("arrhenius", by_reference=True)
+limit = sp.expand_log(sp.log(vft.subs(heat.T_V, 0) / arrhenius.subs(heat.B_A, heat.B_V * sp.log(10))), force=True)
 assert vanishes(limit)
 for law in ("vft", "wlf", "arrhenius"):
-    assert vanishes(
-        heat_balance.shift(law, by_reference=True).subs(heat_balance.temperature, heat_balance.reference) - 1
-    )
+    assert vanishes(heat.shift(law, by_reference=True).subs(heat.temperature, heat.reference) - 1)
 
 # %% [markdown]
 # ## A thin fibre in still air
@@ -166,11 +157,9 @@ for law in ("vft", "wlf", "arrhenius"):
 # grows as $0.36\,k/d$.
 
 # %%
-given = {heat_balance.temperature: 320, heat_balance.around: 300, s: 1, sp.Symbol("g", positive=True): sp.Float("9.81")}
-conducts = float(heat_balance.air(sp.Integer(310))[0])
-numbers = [
-    float(heat_balance.cylinder_in_air().subs(given).subs(h0, one)) * one / conducts for one in (1e-2, 1e-4, 1e-8)
-]
+given = {heat.temperature: 320, heat.around: 300, s: 1, sp.Symbol("g", positive=True): sp.Float("9.81")}
+conducts = float(heat.air(sp.Integer(310))[0])
+numbers = [float(heat.cylinder_in_air().subs(given).subs(h0, one)) * one / conducts for one in (1e-2, 1e-4, 1e-8)]
 print("Nu of 10 mm, 0.1 mm and 10 nm:", [f"{number:.3f}" for number in numbers])
 assert numbers[0] > numbers[1] > numbers[2] > 0.36
 assert abs(numbers[2] - 0.36) < 1e-2

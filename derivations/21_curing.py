@@ -26,7 +26,7 @@ from proving import prove_equal
 
 from softcat_sym.physics import bulk, constitutive_laws, reissner, symbols
 from softcat_sym.physics.kinematics import TRUE_STRAIN
-from softcat_sym.physics.section_response import SectionModel, natural_strains, respond, shrunk
+from softcat_sym.physics.section_response import SectionShape, natural_strains, respond, shrunk
 from softcat_sym.physics.section_response import material as closure
 from softcat_sym.physics.sections import SECTIONS
 
@@ -80,7 +80,7 @@ prove_equal(stress_rate, E * sp.diff(eps, t) + sp.diff(E, t) / E * sigma)
 growth = constitutive_laws.growth_of(symbols.E)
 for law in (constitutive_laws.law_of("elastic"), constitutive_laws.law_of("maxwell")):
     branch = constitutive_laws.Branch(flow=law.branches[0].flow, growth=growth)
-    outline = SectionModel(
+    outline = SectionShape(
         SECTIONS["rectangle"],
         SECTIONS["rectangle"].contraction,
         TRUE_STRAIN,

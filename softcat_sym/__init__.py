@@ -3,14 +3,9 @@
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
 ``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
 name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
-<<<<<<< HEAD
-each effect is worth; ``track`` reads a film, ``fit`` finds the material of a filament that was filmed, ``card`` puts
-all on one page; ``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
-=======
-each effect is worth; ``longest_span`` how far a filament reaches; ``fit`` finds the material of one that was filmed,
-``read_material`` that of a rheometer's files; ``card`` puts all on one page; ``register_effect`` adds physics. SymPy,
-CasADi and matplotlib are loaded when they are first used.
->>>>>>> main
+each effect is worth; ``longest_span`` how far a filament reaches; ``track`` reads a film, ``fit`` finds the material of
+a filament that was filmed, ``read_material`` that of a rheometer's files; ``card`` puts all on one page;
+``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
-from softcat_sym.codegen.interface import Description, Steps, rendered
+from softcat_sym.codegen.interface import Description, StepSettings, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
 from softcat_sym.discretization.parameters import parameter_values
@@ -158,7 +158,9 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())
-    steps = Steps(float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0)
+    steps = StepSettings(
+        float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0
+    )
     return Description(scene, effects, filament.graph, filament.structure, model, steps), filament
 
 

@@ -17,11 +17,11 @@ from softcat_sym.effects.temperature import biot_number, cooling_time, transfer_
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.physics import heat_balance as sy
+from softcat_sym.physics import heat as sy
 from softcat_sym.results.fields import heat_residual
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.start import Start

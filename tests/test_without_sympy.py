@@ -13,7 +13,7 @@ from sympy import chebyshevu, legendre
 from softcat_sym.discretization.point_rule import POINT_TABLES
 from softcat_sym.discretization.section_rule import polynomials
 from softcat_sym.effects.temperature import cylinder_in_air
-from softcat_sym.physics import heat_balance
+from softcat_sym.physics import heat
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.densities import Densities
@@ -140,5 +140,5 @@ def test_numbers_of_sections_are_those_of_their_expressions() -> None:
 
 
 def test_the_correlation_of_a_cylinder_in_air_is_that_of_its_expression() -> None:
-    given = {heat_balance.temperature: 900.0, heat_balance.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
-    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat_balance.cylinder_in_air().subs(given)))
+    given = {heat.temperature: 900.0, heat.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
+    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat.cylinder_in_air().subs(given)))

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from softcat_sym.batch.members import Member, Row
-from softcat_sym.batch.records import RecordField
+from softcat_sym.batch.records import RecordColumn
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
@@ -18,10 +18,10 @@ from softcat_sym.solvers.settings import settings_for
 from softcat_sym.solvers.solve import Prepared, structure_for
 
 RESOLUTION = {
-    "cells": RecordField("1", "cells per half span"),
-    "fibres": RecordField("1", "fibres of the section; NaN where it is not resolved by them"),
-    "rtol": RecordField("1", "relative tolerance of the integrator"),
-    "error_estimate": RecordField(
+    "cells": RecordColumn("1", "cells per half span"),
+    "fibres": RecordColumn("1", "fibres of the section; NaN where it is not resolved by them"),
+    "rtol": RecordColumn("1", "relative tolerance of the integrator"),
+    "error_estimate": RecordColumn(
         "1", "estimated error of the midpoint over its largest; NaN where it was not estimated"
     ),
 }

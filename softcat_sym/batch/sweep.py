@@ -26,7 +26,7 @@ from softcat_sym.batch.plan import SweepPlan, plan_sweep
 from softcat_sym.batch.records import (
     Batch,
     Record,
-    RecordField,
+    RecordColumn,
     Table,
     Variables,
     append,
@@ -59,31 +59,31 @@ from softcat_sym.solvers.solution import watched
 SHAPE_FRAMES, SHAPE_NODES = 21, 41
 STORE, TABLE = "sweep.nc", "sweep.csv"
 
-_COLUMNS: Final[Mapping[str, RecordField]] = {
-    "outcome": RecordField(
+_COLUMNS: Final[Mapping[str, RecordColumn]] = {
+    "outcome": RecordColumn(
         "", "how the run ended; refused: invalid scene; failed: error of the program; lost: its worker died", dtype=str
     ),
-    "regime": RecordField("", "regime that the run shows; empty if the run is no answer", dtype=str),
-    "message": RecordField("", "why the run is no answer", dtype=str),
-    "midpoint_final": RecordField("m", "height of midspan at the end, negative down"),
-    "sag_largest": RecordField("m", "largest sag of midspan, positive down"),
-    "sag_over_span": RecordField("1", "largest sag of midspan over the span"),
-    "time_to_90": RecordField("s", "time at which the sag first reaches 90 % of its last value"),
-    "largest_stretch": RecordField("1", "largest stretch of the centreline, at any place and time"),
-    "energy_residual": RecordField("1", "imbalance of energy over the largest energy"),
-    "wall_s": RecordField("s", "wall time, while other members run in parallel"),
+    "regime": RecordColumn("", "regime that the run shows; empty if the run is no answer", dtype=str),
+    "message": RecordColumn("", "why the run is no answer", dtype=str),
+    "midpoint_final": RecordColumn("m", "height of midspan at the end, negative down"),
+    "sag_largest": RecordColumn("m", "largest sag of midspan, positive down"),
+    "sag_over_span": RecordColumn("1", "largest sag of midspan over the span"),
+    "time_to_90": RecordColumn("s", "time at which the sag first reaches 90 % of its last value"),
+    "largest_stretch": RecordColumn("1", "largest stretch of the centreline, at any place and time"),
+    "energy_residual": RecordColumn("1", "imbalance of energy over the largest energy"),
+    "wall_s": RecordColumn("s", "wall time, while other members run in parallel"),
     **RESOLUTION,
-    "span": RecordField("m", "span of the filament"),
-    "thickness": RecordField("m", "thickness of the undeformed filament"),
-    "duration": RecordField("s", "duration of the run"),
+    "span": RecordColumn("m", "span of the filament"),
+    "thickness": RecordColumn("m", "thickness of the undeformed filament"),
+    "duration": RecordColumn("s", "duration of the run"),
 }
 """Columns of the table."""
 
 _MIDPOINT: Final = {
-    "midpoint": RecordField("m", "height of midspan, negative down; NaN where there is no answer", ("frame",))
+    "midpoint": RecordColumn("m", "height of midspan, negative down; NaN where there is no answer", ("frame",))
 }
-_SHAPES: Final[Mapping[str, RecordField]] = {
-    name: RecordField(
+_SHAPES: Final[Mapping[str, RecordColumn]] = {
+    name: RecordColumn(
         unit, f"{meaning}, at equal steps of time and material", ("shape_frame", "shape_node"), dtype=np.float32
     )
     for name, unit, meaning in (
@@ -176,7 +176,7 @@ def _has_missing_effect(run: MemberRun) -> bool:
 class _Parts:
     """Finished blocks in a file, in the order in which they finish, so that memory does not grow with their number."""
 
-    def __init__(self, plan: SweepPlan, columns: Mapping[str, RecordField], file: IO[bytes]) -> None:
+    def __init__(self, plan: SweepPlan, columns: Mapping[str, RecordColumn], file: IO[bytes]) -> None:
         self._plan, self._columns, self._file = plan, columns, file
         self.places: dict[int, tuple[int, int]] = {}
 

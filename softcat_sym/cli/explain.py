@@ -42,19 +42,19 @@ def explain(
     the problem and the limits of the theory; with -v the equations too.
     """
     if output is None:
-        asked = cli.scene_of(scene, changes)
+        resolved = cli.scene_of(scene, changes)
     else:
-        asked, output = cli.scene_and_directory(scene, changes, output, "explain")
-    explanation = study.explain(asked)
+        resolved, output = cli.scene_and_directory(scene, changes, output, "explain")
+    explanation = study.explain(resolved)
     contents = {
         "explain.json": explanation.to_dict(),
         "equations.tex": article(explanation.title, explanation.in_force, explanation.equations),
-        "scene.toml": asked.to_toml(),
+        "scene.toml": resolved.to_toml(),
     }
     written = [] if output is None else files.write_results(output, contents)
     if not quiet:
-        assumed = filter(None, [asked.material.assumed])
-        notes = [*(("converted", note) for note in asked.notes), *(("assumed", note) for note in assumed)]
+        assumed = filter(None, [resolved.material.assumed])
+        notes = [*(("converted", note) for note in resolved.notes), *(("assumed", note) for note in assumed)]
         print_explanation(explanation, notes=notes, verbose=verbose)
         if output is not None:
             cli.print_written(written, output)

@@ -87,6 +87,9 @@ def fit(
     starts: Annotated[
         int, cli.option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
     ] = STARTS,
+    method: Annotated[
+        str, cli.option("METHOD", "Search for the optimum: least-squares (SciPy), or ipopt, which takes longer.")
+    ] = "least-squares",
     no_profiles: Annotated[
         bool,
         cli.switch(
@@ -160,6 +163,7 @@ def fit(
             "loss": robust,
             "starts": starts,
             "seed": seed,
+            "method": method,  # type: ignore[typeddict-item]
             "progress": progress,
             "profiles": not no_profiles,
             "calibrated": calibrated,

@@ -582,6 +582,8 @@ def _read(
             scene = scene.replace({"run.duration": f"{read_positive(time, 'time', 's')!r} s"})
         except NotAQuantity as found:
             faults.append(Fault("time", str(found), 'a positive time such as "10 s"'))
+    if scene.pillars.present:
+        faults.append(Fault("pillars", "given, whose gap no search varies", "softcat sweep over pillars.gap"))
     span, least = scene.filament.span, _THICK * scene.filament.thickness
     try:
         pair = within or (span / _FACTOR, span * _FACTOR)

@@ -48,7 +48,7 @@ from softcat_sym.discretization.unknowns import (
     Slot,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.heat_balance import initial, temperature
+from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.polymer_chains import Direction

@@ -53,17 +53,36 @@ class Grid:
         return np.asarray((self.nodes[1:] + self.nodes[:-1]) / 2, dtype=float)
 
 
-def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: bool = False) -> Grid:
+def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: bool = False, edge: float = 0.5) -> Grid:
     """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2."""
-    return Grid(_graded(cells, grading, middle=middle), SYMMETRY, support)
+    return Grid(_edged(cells, grading, middle=middle, edge=edge), SYMMETRY, support)
 
 
 def whole_span(
-    cells_per_half: int, left: Support, right: Support, grading: float = 1.0, *, middle: bool = False
+    cells_per_half: int,
+    left: Support,
+    right: Support,
+    grading: float = 1.0,
+    *,
+    middle: bool = False,
+    edge: float = 0.5,
 ) -> Grid:
     """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal."""
-    half = _graded(cells_per_half, grading, middle=middle)
+    half = _edged(cells_per_half, grading, middle=middle, edge=edge)
     return Grid(np.concatenate([-half[:0:-1], half]), left, right)
+
+
+def _edged(cells: int, grading: float, *, middle: bool, edge: float) -> Floats:
+    """X/L from 0 to 1/2 with a node at the edge of a body, towards which the lengths decrease from either side.
+
+    A node presses on a sharp edge where the edge is, only if it is there: elsewhere the span would be a cell longer.
+    """
+    inner = round(2 * cells * edge)
+    if edge >= 0.5 or not 0 < inner < cells:
+        return _graded(cells, grading, middle=middle)
+    before = 2 * edge * _graded(inner, grading, middle=middle)
+    behind = 0.5 - (1 - 2 * edge) * _graded(cells - inner, grading, middle=False)[::-1]
+    return np.concatenate([before, behind[1:]])
 
 
 def _graded(cells: int, grading: float, *, middle: bool) -> Floats:

@@ -40,7 +40,7 @@ class Strains:
 
 
 @dataclass
-class SectionResultants:
+class SectionParts:
     """What a section does: sums over its parts, in expressions of a cell."""
 
     tension: ca.SX = field(default_factory=lambda: ca.SX(0))
@@ -57,13 +57,13 @@ class SectionResultants:
     conformation: list[ca.SX] = field(default_factory=list)
 
 
-def linear_section(b: Builder, at: Strains) -> SectionResultants:
+def linear_section(b: Builder, at: Strains) -> SectionParts:
     """The section of the paper: a plastic strain linear through the thickness; stretching on cells, bending on joints.
 
     What has a potential is differentiated. What has none - the printed closure, and a finite stretch of a section that
     does not thin - states its resultants, conjugate to the rates of the strains (virtual power).
     """
-    response, found = b.equations.response, SectionResultants()
+    response, found = b.equations.response, SectionParts()
     for j, part in enumerate(response.parts):
         viscous = isinstance(part, ViscousResponse)
         flows = isinstance(part, BranchResponse) and part.means is not None
@@ -135,7 +135,7 @@ def linear_section(b: Builder, at: Strains) -> SectionResultants:
     return found
 
 
-def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: SectionResultants) -> None:
+def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: SectionParts) -> None:
     """Polymer chains of a section that does not bend: one conformation in every cell."""
     response, strain = b.equations.response, b.equations.strain.strain
     slots = [Slot(chain_state(one), "cell", (False, False), True, "", section=False) for one in chains.states]
@@ -225,17 +225,12 @@ def kirchhoff(b: Builder) -> Mechanics:
         shown,
         double_force=double_force,
         profiles=section.profiles,
-        ageing=_aged(b, section, surface),
+        ageing=[*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else [],
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
     )
 
 
-def _aged(b: Builder, section: SectionResultants, surface: list[Field]) -> list[Field]:
-    """What clocks do to stored energies at strains that are held, and to what resists."""
-    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else []
-
-
-def _shown(b: Builder, section: SectionResultants, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:
+def _shown(b: Builder, section: SectionParts, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:
     thickness = b.equations.response.thickness / symbols.h0
     return {
         "shear_force": transverse / s,

@@ -14,7 +14,7 @@ from softcat_sym.physics.spatial import natural_twist
 
 
 @dataclass(frozen=True, slots=True)
-class NumericInput:
+class Parameter:
     """A numeric input of the graph: its leaf name in the scene, its symbol and its unit."""
 
     name: str
@@ -22,25 +22,25 @@ class NumericInput:
     unit: str
 
 
-CATALOGUE: tuple[NumericInput, ...] = (
-    NumericInput(REST_LENGTH, symbols.L_0, "m"),
-    NumericInput("thickness", symbols.h0, "m"),
-    NumericInput("density", symbols.rho, "kg/m^3"),
-    NumericInput("gravity", symbols.g, "m/s^2"),
-    NumericInput("ramp", symbols.g_on, "s"),
-    NumericInput("youngs_modulus", symbols.E, "Pa"),
-    NumericInput("viscosity", symbols.eta, "Pa*s"),
-    NumericInput("solid_viscosity", symbols.eta_s, "Pa*s"),
-    NumericInput("yield_stress", symbols.sigma_Y, "Pa"),
-    NumericInput("poisson", nu, "1"),
-    NumericInput("curvature", symbols.kappa_0, "1/m"),
-    NumericInput("twist", natural_twist, "1/m"),
-    NumericInput("aspect", aspect, "1"),
-    NumericInput("surface_tension", surface_tension, "N/m"),
-    NumericInput("bath_density", symbols.rho_b, "kg/m^3"),
-    NumericInput("bath_viscosity", symbols.mu_b, "Pa*s"),
-    NumericInput("shake", symbols.a_g, "1"),
-    NumericInput("shake_frequency", symbols.f_g, "Hz"),
+CATALOGUE: tuple[Parameter, ...] = (
+    Parameter(REST_LENGTH, symbols.L_0, "m"),
+    Parameter("thickness", symbols.h0, "m"),
+    Parameter("density", symbols.rho, "kg/m^3"),
+    Parameter("gravity", symbols.g, "m/s^2"),
+    Parameter("ramp", symbols.g_on, "s"),
+    Parameter("youngs_modulus", symbols.E, "Pa"),
+    Parameter("viscosity", symbols.eta, "Pa*s"),
+    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
+    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
+    Parameter("poisson", nu, "1"),
+    Parameter("curvature", symbols.kappa_0, "1/m"),
+    Parameter("twist", natural_twist, "1/m"),
+    Parameter("aspect", aspect, "1"),
+    Parameter("surface_tension", surface_tension, "N/m"),
+    Parameter("bath_density", symbols.rho_b, "kg/m^3"),
+    Parameter("bath_viscosity", symbols.mu_b, "Pa*s"),
+    Parameter("shake", symbols.a_g, "1"),
+    Parameter("shake_frequency", symbols.f_g, "Hz"),
 )
 
 

@@ -21,12 +21,12 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
-from softcat_sym.physics import kinematic_hardening, polymer_chains, reissner, spatial, symbols
+from softcat_sym.physics import hardening_rule, polymer_chains, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
 from softcat_sym.physics.structure_kinetics import speed
-from softcat_sym.physics.time_dependence import State, TimeDependence
+from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12
 """Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
@@ -152,9 +152,7 @@ def _profiles(rule: SectionRule, names: Sequence[str], power: float = 1.0) -> di
     return {name: (power * float(m), power * float(z)) for name, m, z in zip(names, mean, linear, strict=True)}
 
 
-def _follow_clock(
-    b: Builder, rule: SectionRule, points: Sequence[_Point], clock: TimeDependence, state: State
-) -> list[str]:
+def _follow_clock(b: Builder, rule: SectionRule, points: Sequence[_Point], clock: Clock, state: State) -> list[str]:
     """What a clock makes of the constants at every point, by its state there; the names of its states."""
     names = [f"{clock.name}_{label}" for label in rule.labels]
     for point, here in zip(points, _recalled(b, rule, names), strict=True):
@@ -187,7 +185,7 @@ def _add_branch(
     moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
-    for row, symbol in zip(back, (kinematic_hardening.axial, kinematic_hardening.shear), strict=False):
+    for row, symbol in zip(back, (hardening_rule.axial, hardening_rule.shear), strict=False):
         for point, state in zip(points, _recalled(b, rule, row), strict=True):
             point.values[symbol] = state
     nothing = [ca.SX(0)] * rule.points

@@ -85,7 +85,19 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
     if surface and not rule.is_spatial:
         shown["axial_force"] = sum((f[0] * t for f, t in zip(force, slope, strict=True)), ca.SX(0)) / stretch[0]
     if isinstance(frame, Quaternion):
-        shown |= _out_of_the_plane(b, strains, conjugate, points)
+        # What a run stores of the cells beside what it stores in the plane
+        Lam, _, third, twist, k_2, _ = strains
+        mean, bending, *_ = points.means.values()
+        shown |= {
+            "curvature_2": k_2 / Lam,
+            "twist": twist,
+            "shear_3": third / Lam,
+            "shear_force_3": conjugate[2],
+            "torque": conjugate[3],
+            "moment_2": conjugate[4],
+            "stress_mean": mean,
+            "stress_bending": bending / float(b.equations.shape.zeta_squared),
+        }
     return Mechanics(
         places,
         speeds,
@@ -132,24 +144,6 @@ def _fixed(
     )
     pinned = (at for at, one in ((0, b.first), (-1, b.last)) if not (one.is_free or one.carries_moment))
     return {name: dict.fromkeys(pinned, value)}
-
-
-def _out_of_the_plane(
-    b: Builder, strains: list[ca.SX], conjugate: list[ca.SX], points: SectionSums
-) -> dict[str, ca.SX]:
-    """What a run stores of the cells beside what it stores in the plane."""
-    Lam, _, third, twist, k_2, _ = strains
-    mean, bending, *_ = points.means.values()
-    return {
-        "curvature_2": k_2 / Lam,
-        "twist": twist,
-        "shear_3": third / Lam,
-        "shear_force_3": conjugate[2],
-        "torque": conjugate[3],
-        "moment_2": conjugate[4],
-        "stress_mean": mean,
-        "stress_bending": bending / float(b.equations.shape.zeta_squared),
-    }
 
 
 def _aged(b: Builder, volume: ca.SX, fibres: SectionSums, surface: list[Field]) -> list[Field]:

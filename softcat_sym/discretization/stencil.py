@@ -159,10 +159,8 @@ class Spread:
 
     def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""
-        pieces = [
-            (one.where, one.value),
-            *((SiteRange(site, 0, alone=True), value) for site, value in one.ends.items()),
-        ]
+        ends = ((SiteRange(site, 0, alone=True), value) for site, value in one.ends.items())
+        pieces = [(one.where, one.value), *ends]
         found = sorted((self._column(where, value) for where, value in pieces), key=lambda piece: piece[0])
         return ca.vertcat(*(column for _, column in found))
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.errors import Fault
 from softcat_sym.estimates.motion import Motion
@@ -141,6 +144,23 @@ class EffectConstant:
         return sy.enter(self.symbol_name, self.symbol_name, (kilogram, metre, second), self.meaning, "[effects]")
 
 
+Fields = Mapping[str, npt.NDArray[np.float64]]
+"""Variables of a trajectory by name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Observed:
+    """What an effect adds to a finished run."""
+
+    fields: Fields = field(default_factory=dict)  # Further variables
+    summary: Mapping[str, Any] = field(default_factory=dict)  # Further entries of the summary
+    doubt: str = ""  # Why the answer is not to be trusted; empty if it is
+
+
+def _nothing(_scene: Scene, _fields: Fields) -> Observed:
+    return Observed()
+
+
 def never(scene: Scene) -> bool:
     """Apply to no scene: the default of an effect, which then applies to scenes with its table."""
     del scene
@@ -197,6 +217,10 @@ class Effect:
         Outcome of a run that may be due to its absence, ``"failure"`` for any; `auto` then adds the effect.
     dear : bool
         Whether "everything" omits it, as it makes runs with yielding hinges many times longer.
+    values : callable
+        ``scene -> {name: value}``: numbers of its terms that the scene does not state itself.
+    observe : callable
+        ``(scene, fields) -> Observed``: what it adds to a finished run in which it is in force.
     causes : tuple of str
         Causes under which a card counts the effect if a rule of thumb fails. Inertia is also left out with flow, as a
         filament without losses would oscillate for ever.
@@ -227,6 +251,8 @@ class Effect:
     cures: str = ""
     dear: bool = False
     causes: tuple[str, ...] = ()
+    values: Callable[[Scene], dict[str, float]] = lambda _scene: {}
+    observe: Callable[[Scene, Fields], Observed] = _nothing
 
     @property
     def densities(self) -> Densities:

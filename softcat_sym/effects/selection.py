@@ -34,8 +34,8 @@ def _of_closure(scene: Scene, chosen: Chosen) -> Iterator[Fault]:
     beyond = [effect.name for effect in chosen if not effect.in_paper]
     if scene.run.closure == "printed" and beyond:
         key = _fibre_key(scene)
-        asked = getattr(scene.numerics, key)
-        found = f"'printed' with numerics.{key} = {asked}" if asked else f"'printed' with {', '.join(beyond)}"
+        requested = getattr(scene.numerics, key)
+        found = f"'printed' with numerics.{key} = {requested}" if requested else f"'printed' with {', '.join(beyond)}"
         accepted = "'material', or the published effects without numerics.fibres and with numerics.order = 1"
         yield Fault("run.closure", found, accepted)
 
@@ -76,15 +76,15 @@ def _fibre_key(scene: Scene) -> str:
     return "fibres" if scene.numerics.fibres is not None else "order"
 
 
-def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
+def implied_extensibility(scene: Scene, requested: Collection[str]) -> dict[str, str]:
     """Why a list that does not name extensibility includes it anyway; empty if it does not."""
     name = EXTENSIBILITY.name
-    if name in asked or not EXTENSIBILITY.applies(scene):
+    if name in requested or not EXTENSIBILITY.applies(scene):
         return {}
     needed = EXTENSIBILITY.indispensable(scene)
-    if needed or any(name in effect.needs for effect in REGISTRY if effect.name in asked):
+    if needed or any(name in effect.needs for effect in REGISTRY if effect.name in requested):
         return {name: needed or "needed by effects that are named"}
-    return {} if BENDING.name in asked else {name: "without bending nothing else carries the load"}
+    return {} if BENDING.name in requested else {name: "without bending nothing else carries the load"}
 
 
 def refuse_tables(scene: Scene) -> None:
@@ -97,19 +97,19 @@ def refuse_tables(scene: Scene) -> None:
             accepted = f"an effect with constants: {', '.join(known)}" if known else "an effect that is registered"
             faults.append(Fault(path, "no effect of this name has constants", accepted))
             continue
-        asked, given = {one.name: one for one in known[name].constants}, {one.name: one for one in table}
-        accepted = ", ".join(f"{one.name} [{one.unit}]" for one in asked.values())
+        requested, given = {one.name: one for one in known[name].constants}, {one.name: one for one in table}
+        accepted = ", ".join(f"{one.name} [{one.unit}]" for one in requested.values())
         faults += [
             Fault(f"{path}.{key}", "missing", f"{one.meaning} [{one.unit}]")
-            for key, one in asked.items()
+            for key, one in requested.items()
             if key not in given
         ]
         for key, one in given.items():
-            if key not in asked:
+            if key not in requested:
                 faults.append(Fault(f"{path}.{key}", f"{name!r} has no such constant", accepted))
-            elif not same_dimension(one.dimension, asked[key].dimension):
+            elif not same_dimension(one.dimension, requested[key].dimension):
                 found = f"in {si_unit(one.dimension) or 'plain numbers'}"
-                faults.append(Fault(f"{path}.{key}", found, f"a value in {asked[key].unit}"))
+                faults.append(Fault(f"{path}.{key}", found, f"a value in {requested[key].unit}"))
     if faults:
         raise SceneError(faults)
 
@@ -122,9 +122,9 @@ def why_not(effect: Effect, scene: Scene) -> str:
     return SMALL_MODEL if small else effect.without_it.removesuffix(f", or {SMALL_MODEL}")
 
 
-def refuse(scene: Scene, asked: Iterable[str]) -> None:
+def refuse(scene: Scene, requested: Iterable[str]) -> None:
     """Refuse names that are unknown, that the scene cannot have, or that need another effect: one fault each."""
-    known, named = {effect.name: effect for effect in REGISTRY}, tuple(asked)
+    known, named = {effect.name: effect for effect in REGISTRY}, tuple(requested)
     whole = [name for name in ("auto", "paper") if name in named]
     if whole:
         # Needs of the other names are not checked, as the word may stand for them.
@@ -250,6 +250,7 @@ class Effects:
             shaken=False,
             drag="",
             added_mass=False,
+            touches=tuple(replace(one, resists=False) for one in found.touches),
             densities=tuple(one.at_rest for one in found.densities),
         )
 
@@ -261,7 +262,14 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     list.
     """
     refuse_tables(scene)
-    estimates = _estimates(scene)
+    # Estimate of each effect that applies, by its name. For a material that changes in time, the largest of its
+    # beginning, middle and end
+    stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
+    estimates = {
+        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)
+        for effect in REGISTRY
+        if effect.applies(scene)
+    }
     reasons = _reasons(scene, estimates, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
     refuse_together(scene, chosen)
@@ -273,19 +281,6 @@ def bare(scene: Scene) -> Terms:
     """The filament of this material and shape without any effect; the small-deflection model has its own tension."""
     stretches = scene.model == "small-deflection"
     return Terms(law=law_in(scene), curved=is_curved(scene), stretches=stretches)
-
-
-def _estimates(scene: Scene) -> dict[str, Estimate]:
-    """Estimate of each effect that applies, by its name.
-
-    For a material that changes in time, the largest of its beginning, middle and end.
-    """
-    stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
-    return {
-        effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)
-        for effect in REGISTRY
-        if effect.applies(scene)
-    }
 
 
 def _decision(effect: Effect, scene: Scene, estimate: Estimate | None, reasons: Mapping[str, str]) -> Decision:
@@ -306,15 +301,15 @@ def _decision(effect: Effect, scene: Scene, estimate: Estimate | None, reasons: 
 
 def _reasons(scene: Scene, estimates: Mapping[str, Estimate], shown: Mapping[str, str]) -> dict[str, str]:
     """Reasons of the effects in force, by name."""
-    asked = scene.run.effects
-    if not isinstance(asked, str):
-        implied = _implied(scene, asked)
-        implied |= implied_extensibility(scene, (*asked, *implied))
-        refuse(scene, (*asked, *implied))
-        return dict.fromkeys(asked, "named in run.effects") | implied
+    requested = scene.run.effects
+    if not isinstance(requested, str):
+        implied = _implied(scene, requested)
+        implied |= implied_extensibility(scene, (*requested, *implied))
+        refuse(scene, (*requested, *implied))
+        return dict.fromkeys(requested, "named in run.effects") | implied
     if _is_published(scene):
         reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
-        if asked == "auto" and scene.run.closure != "printed":
+        if requested == "auto" and scene.run.closure != "printed":
             # The small-deflection model includes the pull of the surface as an additional tension.
             reasons |= _called_for(scene, estimates, (SURFACE_TENSION,))
         reasons |= {e.name: why for e in (GRAVITY_SHAKING,) if e.applies(scene) and (why := e.indispensable(scene))}
@@ -362,7 +357,7 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
     return complete
 
 
-def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
+def _implied(scene: Scene, requested: Iterable[str]) -> dict[str, str]:
     """Effects that another key requires: numerics.fibres, or an order beyond the paper's, requires fibres."""
     numerics = scene.numerics
     if numerics.fibres is None and (numerics.order or 0) <= 1:
@@ -372,4 +367,4 @@ def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
         found = f"{getattr(numerics, key)}, but {why_not(FIBRES, scene)}"
         accepted = "leaving it out" if key == "fibres" else "1, or leaving it out"
         raise SceneError([Fault(f"numerics.{key}", found, accepted)])
-    return {} if FIBRES.name in asked else {FIBRES.name: "asked for by numerics.fibres or numerics.order"}
+    return {} if FIBRES.name in requested else {FIBRES.name: "asked for by numerics.fibres or numerics.order"}

@@ -17,7 +17,7 @@ from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.tables import frozen_below, viscosity_factor
-from softcat_sym.scene.temperature import PREFIX
+from softcat_sym.scene.temperature_table import PREFIX
 
 _THICK = 0.1
 """Biot number above which the temperature is not uniform: the middle lags by a twentieth of the difference."""
@@ -54,7 +54,7 @@ def transfer_coefficient(scene: Scene) -> float:
 
 
 def cylinder_in_air(kelvin: float, around: float, diameter: float, gravity: float) -> float:
-    """Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat_balance.cylinder_in_air`."""
+    """The correlation of Churchill & Chu (1975) in numbers, as :func:`softcat_sym.physics.heat.cylinder_in_air`."""
     film = (kelvin + around) / 2
     conducts = 2.64638e-3 * math.pow(film, 1.5) / (film + 245.4 * math.pow(10, -12 / film))
     viscosity = 1.458e-6 * math.pow(film, 1.5) / (film + 110.4) * 287.05287 * film / 101325

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy.typing as npt
 
 from softcat_sym.estimates import quasi_static_sag as quasi_static
 from softcat_sym.estimates import scaling as scales
-from softcat_sym.estimates.free_vibration import LowestMode, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates.free_vibration import ExpectedRinging, ringing, solid_decay, solid_retardation
 from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
@@ -23,7 +24,7 @@ from softcat_sym.scene.scene import (
     rest_length,
     undeformed_area,
 )
-from softcat_sym.scene.tables import farthest
+from softcat_sym.scene.tables import farthest, unsupported
 
 
 def shaken_share(scene: Scene) -> float:
@@ -134,7 +135,12 @@ def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity:
     if largest == 0 or gravity == 0 or len(time) < 2:
         return 0.0
     moved = np.abs(sag - sag[0])
-    slow = _accelerated(time, sag, gravity)
+    # Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries
+    if len(time) < 3:
+        slow = 0.0
+    else:
+        acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
+        slow = float(np.max(np.minimum(acceleration / gravity, 1.0) * np.abs(sag[1:-1])))
     if ramp > 0:
         loaded = time > ramp
         return max(_late(time[loaded], moved[loaded], gravity), slow) / largest
@@ -162,14 +168,6 @@ def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -
     power = np.clip(np.gradient(np.log(safe), np.log(time)), 0.0, 1.0)
     fallen = 2 * safe / (gravity * time**2)
     return float(np.max(power * safe * np.minimum(1.0, fallen ** (1 / (2 - power)))))
-
-
-def _accelerated(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
-    """Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries."""
-    if len(time) < 3:
-        return 0.0
-    acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
-    return float(np.max(np.minimum(acceleration / gravity, 1.0) * np.abs(sag[1:-1])))
 
 
 _HINGES = 0.7
@@ -220,8 +218,13 @@ _KINKED = 0.1
 
 
 def forecast(scene: Scene) -> Motion:
-    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11)."""
-    return _forecast(scene.without_numerics())
+    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11).
+
+    It is that of the filament until it touches anything; over pillars, that of a filament clamped at their walls.
+    """
+    free = unsupported(scene.without_numerics())
+    motion, share = _forecast(free), free.filament.span / scene.filament.span
+    return motion if share == 1 else replace(motion, sag=motion.sag * share, scale=motion.scale * share)
 
 
 @lru_cache(maxsize=256)
@@ -241,6 +244,11 @@ def _forecast(scene: Scene) -> Motion:
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
     moved = moved or any(scene.load.tip_torque)
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
+    # Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall
+    span = scene.filament.span
+    growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
+    ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
+    fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
     return Motion(
         sag=sag,
         scale=sag,
@@ -257,18 +265,9 @@ def _forecast(scene: Scene) -> Motion:
         damped=_damped(scene, sag, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=scales.neck_folds(scene, strain_of(scene, sag)),
-        speed=_speed(scene, history, rings),
+        speed=min(max(growing, ringing_speed) * span, fallen),
         capillary=_capillary(scene, float(np.max(free.sag))),
     )
-
-
-def _speed(scene: Scene, history: quasi_static.SagHistory, rings: LowestMode) -> float:
-    """Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall."""
-    span = scene.filament.span
-    growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
-    ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
-    fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
-    return min(max(growing, ringing_speed) * span, fallen)
 
 
 def _left_by_surface(scene: Scene, sag: float) -> float:
@@ -388,7 +387,7 @@ def _risen(scene: Scene, history: quasi_static.SagHistory, amplitude: float) -> 
     return min(1.0, reached + amplitude)
 
 
-def _relaxed(scene: Scene, rings: LowestMode) -> float:
+def _relaxed(scene: Scene, rings: ExpectedRinging) -> float:
     modulus, delta = scales.instant_modulus(scene), groups_of(scene).delta
     if modulus is None:
         return 0.0
@@ -406,7 +405,7 @@ def _relaxed(scene: Scene, rings: LowestMode) -> float:
     return share * (1 - 1 / max(1.0, over))
 
 
-def _overstress(scene: Scene, rings: LowestMode) -> float:
+def _overstress(scene: Scene, rings: ExpectedRinging) -> float:
     """Largest elastic fibre stress over the yield stress."""
     limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if limit is None or modulus is None:
@@ -416,7 +415,7 @@ def _overstress(scene: Scene, rings: LowestMode) -> float:
     return max(modulus * strained, squeezed) / limit
 
 
-def largest_strain(scene: Scene, rings: LowestMode) -> float:
+def largest_strain(scene: Scene, rings: ExpectedRinging) -> float:
     """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
     weight, delta = (
         scales.weight_stress(scene) * quasi_static.load_factor(scene) * shaken_peak(scene),
@@ -442,7 +441,7 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
     return max(min(1.0, rings.lasting(first) / max(scale, rings.way)) * lost, _lag(scene, solid_retardation(scene)))
 
 
-def _retarded(scene: Scene, rings: LowestMode, amplitude: float) -> float:
+def _retarded(scene: Scene, rings: ExpectedRinging, amplitude: float) -> float:
     """Lag of a solid's sag, or ringing that it damps; for polymer chains also the part of their solvent."""
     late = quasi_static.retardation(scene) or quasi_static.solvent_lag(scene)
     if late == 0 or is_slack(scene):

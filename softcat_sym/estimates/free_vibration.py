@@ -275,7 +275,7 @@ _OVERDAMPED = 5.0  # V above which a yielding filament stops without oscillation
 
 
 @dataclass(frozen=True, slots=True)
-class LowestMode:
+class ExpectedRinging:
     """Ringing of the lowest mode about the elastic shape."""
 
     frequency: float  # Of the first mode, angular [1/s]; infinite for a filament that does not spring back
@@ -294,17 +294,17 @@ class LowestMode:
         return self.frequency * min(duration, 1 / self.decay if self.decay > 0 else math.inf)
 
 
-def ringing(scene: Scene, *, lossless: bool = False) -> LowestMode:
+def ringing(scene: Scene, *, lossless: bool = False) -> ExpectedRinging:
     """Ringing that the load of a scene causes; without amplitude where the scene begins at rest under its load."""
     vibration = first_vibration(scene)
     if vibration is None:
-        return LowestMode(math.inf, 0.0, 0.0)
+        return ExpectedRinging(math.inf, 0.0, 0.0)
     frequency, way = vibration.frequency, vibration.way / scene.filament.span
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
     if scales.weight_stress(scene) == 0 or decay >= frequency:
-        return LowestMode(frequency, decay, 0.0, way)
+        return ExpectedRinging(frequency, decay, 0.0, way)
     left = min(1.0, _left_by_ramp(scene, frequency, way)) if scene.load.ramp > 0 else 1.0
-    return LowestMode(frequency, decay, way * left, way)
+    return ExpectedRinging(frequency, decay, way * left, way)
 
 
 def _left_by_ramp(scene: Scene, frequency: float, way: float) -> float:

@@ -20,8 +20,8 @@ def law_in(scene: Scene) -> Rheology:
 
 def may_have(scene: Scene, effect: str) -> bool:
     """Whether `auto` may choose an effect, or a list names it; those of the published theory are not asked for here."""
-    asked = scene.run.effects
-    return asked == "auto" if isinstance(asked, str) else effect in asked
+    requested = scene.run.effects
+    return requested == "auto" if isinstance(requested, str) else effect in requested
 
 
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:

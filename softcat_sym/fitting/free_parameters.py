@@ -26,10 +26,9 @@ from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.tables import frozen_below
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.thixotropy import Thixotropy
 from softcat_sym.scene.units import (
-    SI_UNITS,
     Kind,
     NotAQuantity,
     Number,
@@ -371,7 +370,7 @@ def why_not_free(scene: Scene, name: str, known: Mapping[str, FreeParameter]) ->
 
 
 def _unit(kind: Kind) -> str:
-    return (kind.unit or SI_UNITS[kind.dimension] if isinstance(kind, Quantity) else "") or "1"
+    return kind.unit or "1"
 
 
 Bounds = Mapping[str, tuple[object, object]]

@@ -54,7 +54,7 @@ class Starts:
         self._follow = follow and not spatial
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns no balance is solved: the straight filament is the starting state.
-        self._bare = replace(self._graph, still=Layout([]))
+        self._bare = replace(self._graph, algebraic=Layout([]))
         self._settles = self._graph.is_dae and not spatial
         # The shape at rest may belong to another graph, without inertia and viscous stress.
         is_followed = not self._straight and not self._graph.positions_are_algebraic

@@ -11,7 +11,7 @@ from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.constitutive_laws import SYMBOLS, Constant, Law, expression_of, growth_of
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
-from softcat_sym.physics.time_dependence import TimeDependence
+from softcat_sym.physics.time_dependent_constants import Clock
 from softcat_sym.scene.formula import Formula, parse_formula
 from softcat_sym.scene.history import TIME_NAME
 
@@ -67,7 +67,7 @@ def _of_formula(name: str, formula: Formula, count: int) -> Varying:
     return Varying(value, rate, constants)
 
 
-def curing_clock(courses: tuple[Course, ...], law: Law) -> TimeDependence:
+def curing_clock(courses: tuple[Course, ...], law: Law) -> Clock:
     """Constants of the material that change in time; a modulus that grows does so by springs without stress."""
     replaces, constants, grows = list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
     symbols = SYMBOLS | {one.name: one.symbol for one in law.constants}
@@ -80,14 +80,14 @@ def curing_clock(courses: tuple[Course, ...], law: Law) -> TimeDependence:
             growth = growth_of(symbol)
             replaces.append((growth, sp.Max(found.rate, 0) / found.value))
             grows.append((symbol, growth))
-    return TimeDependence("curing", tuple(replaces), tuple(constants), tuple(grows))
+    return Clock("curing", tuple(replaces), tuple(constants), tuple(grows))
 
 
 # Of the strain at the top less that at the bottom the top has half, beyond the mean.
 _STRAINS = (("natural_strain", sy.n_0, sy.n_0_t, 1), ("natural_strain_difference", sy.n_1, sy.n_1_t, sp.Rational(1, 2)))
 
 
-def natural_clock(courses: tuple[Course, ...]) -> TimeDependence:
+def natural_clock(courses: tuple[Course, ...]) -> Clock:
     """Strains without stress that change in time."""
     given = {course.name: varying(course) for course in courses}
     replaces, constants = list[tuple[sp.Symbol, sp.Expr]](), list[Constant]()
@@ -97,4 +97,4 @@ def natural_clock(courses: tuple[Course, ...]) -> TimeDependence:
             constants += given[name].constants
         else:
             replaces += [(strain, sp.S.Zero), (rate, sp.S.Zero)]
-    return TimeDependence("natural-strain", tuple(replaces), tuple(constants))
+    return Clock("natural-strain", tuple(replaces), tuple(constants))

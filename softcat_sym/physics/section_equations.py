@@ -10,10 +10,10 @@ from functools import lru_cache
 
 import sympy as sp
 
-from softcat_sym.physics import kinematic_hardening, loads, sections
+from softcat_sym.physics import hardening_rule, loads, sections
 from softcat_sym.physics.constitutive_laws import Constant, Law, law_of
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.heat_balance import Heat, heat_of, lateral_area
+from softcat_sym.physics.heat import Heat, heat_of, lateral_area
 from softcat_sym.physics.histories import curing_clock, natural_clock
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
@@ -30,12 +30,12 @@ from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.polymer_chains import respond as respond_chains
 from softcat_sym.physics.reissner import ResolvedSection, resolve
-from softcat_sym.physics.section_response import CLOSURES, SectionModel, SectionResponse, respond
+from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
 from softcat_sym.physics.structure_kinetics import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms
-from softcat_sym.physics.time_dependence import TimeDependence
+from softcat_sym.physics.time_dependent_constants import Clock
 from softcat_sym.scene.formula import parse_formula
 
 
@@ -50,7 +50,7 @@ class FilamentEquations:
     strain: StrainMeasure  # Axial strain
     law: Law  # With the one flow rule of each branch that is in force
     densities: tuple[Densities, ...]  # Energies and Rayleigh potentials of place and tangent that effects add
-    clocks: tuple[TimeDependence, ...]  # What changes the constants of the material
+    clocks: tuple[Clock, ...]  # What changes the constants of the material
     heat: Heat | None  # What the temperature of the filament follows, if it has one
     response: SectionResponse  # The section of the paper: no shear, a plastic strain linear through the thickness
     # The section point by point, where shear or fibres are in force; it then replaces `response`.
@@ -67,7 +67,7 @@ class FilamentEquations:
         of_densities = (one for density in self.densities for one in density.constants)
         of_clocks = (one for clock in self.clocks for one in clock.constants)
         of_heat = () if self.heat is None else self.heat.constants
-        of_hardening = kinematic_hardening.CONSTANTS if self.terms.hardens else ()
+        of_hardening = hardening_rule.CONSTANTS if self.terms.hardens else ()
         return (*self.law.constants, *of_densities, *of_clocks, *of_heat, *of_hardening)
 
     @property
@@ -110,7 +110,7 @@ def law_named(rheology: Rheology) -> Law:
     )
 
 
-def law_in_force(terms: Terms, clocks: tuple[TimeDependence, ...] = ()) -> Law:
+def law_in_force(terms: Terms, clocks: tuple[Clock, ...] = ()) -> Law:
     """The law with the flow rules and the viscous stress that the effects have left."""
     law = law_named(terms.law)
     growth = {modulus: rate for clock in clocks for modulus, rate in clock.grows}
@@ -124,7 +124,7 @@ def law_in_force(terms: Terms, clocks: tuple[TimeDependence, ...] = ()) -> Law:
     return replace(law, branches=branches, viscosity=viscosity, chains=chains)
 
 
-def clocks_of(terms: Terms) -> tuple[TimeDependence, ...]:
+def clocks_of(terms: Terms) -> tuple[Clock, ...]:
     """What changes the constants of the material while it hangs."""
     curing = (curing_clock(terms.curing, law_named(terms.law)),) if terms.curing else ()
     built = (structure_clock(terms.structure, linear=terms.builds_up_without_limit),) if terms.structure else ()
@@ -146,7 +146,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     strain, clocks = TRUE_STRAIN if terms.finite else SMALL_STRAIN, clocks_of(terms)
     centreline, law = LARGE_ROTATION if terms.large_rotation else SMALL_SLOPE, law_in_force(terms, clocks)
     closed = CLOSURES[closure_name](strain, contraction)
-    outline = SectionModel(
+    outline = SectionShape(
         shape,
         contraction,
         strain,
@@ -163,7 +163,12 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     elif terms.hardens:
         raise ValueError("backstress: only in a section that is resolved through its thickness")
     if law.chains is not None:
-        _refuse_chains(terms, resolved)
+        if terms.shear:
+            raise ValueError("chains have no shear here: their conformation is that along and across a fibre")
+        if terms.bending and resolved is None:
+            raise ValueError(
+                "the stress of chains is not linear through the thickness: a section that bends is resolved"
+            )
     return FilamentEquations(
         terms=terms,
         shape=shape,
@@ -182,14 +187,6 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         force=internal_force(centreline, bending=terms.bending, stretches=terms.stretches),
         exchange=sp.S.Zero if terms.heat is None else lateral_area(shape, thins=terms.thins),
     )
-
-
-def _refuse_chains(terms: Terms, resolved: ResolvedSection | None) -> None:
-    """Refuse a section of which the stress of chains is not known."""
-    if terms.shear:
-        raise ValueError("chains have no shear here: their conformation is that along and across a fibre")
-    if terms.bending and resolved is None:
-        raise ValueError("the stress of chains is not linear through the thickness: a section that bends is resolved")
 
 
 def _refuse_stretching(terms: Terms) -> None:

@@ -147,7 +147,7 @@ class SectionResponse:
 
 
 @dataclass(frozen=True, slots=True)
-class SectionModel:
+class SectionShape:
     """The section as the effects in force leave it."""
 
     section: Section  # Its outline
@@ -198,7 +198,7 @@ def shrunk(shape: Section) -> tuple[sp.Expr, sp.Expr]:
     return sp.exp(3 * n_0), sp.exp(2 * n_0 if shape.plane_strain else 3 * n_0 / 2)
 
 
-def respond(shape: SectionModel, closed: ClosedSection, law: Law) -> SectionResponse:
+def respond(shape: SectionShape, closed: ClosedSection, law: Law) -> SectionResponse:
     """Assemble the section of a law whose branches hold the flow rule that is in force."""
     area, thickness = shape.contraction.area, shape.contraction.thickness
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
@@ -227,7 +227,7 @@ def resistance(shape: Section, viscosity: sp.Expr) -> sp.Expr:
     return viscosity / PLANE_STRAIN**2 if shape.plane_strain else viscosity
 
 
-def _branch(shape: SectionModel, closed: ClosedSection, branch: Branch) -> BranchResponse:
+def _branch(shape: SectionShape, closed: ClosedSection, branch: Branch) -> BranchResponse:
     zero = sp.Integer(0)
     bends = sp.Integer(1) if shape.bends else zero
     modulus, means = stiffness(shape.section, branch.modulus), None
@@ -261,7 +261,7 @@ def _branch(shape: SectionModel, closed: ClosedSection, branch: Branch) -> Branc
     )
 
 
-def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: SectionModel) -> SectionMeans:
+def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: SectionShape) -> SectionMeans:
     """What flows, and what springs without stress that join the others add: the stress over E, times the growth g.
 
     With a_t = sigma g/E, g = E_t/E, the stress E (eps - a) of a strain that is held stays as it is: sigma_t = E eps_t.
@@ -275,7 +275,7 @@ def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: SectionMode
     )
 
 
-def _viscous(shape: SectionModel, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
+def _viscous(shape: SectionShape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
     eta = resistance(shape.section, viscosity)
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt

@@ -13,7 +13,7 @@ import sympy as sp
 
 from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, enter, eta, sigma_Y
-from softcat_sym.physics.time_dependence import State, TimeDependence
+from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _MOORE, _ROUSSEL = "Moore 1959; de Souza Mendes & Thompson 2013", "Roussel 2006"
 
@@ -67,7 +67,7 @@ def rested(start: sp.Expr, *, linear: bool) -> sp.Expr:
     return start + rest / t_b if linear else 1 - (1 - start) * sp.exp(-rest / t_b)
 
 
-def structure_clock(given: Collection[str], *, linear: bool) -> TimeDependence:
+def structure_clock(given: Collection[str], *, linear: bool) -> Clock:
     """What the keys of ``[material.structure]`` that a scene gives make of its yield stress and viscosity."""
     high, low = (
         symbol if f"{end}_yield_stress" in given else sigma_Y
@@ -87,4 +87,4 @@ def structure_clock(given: Collection[str], *, linear: bool) -> TimeDependence:
     state = State("structure", change, lam, begin + change, build_up_rate(linear=linear))
     names = [name for name in _SYMBOLS if name in given]
     constants = tuple(Constant(f"material_structure_{name}", _SYMBOLS[name]) for name in names)
-    return TimeDependence("structure", tuple(replaces), constants, state=state)
+    return Clock("structure", tuple(replaces), constants, state=state)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import heat_balance, kinematic_hardening, polymer_chains, reissner
+from softcat_sym.physics import hardening_rule, heat, polymer_chains, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.constitutive_laws import Flow, plastic_rate
@@ -78,7 +78,6 @@ _FIBRE: Rows = (
     (reissner.sigma_c, r"\hat\sigma^{{({j})}}", sy.STRESS, "stress conjugate to the axial strain"),
     (reissner.tau_d, r"\tau_d^{{({j})}}", sy.STRESS, "driving shear stress of a fibre"),
 )
-_ELASTIC = (reissner.eps_e, reissner.gamma_e)
 
 
 class _Parts:
@@ -281,21 +280,16 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
         total = flow if branch.flow is not None else reissner.STILL
         if branch.flow is not None and equations.terms.hardens:
             total, hardening = reissner.hardened(flow, share, carry, shear=resolved.shears)
-            chi = dict(
-                zip(
-                    kinematic_hardening.back_stress(share),
-                    (kinematic_hardening.axial_stress, kinematic_hardening.shear_stress),
-                    strict=True,
-                )
-            )
+            symbols = hardening_rule.axial_stress, hardening_rule.shear_stress
+            chi = dict(zip(hardening_rule.back_stress(share), symbols, strict=True))
             total = total.subs(chi)
             names = (("backstress", "back strain"), ("shear backstress", "back strain in shear"))[: 1 + resolved.shears]
             for (name, _), (value, symbol) in zip(names, chi.items(), strict=False):
-                yield parts.stated(j, f"{name} of a fibre", symbol, value, kinematic_hardening.SOURCE)
-            strains = (kinematic_hardening.axial, kinematic_hardening.shear)
+                yield parts.stated(j, f"{name} of a fibre", symbol, value, hardening_rule.SOURCE)
+            strains = (hardening_rule.axial, hardening_rule.shear)
             for (_, name), strain, rate in zip(names, strains, hardening.rates, strict=False):
                 left, right = Rate(strain, sy.t, 1), rate.xreplace(chi)
-                yield parts.stated(j, f"{name} of a fibre", left, right, kinematic_hardening.SOURCE)
+                yield parts.stated(j, f"{name} of a fibre", left, right, hardening_rule.SOURCE)
         if branch.flow is not None:
             yield parts.stated(j, "equivalent stress", sigma_eq, total.equivalent, "3.5")
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
@@ -460,36 +454,31 @@ def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
         given = sy.enter(
             f"{symbol.name}_stated", f"{row.latex}_{{r}}", row.dimension, f"{row.meaning}, as stated", "Ferry 1980"
         )
-        factor = heat_balance.viscosity_factor if value == law.viscosity else heat_balance.modulus_factor
+        factor = heat.viscosity_factor if value == law.viscosity else heat.modulus_factor
         yield stated(f"{row.meaning}, at its temperature", symbol, given * factor, "Ferry 1980")
     if law.viscosity != 1:
-        yield stated(
-            "viscosity over the stated one", heat_balance.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980"
-        )
-    gained = heat_balance.heat_source
+        yield stated("viscosity over the stated one", heat.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980")
+    gained = heat.heat_source
     if law.stiffens:
-        gained -= Rate(heat_balance.stored, heat_balance.temperature, 1) * Rate(heat_balance.temperature, sy.t, 1)
+        gained -= Rate(heat.stored, heat.temperature, 1) * Rate(heat.temperature, sy.t, 1)
     if law.expands:
         yield stated("natural strain", sy.n_0, law.strain, "Timoshenko 1925")
-    around = heat_balance.around if law.partial else heat_balance.ambient
+    around = heat.around if law.partial else heat.ambient
     if law.coefficient != 0:
-        gained -= heat_balance.transfer * sy.A0 * equations.exchange * (heat_balance.temperature - around)
+        gained -= heat.transfer * sy.A0 * equations.exchange * (heat.temperature - around)
     if law.conducts:
-        through = heat_balance.conductivity * equations.response.area / sy.s * Rate(heat_balance.temperature, sy.X, 1)
+        through = heat.conductivity * equations.response.area / sy.s * Rate(heat.temperature, sy.X, 1)
         gained += Rate(through, sy.X, 1)
-    held = sy.rho * heat_balance.heat_capacity * sy.A0 * Rate(heat_balance.temperature, sy.t, 1)
+    held = sy.rho * heat.heat_capacity * sy.A0 * Rate(heat.temperature, sy.t, 1)
     yield stated("balance of heat", held, gained, "Incropera 2007")
     if law.partial:
         place = sy.X + sy.L_0 / 2
-        within = sp.Piecewise(
-            (heat_balance.ambient, (place >= heat_balance.begin) & (place <= heat_balance.end)),
-            (heat_balance.outside, True),
-        )
-        yield stated("temperature around a place", heat_balance.around, within, "ASTM C338")
-    if law.coefficient not in (0, heat_balance.transfer):
+        within = sp.Piecewise((heat.ambient, (place >= heat.begin) & (place <= heat.end)), (heat.outside, True))
+        yield stated("temperature around a place", heat.around, within, "ASTM C338")
+    if law.coefficient not in (0, heat.transfer):
         coefficient = law.coefficient if equations.terms.thins else law.thick().coefficient
-        shown = coefficient.subs(heat_balance.around, around).evalf(4)
-        yield stated("coefficient of a cylinder in air", heat_balance.transfer, shown, "Churchill & Chu 1975")
+        shown = coefficient.subs(heat.around, around).evalf(4)
+        yield stated("coefficient of a cylinder in air", heat.transfer, shown, "Churchill & Chu 1975")
 
 
 def _changes(equations: FilamentEquations) -> bool:

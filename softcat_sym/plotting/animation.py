@@ -25,9 +25,9 @@ from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
 from softcat_sym.plotting.run import Sheet, yielded_label
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Floats,
     Magnification,
-    Section,
     array,
     largest_sag,
     outline,
@@ -341,7 +341,7 @@ class Animation(Pictures):
             self._legend(yielded_label(sheet.data, scene), is_linear_part="core_low" in sheet.data)
             self._background: Any = None
 
-    def _section(self, number: int) -> Section:
+    def _section(self, number: int) -> FilamentOutline:
         ends = self._scene.ends
         return section_at(self.film, number, [one.holds_angle for one in ends.supports])
 

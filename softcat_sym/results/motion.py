@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.discretization.unknowns import PLACES, Floats
 from softcat_sym.effects.selection import Effects
 from softcat_sym.estimates.expected_regime import TURNS_BACK
 from softcat_sym.estimates.forecast import (
@@ -364,10 +364,20 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
         rings, least = ringing_of(seen), scene.run.accuracy * largest
         means.append(float(seen.height[-1]) if rings is None else rings.mean)
         left, still = scene.run.duration - loaded, float(np.ptp(seen.height)) / 2 < least
+        if effects.terms().touches:
+            # What lies on a floor goes on moving beside a midpoint that rests: by its velocity until the end.
+            still = still and _fastest(prepared, piece) * (scene.run.duration - end) < least
         if still and len(means) > 2 and still_to_move(means, left / elapsed, NOISE * least, flows=flows) < least:
             return end
         elapsed *= STRIDE
     return None
+
+
+def _fastest(prepared: Prepared, piece: Solution) -> float:
+    """Mean speed of the node that goes farthest during a piece of a run [m/s]."""
+    places = [prepared.observe(piece)[name] for name in PLACES[:2]]
+    moved = np.sqrt(sum((place[-1] - place[0]) ** 2 for place in places))
+    return float(np.max(moved)) / (float(piece.time[-1] - piece.time[0]) * prepared.scale)
 
 
 def still_to_move(means: list[float], times: float, noise: float, *, flows: bool) -> float:

@@ -245,6 +245,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     carried = residual if prepared.integration is not None else 0.0
     audited = carried if prepared.graph.conserves_energy else 0.0
     outcome, message = verdict(scene, effects, solution, fields, places[0], audited)
+    seen_of = [one.observe(scene, fields | {"time": time, "X_node": places[0]}) for one in effects.in_force]
+    fields |= {name: values for one in seen_of for name, values in one.fields.items()}
+    if outcome.is_success and (doubts := [one.doubt for one in seen_of if one.doubt]):
+        outcome, message = Outcome.penetrated, "; ".join(doubts)
     # The run ends there: what follows is no filament.
     if outcome is Outcome.ruptured:
         sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
@@ -324,6 +328,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         ],
         "warnings": warnings,
         "wall_s": wall,
+        **{name: value for one in seen_of for name, value in one.summary.items()},
     }
     fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
     return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome), watched)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule
-from softcat_sym.scene.tables import Tables
+from softcat_sym.scene.tables import Tables, bodies_of
 
 _IN_THE_PLANE = 3
 """Values in a row of a motion that stays in the plane: time, right and up."""
@@ -124,6 +124,7 @@ def _of_space(scene: Tables) -> Iterator[Rule]:
         ("initial.C", bool(scene.initial.C)),
         ("numerics.order", scene.numerics.order is not None),
         *((f"effects.{name}", True) for name, _ in scene.effects),
+        *((body.table_name, True) for body in bodies_of(scene)),
     )
     for path, broken in given:
         yield broken, path, f"given, {only}", out

@@ -50,7 +50,7 @@ _MAX_TURNS = 4096  # That are kept, of a ringing of thousands of periods: 100 kB
 _MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # Minutes of work: a run with more steps makes no progress
 
 
-class CFilament(ct.Structure):
+class FilamentStruct(ct.Structure):
     """softcat_filament."""
 
     _fields_ = (
@@ -241,15 +241,15 @@ class CModel:
         header = "softcat_model.h"
         return compile_library({name: text, header: runtime_sources()[header]}, flags=flags, versions=_VERSIONS)
 
-    def _filament(self, sites: int, parameters: Floats, places: Floats) -> CFilament:
-        return CFilament(sites, doubles(parameters), doubles(places), self.model.fibres, doubles(self._points))
+    def _filament(self, sites: int, parameters: Floats, places: Floats) -> FilamentStruct:
+        return FilamentStruct(sites, doubles(parameters), doubles(places), self.model.fibres, doubles(self._points))
 
     @cached_property
     def _observe(self) -> Any:
         """Function that computes the stored fields of a run, compiled on first use."""
         path = self._compiled("observables.c", self.model.observables, _SHOWN)
         function = load(path, _OBSERVE).softcat_filament_observe
-        function.argtypes = [ct.POINTER(CFilament), ct.c_int, *[Doubles] * 4]
+        function.argtypes = [ct.POINTER(FilamentStruct), ct.c_int, *[Doubles] * 4]
         return function
 
     @cached_property
@@ -401,7 +401,7 @@ def _runtime() -> ct.CDLL:
     whole = {"softcat_runtime.c": "".join(f'#include "{name}"\n' for name in sources if name.endswith(".c"))}
     path = compile_library(sources | whole, flags=STEADY, units=tuple(whole))
     library = load(path, "softcat_sensitivities", "softcat_message")
-    setup: list[Any] = [ct.c_void_p, ct.POINTER(CFilament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
+    setup: list[Any] = [ct.c_void_p, ct.POINTER(FilamentStruct), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
     results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]
     library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, ct.POINTER(Status)]

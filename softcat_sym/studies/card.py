@@ -54,7 +54,8 @@ _MATERIAL = {
     "shear-yield-stress": "material.shear_yield_stress",
 }
 _SURFACE = {path.partition(".")[2].replace("_", "-"): path for path in ("surroundings.surface_tension",)}
-FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, "ends", "duration", "flow-curve")
+_PILLARS = {"pillars": "pillars.edge"}
+FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, *_PILLARS, "ends", "duration", "flow-curve")
 """Options from which a scene can be made."""
 
 _EXAMPLES = {
@@ -66,6 +67,8 @@ _EXAMPLES = {
 }
 _SWINGS, _FLOWS = 20.0, 5.0
 _ACCURACY = 0.02
+OVER_PILLARS = 2.5
+"""Length of a strand over the gap below it. An elastic one lifts off behind its edges over 0.53 gaps on either side."""
 
 
 def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
@@ -106,6 +109,10 @@ def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = (
         duration = float(f"{_SWINGS * swing + slow:.3g}")
         late["run.duration"] = f"{duration!r} s"
         notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; change it by --duration")
+    if "pillars" in given:
+        notes.append("the strand lies on pillars, clamped so far behind their edges that it is flat there")
+        late |= {"pillars.gap": given["span"], "pillars.edge": given["pillars"]}
+        late["filament.span"] = f"{OVER_PILLARS * made.filament.span!r} m"
     return (made.replace(late) if late else made), tuple(notes)
 
 

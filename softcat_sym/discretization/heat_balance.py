@@ -15,9 +15,9 @@ from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.cell import Builder, Mechanics, Sided
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS, NODES, WARMING
-from softcat_sym.physics import heat_balance as sy
+from softcat_sym.physics import heat as sy
 from softcat_sym.physics import symbols
-from softcat_sym.physics.heat_balance import Heat
+from softcat_sym.physics.heat import Heat
 from softcat_sym.physics.necking import aspect
 
 

@@ -16,7 +16,7 @@ from softcat_sym.discretization.cell import (
     ordered,
     program_of,
 )
-from softcat_sym.discretization.heat import heating
+from softcat_sym.discretization.heat_balance import heating
 from softcat_sym.discretization.kirchhoff import kirchhoff
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
@@ -45,19 +45,14 @@ def build(equations: FilamentEquations, ends: tuple[Support, Support], body: Bod
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
     if rule is not None and rule.is_spatial:
-        _refuse_space(b)
+        terms = b.equations.terms
+        if b.half or b.equations.clocks or terms.hardens or terms.heat or b.equations.densities or terms.rotary_inertia:
+            raise ValueError("a filament in three dimensions has neither a half span nor clocks, heat or a bath")
         section = spatial_section(equations.shape, equations.law, natural=equations.terms.curved)
         return _Balance(b, shearing(b, rule, section)).program()
     if rule is not None and equations.resolved is not None:
         return _Balance(b, shearing(b, rule, equations.resolved)).program()
     return _Balance(b, kirchhoff(b)).program()
-
-
-def _refuse_space(b: Builder) -> None:
-    """Refuse what only a filament in its plane has."""
-    terms = b.equations.terms
-    if b.half or b.equations.clocks or terms.hardens or terms.heat or b.equations.densities or terms.rotary_inertia:
-        raise ValueError("a filament in three dimensions has neither a half span nor clocks, heat or a bath")
 
 
 _SIDES = ((0, (None, 0)), (-1, (-1, None)))

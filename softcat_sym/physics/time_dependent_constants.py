@@ -21,7 +21,7 @@ class State:
 
 
 @dataclass(frozen=True, slots=True)
-class TimeDependence:
+class Clock:
     """What an effect makes of constants of the material.
 
     Attributes

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from functools import lru_cache, partial
-from typing import Annotated, ClassVar, Literal
-
-from pydantic_core import PydanticCustomError
+from functools import lru_cache
+from typing import Annotated, Any, Literal
 
 from softcat_sym.lazy import lazy_imports
-from softcat_sym.scene.history import History, read_table, table_history
+from softcat_sym.scene.history import Changing, History
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     SI,
@@ -20,11 +17,11 @@ from softcat_sym.scene.units import (
     Number,
     Quantity,
     Values,
+    one_of,
     read_each,
-    refusal,
-    registry,
     shown,
     split_quantity,
+    without_rounding,
 )
 
 with lazy_imports():
@@ -45,7 +42,6 @@ MOST = 1e25
 PREFIX = "temperature_"
 """Of the names of the numbers of this table in a run."""
 
-_ZERO_CELSIUS = 273.15
 _CELSIUS = ("degC", "°C", "celsius", "degree_Celsius")
 _FAHRENHEIT = ("degF", "°F", "fahrenheit")
 
@@ -58,48 +54,31 @@ class AbsoluteTemperature(Quantity):
         self.accepted = f'a temperature above absolute zero with its unit, such as "{example}" or "300 K"'
 
     def measured(self, value: object) -> float:
-        return float(value) if isinstance(value, SI) else _kelvin(*split_quantity(value))
+        if isinstance(value, SI):
+            return float(value)
+        number, unit = split_quantity(value)
+        if unit in ("K", "kelvin"):
+            return number
+        if unit not in (*_CELSIUS, *_FAHRENHEIT):
+            raise NotAQuantity(f"'{unit}' is no unit of temperature known here (K, degC, degF)")
+        # Without the last bits of the sum: 20.1 degC is 293.25 K.
+        return float(f"{(number if unit in _CELSIUS else (number - 32) / 1.8) + 273.15:.15g}")
 
-    def read(self, value: object) -> float:
-        kelvin = super().read(value)
+    def check(self, value: object) -> float:
+        kelvin = super().check(value)
         if kelvin <= 0:
-            raise self.refuse(f"{shown(value)} is {kelvin:g} K, not above absolute zero")
+            raise NotAQuantity(f"{shown(value)} is {kelvin:g} K, not above absolute zero")
         return kelvin
 
 
-def _kelvin(number: float, unit: str) -> float:
-    if unit in ("K", "kelvin"):
-        return number
-    # Without the last bits of the sum: 20.1 degC is 293.25 K.
-    if unit in _CELSIUS:
-        return float(f"{number + _ZERO_CELSIUS:.15g}")
-    if unit in _FAHRENHEIT:
-        return float(f"{(number - 32) / 1.8 + _ZERO_CELSIUS:.15g}")
-    raise NotAQuantity(f"'{unit}' is no unit of temperature known here (K, degC, degF)")
+class TimedTemperature(Changing, AbsoluteTemperature):
+    """A temperature that may change in time by a table."""
 
-
-class TimedTemperature(AbsoluteTemperature):
-    """A temperature that may change in time: a float in kelvin, or a table of times as a `History`."""
+    has_formulas = False
 
     def __init__(self, example: str) -> None:
         super().__init__(example)
-        self.constant = AbsoluteTemperature(example)
         self.accepted += ', or a table of times, such as {"0 s" = "20 degC", "60 s" = "80 degC"}'
-
-    def read(self, value: object) -> float:
-        if isinstance(value, History):
-            return value
-        if isinstance(value, Mapping):
-            return read_table(value, self.constant)
-        try:
-            return self.constant.read(value)
-        except PydanticCustomError as error:
-            raise refusal(str((error.context or {}).get("found")), self.accepted) from None
-
-    def write(self, value: float) -> object:
-        if isinstance(value, History):
-            return {f"{time!r} s": self.constant.write(one) for time, one in value.table}
-        return self.constant.write(value)
 
 
 class Thermal(Quantity):
@@ -122,79 +101,70 @@ def _factor(unit: str, wanted: str) -> float:
         return 1.0
     if unit in (*_CELSIUS, *_FAHRENHEIT):
         raise NotAQuantity(f"'{unit}' is a unit of temperatures, not of their differences: K")
-    ureg = registry()
     try:
-        found = ureg.Quantity(1.0, ureg.parse_units(unit))
-    except (pint_errors.PintError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError, SyntaxError):
-        raise NotAQuantity(f"unknown unit '{unit}'") from None
-    try:
-        factor = float(found.to(wanted).magnitude)
+        return without_rounding(float(one_of(unit).to(wanted).magnitude))
     except pint_errors.PintError:
         raise NotAQuantity(f"'{unit}' is not a unit like {wanted}") from None
-    short = float(f"{factor:.12g}")
-    return short if math.isclose(short, factor, rel_tol=1e-15) else factor
 
 
 class ModulusTable(Kind):
     """A table of temperatures and of moduli over those that the material states."""
 
     si = True
-    accepted = (
-        "a table of at least two temperatures and of moduli over that of [material], such as "
-        '{"20 degC" = 1.0, "80 degC" = 0.2}'
-    )
     _temperature, _relative = AbsoluteTemperature("20 degC"), Number(above=0)
 
-    def read(self, value: object) -> History | None:
+    def check(self, value: Any) -> History | None:
         if value is None or isinstance(value, History):
             return value
-        if not isinstance(value, Mapping):
-            raise self.refuse(f"{shown(value)} is not a table")
+
+        def row(key: Any, given: object) -> tuple[float, float]:
+            kelvin = self._temperature.read(key if isinstance(key, str) else SI(key))
+            return kelvin, self._relative.read(float(given) if isinstance(given, SI) else given)
+
         rows = dict(
-            read_each("modulus", {str(key): partial(self._row, key, one) for key, one in value.items()}).values()
+            read_each("modulus", ((str(key), row, (key, one)) for key, one in self.table(value).items())).values()
         )
         if len(rows) < 2:
-            raise self.refuse(f"a table of {len(rows)} temperatures")
-        return table_history(rows)
-
-    def _row(self, key: object, given: object) -> tuple[float, float]:
-        kelvin = self._temperature.read(key if isinstance(key, str) else SI(key))  # type: ignore[arg-type]
-        return kelvin, self._relative.read(float(given) if isinstance(given, SI) else given)
+            raise NotAQuantity(f"a table of {len(rows)} temperatures")
+        return History(rows.items())
 
     def write(self, value: History | None) -> object:
         return None if value is None else {f"{kelvin!r} K": relative for kelvin, relative in value.table}
 
 
-class HeatedPart(Values):
-    """Two places along the rest length, from the left end."""
+MODULUS = ModulusTable(
+    "a table of at least two temperatures and of moduli over that of [material], such as "
+    '{"20 degC" = 1.0, "80 degC" = 0.2}'
+)
 
-    def __init__(self) -> None:
-        accepted = 'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]'
-        super().__init__(Quantity("length", "100 mm", "non-negative"), accepted, 2)
 
-    def read(self, value: object) -> tuple[float, ...]:
-        places = super().read(value)
-        if len(places) > 2:
-            raise self.refuse(f"a list of {len(places)}")
-        if places and not places[0] < places[1]:
-            raise self.refuse(f"{' is not below '.join(map(shown, self.listed(value, 'a list')))}")
-        return places
+def _nearer_first(given: Any, places: tuple[float, ...]) -> tuple[float, ...]:
+    if places and not places[0] < places[1]:
+        raise NotAQuantity(" is not below ".join(map(shown, given)))
+    return places
 
+
+HEATED = Values(
+    Quantity("length", "100 mm", "non-negative"),
+    'two places from the left end along the rest length, the nearer first, such as ["0 mm", "100 mm"]',
+    2,
+    2,
+    optional=True,
+    then=_nearer_first,
+)
 
 Softened = Literal["constant", "vft", "wlf", "arrhenius"]
 Correlation = Literal["none", "cylinder-in-air"]
 
 
-class Temperature(Part):
+class Temperature(Part, table="temperature"):
     """Heat of the filament; temperatures in K."""
-
-    table_name: ClassVar[str] = "temperature"
 
     initial: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
     """Temperature of the filament at the start; with it the filament has a temperature at all."""
     ambient: Annotated[float | None, TimedTemperature("20 degC")] = None
     """Temperature of what surrounds the filament, or of the furnace."""
-    heated: Annotated[tuple[float, ...], HeatedPart()] = ()
+    heated: Annotated[tuple[float, ...], HEATED] = ()
     """Part of the filament that is in the furnace, from the left end along the rest length; all of it unless given."""
     outside: Annotated[float | None, AbsoluteTemperature("20 degC")] = None
     """Temperature around the part that is not in the furnace."""
@@ -226,7 +196,7 @@ class Temperature(Part):
     """WLF: C2 of the formula at C1."""
     activation_energy: Annotated[float | None, Thermal("molar energy", "J/mol", "50 kJ/mol")] = None
     """Arrhenius: log of the viscosity over that at the reference is E/R (1/T - 1/T_r)."""
-    modulus: Annotated[History | None, ModulusTable()] = None
+    modulus: Annotated[History | None, MODULUS] = None
     """Moduli over those of [material], at temperatures; a monotone cubic between."""
 
     @property
@@ -244,21 +214,21 @@ class Temperature(Part):
         """E/R of Arrhenius [K]."""
         return None if self.activation_energy is None else self.activation_energy / GAS_CONSTANT
 
+    def _least_decades(self) -> float:
+        """VFT: log10 of the viscosity at infinite temperature over the stated one."""
+        return self.A or 0.0 if self.reference is None else -(self.B or 0.0) / (self.reference - (self.T_0 or 0.0))
+
     def viscosity_factor(self, kelvin: float) -> float:
         """Viscosity at a temperature over the one that [material] states; infinite where it overflows."""
         decades = 0.0
-        if self.law == "vft" and self.B is not None and self.T_0 is not None:
-            if kelvin <= self.T_0:
-                return math.inf
-            at_reference = -self.B / (self.reference - self.T_0) if self.reference is not None else self.A or 0.0
-            decades = at_reference + self.B / (kelvin - self.T_0)
-        elif self.law == "wlf" and self.C1 is not None and self.C2 is not None and self.reference is not None:
-            above = kelvin - self.reference
-            if self.C2 + above <= 0:
-                return math.inf
-            decades = -self.C1 * above / (self.C2 + above)
-        elif self.law == "arrhenius" and self.activation_temperature is not None and self.reference is not None:
-            decades = self.activation_temperature * (1 / kelvin - 1 / self.reference) / math.log(10)
+        match self.law, self.B, self.T_0, self.C1, self.C2, self.reference, self.activation_temperature:
+            case "vft", float(B), float(T_0), *_:
+                decades = self._least_decades() + B / (kelvin - T_0) if kelvin > T_0 else math.inf
+            case "wlf", _, _, float(C1), float(C2), float(reference), _:
+                above = kelvin - reference
+                decades = -C1 * above / (C2 + above) if C2 + above > 0 else math.inf
+            case "arrhenius", _, _, _, _, float(reference), float(activation):
+                decades = activation * (1 / kelvin - 1 / reference) / math.log(10)
         try:
             return math.pow(10.0, decades)
         except OverflowError:
@@ -267,12 +237,13 @@ class Temperature(Part):
     def frozen_below(self, factor: float) -> float:
         """Temperature at which VFT or WLF have this viscosity over the stated one [K]."""
         decades = math.log10(factor)
-        if self.law == "wlf" and self.C1 is not None and self.C2 is not None and self.reference is not None:
-            return self.reference - decades * self.C2 / (self.C1 + decades)
-        if self.B is None or self.T_0 is None:
-            return 0.0
-        least = -self.B / (self.reference - self.T_0) if self.reference is not None else self.A or 0.0
-        return self.T_0 + self.B / (decades - least) if decades > least else math.inf
+        match self.law, self.B, self.T_0, self.C1, self.C2, self.reference:
+            case "wlf", _, _, float(C1), float(C2), float(reference):
+                return reference - decades * C2 / (C1 + decades)
+            case _, float(B), float(T_0), *_:
+                least = self._least_decades()
+                return T_0 + B / (decades - least) if decades > least else math.inf
+        return 0.0
 
     def modulus_factor(self, kelvin: float) -> float:
         """Modulus at a temperature over the one that [material] states."""
