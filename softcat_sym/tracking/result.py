@@ -69,18 +69,10 @@ class Track(drawing.Drawable):
         return self.number.size >= 5 and lost <= self.number.size
 
     def to_frame(self, points: int = 0) -> pd.DataFrame:
-        """Table of midpoints, or of points of whole shapes.
+        """Table of midpoints, or of up to 11 points of each whole shape, as ``softcat fit`` reads it.
 
-        Parameters
-        ----------
-        points : int
-            Points of each shape, up to 11; 0 for the midpoint.
-
-        Returns
-        -------
-        DataFrame
-            ``time_s, midpoint_mm, midpoint_std_mm, thickness_mm, thickness_std_mm, frame_number``, or ``time_s, x_mm,
-            y_mm, y_std_mm, thickness_mm, frame_number``, as ``softcat fit`` reads them.
+        Its columns are ``time_s, midpoint_mm, midpoint_std_mm, thickness_mm, thickness_std_mm, frame_number``, or
+        ``time_s, x_mm, y_mm, y_std_mm, thickness_mm, frame_number``.
         """
         if not points:
             seen = np.isfinite(self.midpoint)

@@ -61,18 +61,12 @@ class Measured:
         return np.asarray(self.fitted(x) - self.blur**2 / 2 * bend)
 
 
-def measure(camera: Camera, grey: Picture, *, width: float | None = None, free: bool = False) -> Measured:
-    """Measure the strand in one frame; `free` blur widths for the first guess `width`.
-
-    Raises
-    ------
-    UnreadableFrameError
-        With the reason for which the frame is refused.
-    """
+def measure(camera: Camera, grey: Picture, *, free: bool = False) -> Measured:
+    """Measure the strand in one frame, with one blur width or one for each cut, or say why it cannot be read."""
     signal = camera.light.signal(grey)
     left, right = camera.supports.left, camera.supports.right
     coarse = midline(signal, camera.level, left, right)
-    cuts = cut(signal, coarse, left, right, camera.width if width is None else width, free=free)
+    cuts = cut(signal, coarse, left, right, camera.width, free=free)
     x, y = camera.to_world(cuts.x, cuts.y)
     order = np.argsort(x)
     x, y = x[order], y[order]

@@ -33,11 +33,6 @@ def find_supports(signal: Picture, level: float, width: float) -> Supports:
 
     The edge is then fitted in every row that the support reaches and the strand does not, and a line through these
     edges is read at the strand's level.
-
-    Raises
-    ------
-    SoftcatError
-        If there are none.
     """
     mask = gaussian_filter1d(gaussian_filter1d(signal, 1.0, axis=0), 1.0, axis=1) > level
     middle = mask.shape[1] // 2
@@ -105,13 +100,7 @@ def _edge_at(
 
 
 def width_of(signal: Picture, region: Region, level: float, width: float) -> tuple[float, float]:
-    """Width of a straight bar in a region, such as a needle or a nozzle, and its standard error [px].
-
-    Raises
-    ------
-    SoftcatError
-        If there is no bar in the region.
-    """
+    """Width of a straight bar in a region, such as a needle or a nozzle, and its standard error [px]."""
     x0, x1, y0, y1 = region
     part = signal[y0:y1, x0:x1]
     mask = gaussian_filter1d(part, 1.0, axis=1) > level
