@@ -101,10 +101,9 @@ class Body(Part):
         raise NotImplementedError
 
 
-class Floor(Body):
+class Floor(Body, table="floor"):
     """A level floor, or a belt; lengths in m, velocities in m/s."""
 
-    table_name: ClassVar[str] = "floor"
     sizes = ("depth",)
     required = "depth"
 
@@ -134,10 +133,9 @@ class Floor(Body):
         return [np.array([(left, min(bottom, top)), (left, top), (right, top), (right, min(bottom, top))])]
 
 
-class Pillars(Body):
+class Pillars(Body, table="pillars"):
     """Two pillars on either side of a gap, on whose level tops the filament lies; lengths in m."""
 
-    table_name: ClassVar[str] = "pillars"
     sizes = ("gap", "edge", "height")
     required = "gap"
 
