@@ -147,7 +147,6 @@ class Cuts:
     x: Floats  # shape (n,); column of the middle between both edges
     y: Floats  # shape (n,); row
     thickness: Floats  # shape (n,); along the normal [px]
-    normal: Floats  # shape (2, n); unit vector, downwards
     variance: Floats  # shape (n,); of the middle [px^2]
     rms: float  # of the residuals of brightness, median over the cuts
     height: float  # of the step of brightness, median
@@ -189,7 +188,6 @@ def cut(signal: Picture, coarse: Midline, left: float, right: float, width: floa
     if good.mean() < 0.5:
         raise UnreadableFrameError(f"edges in {good.mean():.0%} of the cuts")
     middle, thick = found.place[good].mean(axis=1), np.diff(found.place[good], axis=1)[:, 0]
-    normal = normal[:, good]
-    at_x, at_y = x[good] + normal[0] * middle, coarse.y(x[good]) + normal[1] * middle
+    at_x, at_y = x[good] + normal[0, good] * middle, coarse.y(x[good]) + normal[1, good] * middle
     medians = (float(np.median(values[good])) for values in (found.rms, found.height, found.width))
-    return Cuts(at_x, at_y, thick, normal, found.variance[good], *medians)
+    return Cuts(at_x, at_y, thick, found.variance[good], *medians)

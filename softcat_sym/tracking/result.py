@@ -32,30 +32,66 @@ class RefusedFrame:
 
 @dataclass(frozen=True, eq=False)
 class Track(drawing.Drawable):
-    """A strand tracked through a film: n frames that were read, and those that were refused."""
+    """A strand tracked through a film.
 
-    film: Film  # The film, to be read again for pictures
+    Attributes
+    ----------
+    film : Film
+        The film, to be read again for pictures.
+    camera : Camera
+        Geometry and light of the picture.
+    pixel, pixel_std : float
+        Length of a pixel and its standard error [m].
+    number : ndarray of int, shape (n,)
+        Numbers of the frames that were read, from 0.
+    time : ndarray, shape (n,)
+        [s] since the release.
+    midpoint, midpoint_std : ndarray, shape (n,)
+        Height above the supports' level, negative below it, and its standard error [m].
+    thickness, thickness_std : ndarray, shape (n,)
+        At the midpoint, along the normal [m]; NaN where it is below 2.5 blur widths.
+    place : ndarray, shape (points,)
+        x of the shapes' points from halfway between the supports [m].
+    shapes, shapes_std, shapes_thickness : ndarray, shape (n, points)
+        Heights, standard errors and thicknesses there [m]; NaN where the strand was not seen.
+    release, release_std : float
+        Time of the release by the film's clock, and its standard error [s].
+    misfit : ndarray, shape (n,)
+        Residuals of the edges' brightness over the film's median.
+    refused : tuple of RefusedFrame
+        Frames that were refused, with the reason.
+    codec : str
+        Name of the codec.
+    bits_per_pixel : float
+        Size of the film; infinite for pictures.
+    factors : tuple of float
+        By which scatter over time widens the errors of midpoint and thickness.
+    warnings : tuple of str
+        What speaks against the numbers, and how to film better.
+    """
+
+    film: Film
     camera: Camera
-    pixel: float  # Length of a pixel and its standard error [m]
+    pixel: float
     pixel_std: float
-    number: NDArray[np.int64]  # shape (n,); of the frames, from 0
-    time: Floats  # shape (n,); [s] since the release
-    midpoint: Floats  # shape (n,); height above the supports' level [m], negative below; NaN where it was not seen
-    midpoint_std: Floats  # shape (n,); its standard error [m]
-    thickness: Floats  # shape (n,); at the midpoint, along the normal [m]; NaN below 2.5 blur widths
+    number: NDArray[np.int64]
+    time: Floats
+    midpoint: Floats
+    midpoint_std: Floats
+    thickness: Floats
     thickness_std: Floats
-    place: Floats  # shape (points,); x of the shapes' points from halfway between the supports [m]
-    shapes: Floats  # shape (n, points); heights there [m]; NaN where the strand was not seen
+    place: Floats
+    shapes: Floats
     shapes_std: Floats
     shapes_thickness: Floats
-    release: float  # Time by the film's clock and its standard error [s]
+    release: float
     release_std: float
-    misfit: Floats  # shape (n,); residuals of the edges' brightness over the film's median
+    misfit: Floats
     refused: tuple[RefusedFrame, ...]
     codec: str
-    bits_per_pixel: float  # infinite for pictures
-    factors: tuple[float, float]  # by which scatter over time widens the errors of midpoint and thickness
-    warnings: tuple[str, ...]  # What speaks against the numbers, and how to film better
+    bits_per_pixel: float
+    factors: tuple[float, float]
+    warnings: tuple[str, ...]
 
     @property
     def span(self) -> float:
