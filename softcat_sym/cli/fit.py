@@ -25,6 +25,7 @@ with lazy_imports():
     from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
+    from softcat_sym.tracking import calibration
     from softcat_sym.tracking import film as filmed
     from softcat_sym.tracking import track as tracking
 
@@ -146,6 +147,7 @@ def fit(
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
+    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     if features_only:
         report = drawing.report(closed_form.closed_form(data[0], known), command=command)
         cli.present(report, report.write(output), output, quiet=quiet)
@@ -153,7 +155,6 @@ def fit(
     if posterior:
         # A missing package is reported before the fit.
         bayes.packages()
-    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     films = collapse_test.read_contour(data[0]) if test else measurements.read_measurements(data)
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
@@ -192,7 +193,7 @@ def _tracked(data: list[Path], scale: str | None, output: Path, *, quiet: bool) 
     places = [place for place, path in enumerate(data) if filmed.is_film(path)]
     if bool(places) != (scale is not None):
         what = f"{data[places[0]]} is a film: name its scale" if places else "no film among DATA: leave it out"
-        raise typer.BadParameter(f"{what}; accepted: {tracking.SCALES}", param_hint="--film-scale")
+        raise typer.BadParameter(f"{what}; accepted: {calibration.SCALES}", param_hint="--film-scale")
     tables, tracks = list(data), {}
     with StudyDisplay(quiet=quiet) as progress:
         for place in places:

@@ -23,7 +23,7 @@ from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.edges import UnreadableFrameError
 from softcat_sym.tracking.film import Frame, pyav
 from softcat_sym.tracking.result import Track
-from softcat_sym.tracking.track import Measured, measure
+from softcat_sym.tracking.strand import Measured, measure
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run

@@ -42,22 +42,11 @@ class Edges:
 def fit_edges(
     values: Floats, along: Floats, guess: Floats, width: float, *, weights: Floats | None = None, free: bool = False
 ) -> Edges:
-    """Fit edges with one Gaussian blur to many cuts at once, by Gauss-Newton with Huber's weights.
+    """Fit edges with one Gaussian blur to n cuts of m samples at once, by Gauss-Newton with Huber's weights.
 
-    ``I(s) = b + g s + A/2 [erf((s - e1)/(sqrt(2) w)) - erf((s - e2)/(sqrt(2) w))]``; of one edge the second is far off.
-
-    Parameters
-    ----------
-    values, along : ndarray, shape (n, m)
-        Brightness, positive in the strand, and places along the cuts [px].
-    guess : ndarray, shape (n, k)
-        One edge, or two, of which the first is the lower one.
-    width : float
-        Blur width w [px]; the first guess where it is free.
-    weights : ndarray, shape (n, m), optional
-        0 for samples that do not count.
-    free : bool
-        Whether each cut has its own width.
+    ``I(s) = b + g s + A/2 [erf((s - e1)/(sqrt(2) w)) - erf((s - e2)/(sqrt(2) w))]``; `guess`, shape (n, 2), has e1 and
+    e2, or of one edge, shape (n, 1), the first. `values` are positive in the strand, `weights` 0 where nothing counts;
+    `free` gives each cut a width of its own.
     """
     edges, n, k = guess.copy(), guess.shape[0], guess.shape[1]
     blur = np.full((n, 1), width)
@@ -120,13 +109,7 @@ class Midline:
 
 
 def midline(signal: Picture, level: float, left: float, right: float) -> Midline:
-    """Find the strand between two columns as what is above `level`, whole or with a window in it.
-
-    Raises
-    ------
-    UnreadableFrameError
-        If there is none, it is too short, or there are two.
-    """
+    """Find the strand between two columns as what is above `level`, whole or with a window in it."""
     first = int(np.ceil(left)) + 2
     count = (int(right) - 1 - first) // 2
     pairs = signal[:, first : first + 2 * count]
@@ -164,7 +147,6 @@ class Cuts:
     x: Floats  # shape (n,); column of the middle between both edges
     y: Floats  # shape (n,); row
     thickness: Floats  # shape (n,); along the normal [px]
-    normal: Floats  # shape (2, n); unit vector, downwards
     variance: Floats  # shape (n,); of the middle [px^2]
     rms: float  # of the residuals of brightness, median over the cuts
     height: float  # of the step of brightness, median
@@ -172,26 +154,7 @@ class Cuts:
 
 
 def cut(signal: Picture, coarse: Midline, left: float, right: float, width: float, *, free: bool = False) -> Cuts:
-    """Fit both edges on cuts along the normal, one for each pixel of arc length.
-
-    Parameters
-    ----------
-    signal : ndarray, shape (rows, columns)
-        Brightness, positive in the strand.
-    coarse : Midline
-        The midline to about a pixel.
-    left, right : float
-        Columns of the supports' edges: nothing beyond them counts.
-    width : float
-        Blur width [px].
-    free : bool
-        Whether every cut has a width of its own.
-
-    Raises
-    ------
-    UnreadableFrameError
-        If fewer than half of the cuts have edges.
-    """
+    """Fit both edges on cuts along the normal, one for each pixel of arc length, between the supports' columns."""
     ends = coarse.columns[[0, -1]]
     fine = np.linspace(float(ends[0]), float(ends[1]), 4 * int(np.ptp(ends)) + 1)
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(fine), np.diff(coarse.y(fine))))])
@@ -225,7 +188,6 @@ def cut(signal: Picture, coarse: Midline, left: float, right: float, width: floa
     if good.mean() < 0.5:
         raise UnreadableFrameError(f"edges in {good.mean():.0%} of the cuts")
     middle, thick = found.place[good].mean(axis=1), np.diff(found.place[good], axis=1)[:, 0]
-    normal = normal[:, good]
-    at_x, at_y = x[good] + normal[0] * middle, coarse.y(x[good]) + normal[1] * middle
+    at_x, at_y = x[good] + normal[0, good] * middle, coarse.y(x[good]) + normal[1, good] * middle
     medians = (float(np.median(values[good])) for values in (found.rms, found.height, found.width))
-    return Cuts(at_x, at_y, thick, normal, found.variance[good], *medians)
+    return Cuts(at_x, at_y, thick, found.variance[good], *medians)

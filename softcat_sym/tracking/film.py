@@ -77,7 +77,9 @@ class Film:
 
     def _of_pictures(self) -> Iterator[Frame]:
         if self.fps is None or not self.fps > 0:
-            raise SoftcatError(f"film {self.path}: pictures have no times; accepted: --fps, such as --fps 240")
+            raise SoftcatError(
+                f"film {self.path}: pictures have no times; accepted: softcat track with --fps, such as --fps 240"
+            )
         files = [self.path] if self.path.is_file() else sorted(
             (one for one in self.path.iterdir() if one.suffix.lower() in PICTURES), key=_natural
         )  # fmt: skip

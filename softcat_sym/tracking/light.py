@@ -28,17 +28,7 @@ class Light:
 
     @classmethod
     def of(cls, grey: Picture, is_dark: bool, *, flat: bool = True) -> Light:
-        """Fit the background to one picture, with one-sided rejection of what is not background.
-
-        Parameters
-        ----------
-        grey : ndarray, shape (rows, columns)
-            Grey levels.
-        is_dark : bool
-            Whether the strand is darker than the background.
-        flat : bool
-            Whether the light varies over the picture; else the background is one grey level.
-        """
+        """Fit the background to one picture, without what is not background; of one grey level unless `flat`."""
         sign = 1.0 if is_dark else -1.0
         rows, columns = grey.shape
         small = sign * grey[::_STRIDE, ::_STRIDE].astype(np.float64)

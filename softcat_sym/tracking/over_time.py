@@ -32,17 +32,9 @@ _DOUBT = 8.0
 def refusals(change: Floats, rms: Floats, height: Floats, std: Floats, *, is_predicted: bool) -> dict[int, str]:
     """Reasons to refuse frames, by their places in the sequence.
 
-    Parameters
-    ----------
-    change : ndarray, shape (n,)
-        Mean difference of each frame to the one before, over that of their times [grey level/s]; infinite for the
-        first.
-    rms : ndarray, shape (n,)
-        Residuals of the edges' brightness.
-    height, std : ndarray, shape (n,)
-        Heights of the midpoint and their standard errors; NaN where it was not seen.
-    is_predicted : bool
-        Whether a repeated frame is written as a small change, instead of once more.
+    `change` is the mean difference to the frame before over that of their times, infinite for the first frame; `rms` of
+    the edges' residuals; `height`, `std` of the midpoint, NaN where it was not seen. A codec that predicts writes a
+    repeated frame as a small change, others once more.
     """
     found = dict[int, str]()
     # At rest, all predicted frames are nearly repeated, and do no harm.

@@ -12,36 +12,12 @@ from numpy.typing import NDArray
 
 from softcat_sym import drawing, files
 from softcat_sym.tracking.film import Film
-from softcat_sym.tracking.light import Light
-from softcat_sym.tracking.supports import Supports
+from softcat_sym.tracking.strand import Camera
 
 Floats = NDArray[np.float64]
 
 MAX_POINTS = 11
 """Points of a shape at most: of more, neighbours on one spline are no readings of their own."""
-
-
-@dataclass(frozen=True, eq=False)
-class Camera:
-    """How a film sees the strand."""
-
-    light: Light
-    level: float  # brightness above which a pixel is the strand's
-    width: float  # blur width [px]
-    supports: Supports
-    centre: tuple[float, float]  # column and row halfway between the supports, at their level
-    tilt: float  # of the supports' level in the picture, clockwise [rad]
-
-    def to_world(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Places from the centre to the right, and heights above the supports' level, of columns and rows [px]."""
-        right, down = x - self.centre[0], y - self.centre[1]
-        cos, sin = np.cos(self.tilt), np.sin(self.tilt)
-        return cos * right + sin * down, sin * right - cos * down
-
-    def to_picture(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Columns and rows of places and heights [px]."""
-        cos, sin = np.cos(self.tilt), np.sin(self.tilt)
-        return self.centre[0] + cos * x + sin * y, self.centre[1] + sin * x - cos * y
 
 
 @dataclass(frozen=True)
@@ -129,18 +105,10 @@ class Track(drawing.Drawable):
         return self.number.size >= 5 and lost <= self.number.size
 
     def to_frame(self, points: int = 0) -> pd.DataFrame:
-        """Table of midpoints, or of points of whole shapes.
+        """Table of midpoints, or of up to 11 points of each whole shape, as ``softcat fit`` reads it.
 
-        Parameters
-        ----------
-        points : int
-            Points of each shape, up to 11; 0 for the midpoint.
-
-        Returns
-        -------
-        DataFrame
-            ``time_s, midpoint_mm, midpoint_std_mm, thickness_mm, thickness_std_mm, frame_number``, or ``time_s, x_mm,
-            y_mm, y_std_mm, thickness_mm, frame_number``, as ``softcat fit`` reads them.
+        Its columns are ``time_s, midpoint_mm, midpoint_std_mm, thickness_mm, thickness_std_mm, frame_number``, or
+        ``time_s, x_mm, y_mm, y_std_mm, thickness_mm, frame_number``.
         """
         if not points:
             seen = np.isfinite(self.midpoint)

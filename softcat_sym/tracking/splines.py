@@ -53,20 +53,10 @@ def curve(
     rejected: float = _REJECTED,
     rounding: float = 0.0,
 ) -> Curve:
-    """Fit a cubic spline of equal pieces, shorter ones next to the supports, without outliers.
+    """Fit a cubic spline of equal pieces, shorter ones next to the supports, to points of increasing x.
 
-    Parameters
-    ----------
-    x, y : ndarray, shape (n,)
-        Points, of increasing x.
-    pieces : int
-        Number of pieces.
-    weight : ndarray, shape (n,), optional
-        Inverse variances up to a factor.
-    rejected : float
-        Robust standard deviations beyond which a point is left out.
-    rounding : float
-        Smallest standard deviation of the points, where they are rounded.
+    Left out are points that are off by more than `rejected` robust standard deviations, which are no smaller than
+    `rounding`. A weight is an inverse variance up to a factor.
     """
     inner = np.arange(1, pieces) / pieces
     if pieces >= _GRADED:

@@ -33,11 +33,6 @@ def find_supports(signal: Picture, level: float, width: float) -> Supports:
 
     The edge is then fitted in every row that the support reaches and the strand does not, and a line through these
     edges is read at the strand's level.
-
-    Raises
-    ------
-    SoftcatError
-        If there are none.
     """
     mask = gaussian_filter1d(gaussian_filter1d(signal, 1.0, axis=0), 1.0, axis=1) > level
     middle = mask.shape[1] // 2
@@ -105,13 +100,7 @@ def _edge_at(
 
 
 def width_of(signal: Picture, region: Region, level: float, width: float) -> tuple[float, float]:
-    """Width of a straight bar in a region, such as a needle or a nozzle, and its standard error [px].
-
-    Raises
-    ------
-    SoftcatError
-        If there is no bar in the region.
-    """
+    """Width of a straight bar in a region, such as a needle or a nozzle, and its standard error [px]."""
     x0, x1, y0, y1 = region
     part = signal[y0:y1, x0:x1]
     mask = gaussian_filter1d(part, 1.0, axis=1) > level
@@ -140,4 +129,5 @@ def width_of(signal: Picture, region: Region, level: float, width: float) -> tup
     cosine = 1 / np.hypot(1, np.polyfit(whole[good], centre, 1)[0])
     fitted = curve(whole[good].astype(np.float64), np.diff(found.place[good], axis=1)[:, 0] * cosine, 1)
     at = np.linspace(whole[0], whole[-1], 20)
-    return float(fitted(at).mean()), float(np.sqrt(fitted.covariance(at).mean()))
+    # Of a bar that is not equally wide everywhere it is not known where the width was measured.
+    return float(fitted(at).mean()), float(np.hypot(np.sqrt(fitted.covariance(at).mean()), fitted(at).std()))
