@@ -74,7 +74,7 @@ class Physics(ct.Structure):
     )
 
 
-_Evaluated = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, *[Doubles] * 3)
+_Evaluated = ct.CFUNCTYPE(ct.c_int, ct.POINTER(FilamentStruct), ct.c_double, *[Doubles] * 3)
 """A function of a softcat_model at a time and a state, with its result and scratch."""
 
 
