@@ -224,6 +224,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
 
 
 def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path: Path) -> None:
+    softcat.monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: ("cold-honey", "gelatin-strand"))
     for arguments, named in BAD:
         done = softcat("effects", *arguments, "-o", str(tmp_path / "out"))
         assert (done.status, done.out) == (2, ""), arguments

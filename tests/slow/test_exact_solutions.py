@@ -13,6 +13,8 @@ from tests.common.rheology import GEOMETRY, STRING
 pytestmark = pytest.mark.slow
 
 SHAPES: shapes.Cases = {
+    "cantilever, w L^3/EI = 12": (partial(shapes.heavy_elastica, 12.0, 0.0), 2e-4),
+    "natural curvature 1.5/m": (shapes.natural_curvature, 1e-5),
     "cantilever, w L^3/EI = 1": (partial(shapes.heavy_elastica, 1.0, 0.0), 2e-4),
     "cantilever, w L^3/EI = 12, clamp at 0.8": (partial(shapes.heavy_elastica, 12.0, 0.8), 2e-4),
     "catenary, level": (partial(shapes.catenary, 0.0), 5e-5),
