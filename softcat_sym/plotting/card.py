@@ -30,7 +30,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
-from softcat_sym.plotting.style import headed, png, printable, styled
+from softcat_sym.plotting.style import png, printable, styled, titled_figure
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
 from softcat_sym.scene.scene import Scene
@@ -290,7 +290,7 @@ def card_figure(card: Card) -> Figure:
     wide, high = np.ptp(shape.outline, axis=0)
     tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
     scaled = f", {larger}" if str(larger) else ""
-    figure, body = headed(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
+    figure, body = titled_figure(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
     axes = body.subplot_mosaic(
         [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
     )

@@ -23,7 +23,7 @@ from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend, plain_log, styled
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit, significant, time_unit
@@ -64,7 +64,9 @@ def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]
     return drawers
 
 
-drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.drawn(_drawers(of), what, of))
+drawing.plot.register(
+    Comparison, lambda of, what="compare_midpoint.png": drawing.figure_by_name(_drawers(of), what, of)
+)
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
@@ -79,7 +81,7 @@ def _over_time(
 ) -> tuple[Figure, SubFigure, list[Axes], TimeAxis]:
     """Panels below one another with one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
     run, summary = comparison.reference, comparison.filament.trajectory.summary
-    figure, body = headed(comparison.scene, what, summary, height=height, notes=notes)
+    figure, body = titled_figure(comparison.scene, what, summary, height=height, notes=notes)
     panels = body.subplots(len(ratios), 1, height_ratios=ratios)
     axis = TimeAxis.of(run.time, run.midpoint)
     for axes in panels:
@@ -189,7 +191,7 @@ def shapes_figure(comparison: Comparison) -> Figure:
     wide: dict[str, Any] = {"color": style.GREY, "linewidth": 2.4}
     dashed: dict[str, Any] = {"color": style.BLACK, "linewidth": 0.9, "linestyle": (0, (4, 3))}
     summary = comparison.filament.trajectory.summary
-    figure, body = headed(comparison.scene, "centrelines", summary, height=tall + 3.0)
+    figure, body = titled_figure(comparison.scene, "centrelines", summary, height=tall + 3.0)
     above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
     for pair, colour in zip(pairs, _COLOURS, strict=False):
         (x, y), (x_elements, y_elements) = ruler.of(pair.filament).T, ruler.of(pair.elements).T
@@ -265,7 +267,7 @@ def rate_figure(comparison: Comparison) -> Figure:
     ruler, clock = length_unit(span), time_unit(float(comparison.elements.time[-1]))
     notes = _RATE_NOTE if top > 0 else "Nothing flows, at none of the times at which the field was kept."
     what, height = "plastic shear rate in the elements", sum(heights) + 0.35 * len(heights) + 0.9
-    figure, body = headed(comparison.scene, what, {}, height=height, notes=notes)
+    figure, body = titled_figure(comparison.scene, what, {}, height=height, notes=notes)
     panels = body.subplots(len(shots), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
     for shot, at, (whole, close) in zip(shots, corners, panels, strict=True):
         low, high = float(at[:, 1].min()) - thickness / 2, float(at[:, 1].max()) + thickness / 2

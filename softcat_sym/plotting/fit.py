@@ -6,7 +6,6 @@ from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
 from rich.console import RenderableType
 from rich.padding import Padding
 from rich.table import Table
@@ -144,20 +143,23 @@ def _features_plot(found: ClosedForm) -> Figure:
     return features_figure(found.film.time, found.film.midpoint, found.features, found)
 
 
-drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, what, fit))
+drawing.plot.register(Fit, lambda fit, what="curves": drawing.figure_by_name(FIGURES, what, fit))
+
+
+_CAPTIONS = {
+    "fit": ("curves", "data, model with its 95 % band, and residuals"),
+    "profiles": ("profiles", "profile likelihoods with the 95 % threshold"),
+    "correlation": ("correlation", "joint 95 % regions and correlations"),
+    "starts": ("starts", "where every start began and ended"),
+}
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
     """Draw all figures that the fit has data for, with captions."""
-    pairs = fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]
-    captions = {"curves": "data, model with its 95 % band, and residuals"}
-    if fit.profiles:
-        captions["profiles"] = "profile likelihoods with the 95 % threshold"
-    if np.isfinite(pairs).any():
-        captions["correlation"] = "joint 95 % regions and correlations"
-    if len(fit.starts.results) > 1:
-        captions["starts"] = "where every start began and ended"
-    found = {what.replace("curves", "fit"): (text, FIGURES[what](fit)) for what, text in captions.items()}
+    found = {}
+    for name, (what, caption) in _CAPTIONS.items():
+        if (figure := FIGURES[what](fit)) is not None:
+            found[name] = (caption, figure)
     for number, film in enumerate(fit.films, start=1):
         if film.features is not None:
             part = film.part(film.of_midpoint)

@@ -35,7 +35,7 @@ _PANELS = 3
 """Profiles in a row."""
 
 
-def headed(fit: Fit, what: str, height: float) -> tuple[Figure, SubFigure]:
+def fit_sheet(fit: Fit, what: str, height: float) -> tuple[Figure, SubFigure]:
     """A sheet with the scene's title, and a subtitle that names its content."""
     return sheet(fit.scene.title or "Filament", what, height=height)
 
@@ -65,7 +65,7 @@ def curves_figure(fit: Fit) -> Figure:
             if chosen.any():
                 views.append((film.part(chosen), band[chosen], posed.std[chosen] if fit.noise_known else None))
     below = f"{fit.outcome.word} · residuals {fit.checks.verdict} · noise {noise_text(fit)}"
-    figure, body = headed(fit, below, 4.0 * len(views))
+    figure, body = fit_sheet(fit, below, 4.0 * len(views))
     panels = body.subplots(2 * len(views), 1, height_ratios=[2.7, 1.0] * len(views)).reshape(-1, 2)
     for (film, band, std), (above, under) in zip(views, panels, strict=True):
         draw = _draw_shapes if film.of_shape.all() else _draw_midpoint
@@ -137,12 +137,14 @@ def _draw_shapes(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: 
 
 
 @styled()
-def profiles_figure(fit: Fit) -> Figure:
+def profiles_figure(fit: Fit) -> Figure | None:
     """Draw the profile likelihood of each parameter."""
+    if not fit.profiles:
+        return None
     across = min(len(fit.profiles), _PANELS)
     rows = math.ceil(len(fit.profiles) / across)
     what = "profile likelihood: increase of χ² with one parameter held, the others re-optimised"
-    figure, body = headed(fit, what, 2.6 * rows + 0.3)
+    figure, body = fit_sheet(fit, what, 2.6 * rows + 0.3)
     panels = body.subplots(rows, across, squeeze=False)
     for k, (one, free) in enumerate(zip(fit.profiles, fit.problem.free, strict=False)):
         axes = panels.flat[k]
@@ -188,12 +190,14 @@ JOINT = 5.991
 
 
 @styled()
-def correlation_figure(fit: Fit) -> Figure:
+def correlation_figure(fit: Fit) -> Figure | None:
     """Draw the matrix of all pairs: joint regions in standard errors below its diagonal, correlations above it."""
+    if not np.isfinite(fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]).any():
+        return None
     count = fit.problem.asked
     size = min(1.7, 6.6 / count)
     what = "joint 95 % regions in standard errors, and correlations of the estimates"
-    figure, body = headed(fit, what, count * (size + 0.08) + 0.4)
+    figure, body = fit_sheet(fit, what, count * (size + 0.08) + 0.4)
     panels = body.subplots(count, count, squeeze=False, subplot_kw={"xticks": [], "yticks": []})
     for (row, column), axes in np.ndenumerate(panels):
         axes.set_box_aspect(1)
@@ -253,8 +257,10 @@ def _color(cluster: int) -> str:
 
 
 @styled()
-def starts_figure(fit: Fit) -> Figure:
+def starts_figure(fit: Fit) -> Figure | None:
     """Draw a line for each start, the best on top: its final misfit, and each parameter from start to end."""
+    if len(fit.starts.results) < 2:
+        return None
     results, count = fit.starts.results, 1 + fit.problem.asked
     across, ranks = min(count, 4), np.arange(1, len(results) + 1)
     rows = math.ceil(count / across)
@@ -263,7 +269,7 @@ def starts_figure(fit: Fit) -> Figure:
     colors = [_color(result.cluster) for result in results]
     faces = [color if result.optimum.converged else "white" for color, result in zip(colors, results, strict=True)]
     tall = max(1.2, 0.22 * (len(results) + 1))
-    figure, body = headed(fit, f"starts: {starts_text(fit)}", rows * (tall + 0.65) + 0.3)
+    figure, body = fit_sheet(fit, f"starts: {starts_text(fit)}", rows * (tall + 0.65) + 0.3)
     panels = body.subplots(rows, across, squeeze=False)
     for axes in panels.flat[count:]:
         axes.remove()
@@ -307,7 +313,7 @@ def collapse_figure(test: CollapseTest) -> Figure:
     ruler = length_unit(ends[-1] - ends[0])
     foot = min(top) - (test.contour.pillar_height or 1.5 * max(gap.sag for gap in test.gaps))
     below = f"{test.fit.outcome.word} · turned back by {np.degrees(test.tilt):.3g}°"
-    figure, body = headed(test.fit, below, 3.0)
+    figure, body = fit_sheet(test.fit, below, 3.0)
     axes, outer = body.subplots(), 0.04 * (ends[-1] - ends[0])
     edges, heights = [ends[0] - outer, *ends, ends[-1] + outer], [top[0], *top, top[-1]]
     for k in range(0, len(edges), 2):
@@ -392,7 +398,7 @@ def laws_figure(found: LawComparison) -> Figure:
     reaches = [max(float(np.abs(part).max()) for part in parts) or 1e-12 for parts in left]
     far = 1.1 * min(max(reaches), 3.0 * reaches[0])
     ruler = length_unit(far)
-    figure, body = headed(found.best, found.sentence, 1.35 * len(rows) + 0.4)
+    figure, body = fit_sheet(found.best, found.sentence, 1.35 * len(rows) + 0.4)
     panels = body.subplots(len(rows), 1, squeeze=False).flat
     for axes, row, one, parts in zip(panels, rows, fits, left, strict=True):
         longest = max(one.films, key=lambda film: float(film.time.max()))

@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
@@ -17,7 +18,7 @@ from softcat_sym import store
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import csv_bytes, page
+from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, telling_frames
 from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png, styled
@@ -168,7 +169,7 @@ def gallery_report(shown: Sequence[tuple[Exhibit, Run]], changes: Sequence[str] 
     contents: dict[str, object] = {
         "gallery.html": page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards),
         "gallery.png": contact_sheet(list(pictures.values())),
-        "gallery.csv": csv_bytes(rows[0], (row.values() for row in rows)),
+        "gallery.csv": pd.DataFrame(rows),
         "gallery.json": json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False),
     }
     for name, picture in pictures.items():

@@ -17,7 +17,7 @@ from softcat_sym.fitting.posterior import Posterior
 from softcat_sym.fitting.priors import Prior
 from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_figures import headed, parameter_axis, parameter_label
+from softcat_sym.plotting.fit_figures import fit_sheet, parameter_axis, parameter_label
 from softcat_sym.plotting.style import legend, number_axis, styled
 from softcat_sym.plotting.units import Unit
 
@@ -46,7 +46,7 @@ def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
         np.array([one.free.scaled(x) for x in values.tolist()]) for one, values in zip(priors, draws, strict=True)
     ]
     outcome = f"posterior: {posterior.outcome.word} · {posterior.message}"
-    figure, body = headed(fit, outcome, max(count * min(2.4, 6.9 / count), 2.6) + 0.4)
+    figure, body = fit_sheet(fit, outcome, max(count * min(2.4, 6.9 / count), 2.6) + 0.4)
     panels: Any = body.subplots(count, count, squeeze=False)
     units = [_draw_one(panels[k, k], fit, one, draws[k], scaled[k]) for k, one in enumerate(priors)]
     for (row, column), axes in np.ndenumerate(panels):

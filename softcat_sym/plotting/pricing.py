@@ -12,7 +12,7 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend, plain_log, styled
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.studies.effect_importance import Pricing, PricingRow, percent
 
@@ -54,7 +54,7 @@ def pricing_figure(pricing: Pricing) -> Figure:
     shown = [pair for pair in found if pair[1]["share"] is not None and pair[1]["time_ratio"] is not None]
     shown.sort(key=lambda pair: -pair[1]["share"])
     accuracy, lost = pricing.scene.run.accuracy, "; ".join(text for row in rows if row.fails for text in _failure(row))
-    figure, body = headed(
+    figure, body = titled_figure(
         pricing.scene, "each effect left out or put in, in turn", {"outcome": pricing.base.outcome.name},
         height=1.4 + 0.22 * len(shown), notes=_NOTE + (f"\nNot to be trusted, and not drawn: {lost}." if lost else ""),
     )  # fmt: skip

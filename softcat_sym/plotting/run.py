@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from io import StringIO
 from typing import Any, Final
 
 import numpy as np
@@ -21,7 +23,6 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import csv_bytes
 from softcat_sym.plotting.section import (
     Floats,
     Magnification,
@@ -93,10 +94,10 @@ class Sheet:
         """Whether there is a heading, and room for what print does without."""
         return self.name == style.SCREEN
 
-    def headed(self, what: str, height: float) -> tuple[Figure, SubFigure]:
+    def titled_figure(self, what: str, height: float) -> tuple[Figure, SubFigure]:
         """A figure whose axes are placed in inches, since constrained layout would take half as long as the drawing."""
         layout: dict[str, Any] = {"height": height, "width": WIDTHS[self.name], "is_constrained": False}
-        return style.headed(self.scene, what if self.on_screen else "", self.summary, **layout)
+        return style.titled_figure(self.scene, what if self.on_screen else "", self.summary, **layout)
 
     def figure(
         self,
@@ -115,7 +116,7 @@ class Sheet:
         left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
         across, down = between
         width, tall = WIDTHS[self.name], below + sum(heights) + down * (len(heights) - 1) + above
-        figure, body = self.headed(what, tall)
+        figure, body = self.titled_figure(what, tall)
         gridspec = {"left": left / width, "right": 1 - right / width, "bottom": below / tall, "top": 1 - above / tall}
         gridspec["hspace"] = down * len(heights) / sum(heights)
         gridspec["wspace"] = across * columns / (width - left - right - across * (columns - 1))
@@ -319,7 +320,7 @@ def _spatial_shapes(sheet: Sheet, radius: float, drawn: str) -> Figure:
     columns = min(len(frames), 2)
     rows = -(-len(frames) // columns)
     with styled(sheet.name):
-        figure, body = sheet.headed(f"shapes with their {drawn}; the stripe is one side", _PANEL * rows)
+        figure, body = sheet.titled_figure(f"shapes with their {drawn}; the stripe is one side", _PANEL * rows)
         for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
             row, column = divmod(number, columns)
             place = (column / columns, (rows - 1 - row) / rows, 1 / columns, 0.93 / rows)
@@ -492,8 +493,8 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> No
 
 
 def time_to_nine_tenths(data: Fields) -> float | None:
-    """When the midpoint is first at 0.9 of its final sag [s], between frames; None of one that ends where it began."""
-    times, sag = array(data, "time"), -array(data, "midpoint")
+    """When the midpoint is first at 0.9 of its final sag [s]; None of one that ends where it began."""
+    times, sag = array(data, f"{_dense(data)}time"), -array(data, f"{_dense(data)}midpoint")
     fallen = (sag - sag[0]) * np.sign(sag[-1] - sag[0])
     aim = 0.9 * fallen[-1]
     k = int(np.argmax(fallen >= aim))
@@ -510,7 +511,7 @@ FIGURES: Final[dict[str, Callable[..., Figure]]] = {
 
 @drawing.plot.register(Run)
 def _of_run(run: Run, what: str = "midpoint", radius: float = 1.0) -> Figure:
-    return drawing.drawn(_figures(radius), what, run.fields, run.summary, run.scene)
+    return drawing.figure_by_name(_figures(radius), what, run.fields, run.summary, run.scene)
 
 
 def _figures(radius: float) -> dict[str, Callable[..., Figure]]:
@@ -534,5 +535,8 @@ def run_report(run: Run, name: str = style.SCREEN, radius: float = 1.0) -> Repor
 
 def midpoint_csv(run: Run) -> bytes:
     """The midpoint over time; what is refused says so in every row."""
-    table = midpoint_table(run.fields, run.summary)
-    return csv_bytes(table, zip(*table.values(), strict=True))
+    table, stream = midpoint_table(run.fields, run.summary), StringIO()
+    rows = zip(*table.values(), strict=True)
+    plain = ([one if isinstance(one, str) or np.isfinite(one) else "" for one in row] for row in rows)
+    csv.writer(stream, lineterminator="\n").writerows([list(table), *plain])
+    return stream.getvalue().encode()

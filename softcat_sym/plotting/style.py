@@ -227,7 +227,7 @@ def sheet(
     return figure, body
 
 
-def headed(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
+def titled_figure(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
     """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused.
 
     Without `what` there is no heading, as in print.

@@ -285,4 +285,4 @@ def _draw_pairs(body: SubFigure, data: xr.Dataset, keys: list[DrawnAxis], member
     members.legend(body)
 
 
-drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.drawn({"sag": sweep_figure}, what, sweep))
+drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.figure_by_name({"sag": sweep_figure}, what, sweep))

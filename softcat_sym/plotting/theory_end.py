@@ -17,7 +17,7 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.compare import percent
 from softcat_sym.plotting.phase import AXES
-from softcat_sym.plotting.style import headed, legend, plain_log, styled
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, significant
 from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
@@ -55,7 +55,7 @@ def theory_end_figure(end: TheoryEnd) -> Figure:
         unit = length_unit(last)
     label = AXES.get(group, group.rpartition(".")[2].replace("_", " ")) + (f" [{unit.symbol}]" if unit.symbol else "")
     what = "midpoint, filament against elements: where the theory ends"
-    figure, body = headed(end.scene, what, {}, height=3.9, notes="\n".join(notes))
+    figure, body = titled_figure(end.scene, what, {}, height=3.9, notes="\n".join(notes))
     panels = body.subplots(1, len(names), squeeze=False, sharex=True, sharey=True).ravel()
     for axes, name in zip(panels, names, strict=True):
         _draw(axes, end, name, unit)

@@ -129,6 +129,8 @@ def case_figure(result: Result) -> Figure:
             colour = next(drawn)
         if not curve.is_published:
             look = {"linewidth": 1.4}
+        elif many:
+            look = {"linewidth": 0.6, "marker": ".", "markersize": 3.0}
         axes.plot(curve.x, curve.y, color=colour, label=curve.label, **look)
     for place, draw in ((picture.published_x, axes.axvline), (picture.published_y, axes.axhline)):
         if place is not None:
@@ -169,8 +171,8 @@ def validation_figure(validation: Validation) -> Figure:
     axes.barh(places, values, color=[style.BLUE if value >= 0 else style.VERMILLION for value in values], height=0.62)
     axes.set_yticks(places, [style.printable(name, 58) for name, _ in found], fontsize=7.0)
     axes.set_xscale("symlog", linthresh=0.1)
-    axes.set_xticks([-30, -10, -3, -1, 0, 1, 3, 10, 30])
-    axes.xaxis.set_major_formatter("{x:g}")
+    ticks = (-30, -10, -3, -1, 0, 1, 3, 10, 30)
+    axes.set_xticks(ticks, [str(tick) for tick in ticks])
     axes.axvline(0.0, color=style.GREY, lw=0.6)
     axes.invert_yaxis()
     axes.tick_params(axis="y", length=0)
