@@ -346,7 +346,7 @@ def features_figure(
     figure, body = sheet(title, below, height=3.1, notes=notes)
 
     def draw(axes: Axes, at: Floats, depth: Floats, look: str = "-", **settings: Any) -> None:
-        axes.plot(clock.of(at), ruler.of(depth), look, linewidth=1.0, **settings)
+        axes.plot(clock.of(at), ruler.of(depth), look, **settings)
 
     left, right = body.subplots(1, 2)
     shown, ringing = (time > 0) & (sag > 0), features.ringing
@@ -370,10 +370,10 @@ def features_figure(
     else:
         first, last = ringing.stretch.time[[0, -1]]
         part, dense = (time >= first) & (time <= last), np.linspace(first, last, 1200)
-        draw(left, dense, ringing.curve(dense), color=style.VERMILLION)
+        draw(left, dense, ringing.curve(dense), color=style.VERMILLION, linewidth=1.0)
         draw(right, time[part], sag[part], ".", color=style.BLACK, markersize=3.5, label="frames")
-        draw(right, dense, ringing.curve(dense), color=style.VERMILLION, label="oscillation")
-        draw(right, dense, ringing.trend(dense), "--", color=style.BLUE, label="trend")
+        draw(right, dense, ringing.curve(dense), color=style.VERMILLION, linewidth=1.0, label="oscillation")
+        draw(right, dense, ringing.trend(dense), "--", color=style.BLUE, linewidth=1.0, label="trend")
         middle, depth = np.array([ringing.middle]), np.array([ringing.sag])
         draw(right, middle, depth, "o", color=style.BLUE, markersize=5, label="R, d, H read")
     log_axes(left, xlim=clock.of(at[[0, -1]]), ylim=(float(ruler.of(low)) / 1.3, float(ruler.of(high))))
