@@ -162,14 +162,15 @@ def rule_texts(rule: Rule) -> tuple[str, str, str, str, str]:
     return f"{rule.name} {rule.source}", predicted, solver, error, rule.text
 
 
-_WIDTHS = (24, 9, 9, 9, 0)
-"""Characters of the first columns, so that rows printed one by one stand below each other."""
+_ROWS = {2: ("<18", "<"), 5: ("<24", ">9", ">9", ">9", "<")}
+"""Formats of the cells of a row, by their number, so that rows printed one by one stand below each other."""
 
 
-def row_of(label: str, text: str, style: str = "") -> Table:
-    """A row for a terminal."""
-    table = TextTable(("", ""), [(label.ljust(18), text)], kinds=["row"])
-    return table.printed(whole=(0,), box=None, styles={"row": style})
+def row_of(*cells: str, look: str = "") -> Table:
+    """A row for a terminal: a label and a text, or a rule."""
+    row = [format(cell, form) for cell, form in zip(cells, _ROWS[len(cells)], strict=True)]
+    table = TextTable([""] * len(row), [row], kinds=["row"])
+    return table.printed(whole=range(len(row) - 1), box=None, styles={"row": look})
 
 
 def lines(card: Card) -> dict[str, RenderableType]:
@@ -178,7 +179,7 @@ def lines(card: Card) -> dict[str, RenderableType]:
     found: dict[str, RenderableType] = {sentence: Text(sentence, style="bold green" if sound else "bold red")}
     for label, text in facts(card):
         if label != "note":
-            found[f"{label} {text}"] = row_of(label, text, "yellow" if label == "warning" else "")
+            found[f"{label} {text}"] = row_of(label, text, look="yellow" if label == "warning" else "")
     idle, rows = dict[str, list[str]](), [_RULES]
     for rule in card.rules:
         if rule.predicted is None:
@@ -186,14 +187,8 @@ def lines(card: Card) -> dict[str, RenderableType]:
         elif rule.text or CAUSES not in card.pending:
             rows.append((rule.name, *rule_texts(rule)[1:]))
     for row in rows if rows[1:] else []:
-        cells = tuple(
-            one.rjust(wide) if k in _NUMBERS else one.ljust(wide)
-            for k, (one, wide) in enumerate(zip(row, _WIDTHS, strict=True))
-        )
-        kind = "bold" if row is _RULES else "green" if row[-1] == "holds" else ""
-        found[" ".join(cells)] = TextTable(("",) * 5, [cells], kinds=["row"]).printed(
-            whole=range(4), box=None, styles={"row": kind}
-        )
+        look = "bold" if row is _RULES else "green" if row[-1] == "holds" else ""
+        found[" ".join(row)] = row_of(*row, look=look)
     for why, names in idle.items():
         listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
         found[why] = Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim")

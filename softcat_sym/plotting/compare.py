@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -150,39 +149,22 @@ _LOWEST, _TALLEST = 1.1, 4.5
 _COLOURS = (style.SKY, style.GREEN, style.ORANGE, style.VERMILLION)
 
 
-@dataclass(frozen=True)
-class ShapePair:
-    """Half a centreline, 0 <= X <= L/2, of elements and filament at one time."""
-
-    time: float  # [s]
-    X: Floats  # shape (columns,); Material positions [m]
-    elements: Floats  # shape (columns, 2); Where they are [m]
-    filament: Floats
-
-    @property
-    def distance(self) -> Floats:
-        """Distance between the two places of each material point [m]."""
-        return np.asarray(np.linalg.norm(self.filament - self.elements, axis=1))
-
-
-def shape_pairs(comparison: Comparison) -> list[ShapePair]:
-    """Both centrelines at the moments of the error table that the filament reached."""
+def shape_tables(comparison: Comparison) -> list[pd.DataFrame]:
+    """Half a centreline, 0 <= X <= L/2, of elements and filament at each moment of the error table that both reach."""
     run, data = comparison.elements, comparison.filament.trajectory.data
-    nodes, reached = data["X_node"].values, data.sizes["time"]
-    pairs = []
-    for frame in sorted({*moments(len(run.time))}):
-        if frame < reached:
-            own = [np.interp(run.X, nodes, data[name].values[frame]) for name in ("x", "y")]
-            elements = np.column_stack([run.x[frame], run.y[frame]])
-            pairs.append(ShapePair(float(run.time[frame]), run.X, elements, np.column_stack(own)))
-    return pairs
+    tables = []
+    for frame in (frame for frame in sorted({*moments(len(run.time))}) if frame < data.sizes["time"]):
+        own = {f"filament_{n}_m": np.interp(run.X, data["X_node"].values, data[n].values[frame]) for n in ("x", "y")}
+        theirs = {"elements_x_m": run.x[frame], "elements_y_m": run.y[frame]}
+        tables.append(pd.DataFrame({"time_s": float(run.time[frame]), "X_m": run.X, **theirs, **own}))
+    return tables
 
 
 @styled()
 def shapes_figure(comparison: Comparison) -> Figure:
     """Draw centrelines above, the distance of equal material points below."""
-    pairs, span = shape_pairs(comparison), comparison.scene.filament.span
-    deepest = max((float(np.abs(pair.elements[:, 1]).max()) for pair in pairs), default=0.0) or 0.01 * span
+    pairs, span = shape_tables(comparison), comparison.scene.filament.span
+    deepest = max((float(pair.elements_y_m.abs().max()) for pair in pairs), default=0.0) or 0.01 * span
     # Of axes that are five inches wide, drawn true; what is flat or deep is stretched.
     true = 5.0 * 1.12 * deepest / (1.04 * span)
     tall = min(max(true, _LOWEST), _TALLEST)
@@ -193,18 +175,20 @@ def shapes_figure(comparison: Comparison) -> Figure:
     summary = comparison.filament.trajectory.summary
     figure, body = titled_figure(comparison.scene, "centrelines", summary, height=tall + 3.0)
     above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
+    largest = 0.0
     for pair, colour in zip(pairs, _COLOURS, strict=False):
-        (x, y), (x_elements, y_elements) = ruler.of(pair.filament).T, ruler.of(pair.elements).T
-        for side, label in ((-1, None), (1, f"t = {clock.text(pair.time)}")):
-            above.plot(side * x, y, **{**wide, "color": colour}, label=label, solid_capstyle="butt")
-            above.plot(side * x_elements, y_elements, **dashed, zorder=3)
-        below.plot(pair.X / span, 100 * pair.distance / span, color=colour, linewidth=1.3)
+        for side, label in ((-1, None), (1, f"t = {clock.text(pair.time_s[0])}")):
+            x, y = ruler.of(side * pair.filament_x_m), ruler.of(pair.filament_y_m)
+            above.plot(x, y, **{**wide, "color": colour}, label=label, solid_capstyle="butt")
+            above.plot(ruler.of(side * pair.elements_x_m), ruler.of(pair.elements_y_m), **dashed, zorder=3)
+        distance = np.hypot(pair.filament_x_m - pair.elements_x_m, pair.filament_y_m - pair.elements_y_m)
+        below.plot(pair.X_m / span, 100 * distance / span, color=colour, linewidth=1.3)
+        largest = max(largest, float(distance.max()))
     above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=1.4)
     above.set(xlim=ruler.of([-0.52 * span, 0.52 * span]), ylim=ruler.of([-1.08 * deepest, 0.04 * deepest]))
     above.set_box_aspect(tall / 5.0)
     above.set_xlabel(f"x [{ruler.symbol}]{scale}", labelpad=1.0)
     above.set_ylabel(f"y [{ruler.symbol}]")
-    largest = max((float(pair.distance.max()) for pair in pairs), default=0.0)
     below.set(xlim=(0.0, 0.5), ylim=(0.0, 115 * largest / span or 1.0))
     below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
     below.grid(True)
@@ -307,11 +291,7 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
     for row in rows:
         strains |= {f"{row.key}_{which}": getattr(row.clamp_strain, which) for which in ("mean", "largest")}
     found["compare_clamp_strain.csv"] = pd.DataFrame({"time_s": elements.time, **strains})
-    names = ("elements_x_m", "elements_y_m", "filament_x_m", "filament_y_m")
-    found["compare_shapes.csv"] = pd.concat(
-        pd.DataFrame(dict(zip(names, (*pair.elements.T, *pair.filament.T), strict=True), X_m=pair.X, time_s=pair.time))
-        for pair in shape_pairs(comparison)
-    )[["time_s", "X_m", *names]]
+    found["compare_shapes.csv"] = pd.concat(shape_tables(comparison))
     X, Y = elements.point.reshape(-1, 2).T
     order = np.lexsort((Y, np.round(X / comparison.scene.filament.span, 9)))
     points = {"X_m": X[order], "Y_m": Y[order]}

@@ -5,8 +5,7 @@ from __future__ import annotations
 import io
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import pandas as pd
@@ -34,48 +33,32 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 
-@dataclass(frozen=True)
-class Exhibit:
-    """What the gallery shows of one scene; SI units."""
-
-    name: str  # Of the scene, and what to learn from it
-    title: str
-    lesson: str
-    law: str  # Of its material
-    outcome: str  # Name of the run's :class:`~softcat_sym.Outcome`
-    regime: str  # What the run shows; empty where it is refused
-    span: float  # Of the filament [m]
-    thickness: float
-    duration: float  # Simulated time [s]
-    sag_final: float | None  # Of the midpoint, downwards [m]; None where the run is refused
-    sag_largest: float | None
-    largest_stretch: float | None  # At the end, of any cell [-]; None where the run is refused
-    wall: float  # Time that the run took [s]
-    identity: str  # Of program and scene, in the store of finished runs
+Row: TypeAlias = dict[str, Any]
+"""What ``gallery.json`` holds of one scene."""
 
 
-def exhibit_of(name: str, changes: Iterable[str] = ()) -> tuple[Exhibit, Run]:
-    """Run a scene of the gallery, or recall it from the store."""
+def scene_run(name: str, changes: Iterable[str] = ()) -> tuple[Row, Run]:
+    """Run a scene of the gallery, or recall it from the store; what is refused has neither regime nor sag."""
     scene = without_estimate(load_scene(name, list(changes)))
     run = recalled(scene)
     midpoint, sound = run.fields["midpoint"], run.outcome.is_success
-    exhibit = Exhibit(
-        name=name,
-        title=scene.title,
-        lesson=bundled_lesson(name),
-        law=scene.material.law,
-        outcome=run.outcome.name,
-        regime=str(run.summary["regime"]) if sound else "",
-        span=scene.filament.span,
-        thickness=scene.filament.thickness,
-        duration=scene.run.duration,
-        sag_final=-float(midpoint[-1]) if sound else None,
-        sag_largest=-float(midpoint.min()) if sound else None,
-        largest_stretch=float(run.fields["stretch"][-1].max()) if sound else None,
-        wall=run.summary["wall_s"]["total"],
-        identity=store.key_of("run", identity_of(scene))[:16],
-    )
-    return exhibit, run
+    row = {
+        "name": name,
+        "title": scene.title,
+        "lesson": bundled_lesson(name),
+        "law": scene.material.law,
+        "outcome": run.outcome.name,
+        "regime": str(run.summary["regime"]) if sound else "",
+        "span_m": scene.filament.span,
+        "thickness_m": scene.filament.thickness,
+        "duration_s": scene.run.duration,
+        "sag_final_m": -float(midpoint[-1]) if sound else None,
+        "sag_largest_m": -float(midpoint.min()) if sound else None,
+        "largest_stretch": float(run.fields["stretch"][-1].max()) if sound else None,
+        "wall_s": run.summary["wall_s"]["total"],
+        "identity": store.key_of("run", identity_of(scene))[:16],
+    }
+    return row, run
 
 
 _WIDTH, _HEIGHT, _TEXT, _FOOT, _SIDE = 3.0, 2.3, 0.50, 0.26, 0.14
@@ -86,12 +69,14 @@ _DEEPEST = 1.6
 
 
 @styled()
-def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
+def tile(run: Run, row: Row) -> Figure:
     """Draw a scene of the gallery.
 
     Lengths are equal along both axes, unless the sag is too flat to see: then the picture says by how much it is
     magnified. A bar shows the scale.
     """
+    data: Fields = run.fields
+    scene, sag = run.scene, row["sag_final_m"]
     reach = max(scene.filament.span, float(np.ptp(array(data, "x"), axis=1).max()))
     deep = np.abs(array(data, "y")).max(axis=1) > _DEEPEST * reach
     if deep.any():
@@ -102,11 +87,11 @@ def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
     corners = np.concatenate([shape.outline for shape in shapes])
     low, high = corners.min(axis=0), corners.max(axis=0)
     figure, left = new_figure(_WIDTH, _HEIGHT), _SIDE / _WIDTH
-    figure.text(left, 1 - 0.07 / _HEIGHT, exhibit.name, va="top", fontsize=11, fontweight="bold")
-    text, colour = f"refused: {exhibit.outcome}", style.VERMILLION
-    if exhibit.sag_final is not None:
-        sag, word = abs(exhibit.sag_final), "sag" if exhibit.sag_final >= 0 else "rise"
-        text, colour = f"{exhibit.regime} · {word} {length_unit(sag, exhibit.span).text(sag)}", style.GREY
+    figure.text(left, 1 - 0.07 / _HEIGHT, row["name"], va="top", fontsize=11, fontweight="bold")
+    text, colour = f"refused: {row['outcome']}", style.VERMILLION
+    if sag is not None:
+        depth = length_unit(abs(sag), scene.filament.span).text(abs(sag))
+        text, colour = f"{row['regime']} · {'sag' if sag >= 0 else 'rise'} {depth}", style.GREY
     figure.text(left, 1 - 0.29 / _HEIGHT, text, va="top", fontsize=8.5, color=colour)
     room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
     axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
@@ -145,26 +130,23 @@ def _draw_supports(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
             axes.plot([x], [y], "o", ms=4.5, mfc="white", mec=style.BLACK, mew=0.9, zorder=6, clip_on=False)
 
 
-_UNITS = {"span": "m", "thickness": "m", "duration": "s", "sag_final": "m", "sag_largest": "m", "wall": "s"}
 NOTE = (
     "Each run once, at the program's first guess of cells and fibres and without an estimate of its error; "
     "softcat run NAME -o DIR gives the answer to the accuracy that the scene asks for, with the estimate."
 )
 
 
-def gallery_report(shown: Sequence[tuple[Exhibit, Run]], changes: Sequence[str] = ()) -> Report:
+def gallery_report(shown: Sequence[tuple[Row, Run]], changes: Sequence[str] = ()) -> Report:
     """Page, contact sheet, table and document, and of each scene its picture and its file."""
-    pictures = {exhibit.name: png(tile(run.fields, run.scene, exhibit)) for exhibit, run in shown}
+    rows = [row for row, _ in shown]
+    pictures = {row["name"]: png(tile(run, row)) for row, run in shown}
     texts = {name: load_scene(name, changes).to_toml() if changes else bundled_text(name) for name in pictures}
-    rows = [
-        {f"{key}_{_UNITS[key]}" if key in _UNITS else key: value for key, value in asdict(exhibit).items()}
-        for exhibit, _ in shown
-    ]
     cards = []
-    for one, _ in shown:
-        about = (one.law, f"span {length_unit(one.span).text(one.span)}", time_unit(one.duration).text(one.duration))
-        cards.append((one, " · ".join(about), b64encode(pictures[one.name]).decode(), texts[one.name]))
-    spent = significant(sum(exhibit.wall for exhibit, _ in shown))
+    for row in rows:
+        about = (row["law"], f"span {length_unit(row['span_m']).text(row['span_m'])}")
+        facts = " · ".join((*about, time_unit(row["duration_s"]).text(row["duration_s"])))
+        cards.append((row, facts, b64encode(pictures[row["name"]]).decode(), texts[row["name"]]))
+    spent = significant(sum(row["wall_s"] for row in rows))
     subtitle = f"{len(shown)} scene{'s' if len(shown) > 1 else ''}, run in {spent} s"
     contents: dict[str, object] = {
         "gallery.html": page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards),
