@@ -41,7 +41,7 @@ from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.reading import Changes, SceneLike
 
 
 def crossings(values: Sequence[float]) -> tuple[int, ...]:
@@ -481,7 +481,9 @@ def critical_span(
     return critical(root, closed.effects)
 
 
-def longest_span(scene: SceneLike, max_sag: object = "5 %", progress: Progress | None = None) -> CriticalSpan:
+def longest_span(
+    scene: SceneLike, max_sag: object = "5 %", progress: Progress | None = None, *, changes: Changes = ()
+) -> CriticalSpan:
     """Find the longest span of a filament whose sag stays below a limit, with its error and what limits it.
 
     Parameters
@@ -492,6 +494,8 @@ def longest_span(scene: SceneLike, max_sag: object = "5 %", progress: Progress |
         Largest sag allowed during the run: a length with its unit, or a fraction of the span such as ``"5 %"``.
     progress : Progress, optional
         Receiver of progress reports.
+    changes : mapping or sequence of str, optional
+        Values that replace the scene's, as :func:`load_scene` takes them: ``{"material.yield_stress": "200 Pa"}``.
 
     Returns
     -------
@@ -507,7 +511,7 @@ def longest_span(scene: SceneLike, max_sag: object = "5 %", progress: Progress |
         If no span between a thirtieth and thirty times the scene's own reaches the limit, if all of them sag more, or
         if the answer at the longest one cannot be trusted.
     """
-    scene, progress = as_scene(scene), progress or Silence()
+    scene, progress = as_scene(scene, changes), progress or Silence()
     found, allowed = critical_span(scene, max_sag, progress=progress, exponents=False, scan=False), read_limit(max_sag)
     progress.doing(f"the error at a span of {length_text(found.span)}")
     run = recalled(with_span(scene, found.span), progress)

@@ -363,7 +363,8 @@ def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
         table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
         # A spreadsheet ends a short line with the separators of its empty cells.
         value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
-        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ())
+        is_own = path in known("comments")  # The gaps of a photograph, not that of a scene
+        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ()) and not is_own
         if value is None and not is_of_scene:
             continue
         if is_of_scene and value and path not in overrides:
@@ -371,7 +372,7 @@ def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
         elif is_of_scene:
             accepted = "each key once" if value else "key = value, such as # filament.span = 5 mm"
             faults.append(Fault(where, "set again" if value else "sets nothing", accepted))
-        elif path in known("comments"):
+        elif is_own:
             faults += _read_comment(values, path, value or "", where)
         elif table in tables:
             unknown = unknown_key(path, tables)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
+from softcat_sym.scene.bodies import Floor, Pillars
 from softcat_sym.scene.ends import Ends
 
 Fields = dict[str, np.ndarray]
@@ -45,6 +46,8 @@ class Scene:
     load: Load = field(default_factory=Load)
     ends: Ends = field(default_factory=lambda: Ends(left="pinned", right="pinned"))
     run: Run = field(default_factory=Run)
+    floor: Floor = field(default_factory=Floor)
+    pillars: Pillars = field(default_factory=Pillars)
 
 
 def catenary(sag: float, span: float, x: np.ndarray) -> np.ndarray:
