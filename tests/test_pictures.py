@@ -39,8 +39,8 @@ from softcat_sym.plotting.run import (
     time_to_nine_tenths,
 )
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Magnification,
-    Section,
     elastic_core,
     largest_sag,
     node_angles,
@@ -87,7 +87,7 @@ def run_of(data: Mapping[str, np.ndarray], summary: dict[str, Any], scene: Scene
     return Run(scene, data, summary, Outcome[summary["outcome"]], {})
 
 
-def yielded_quads(section: Section, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
+def yielded_quads(section: FilamentOutline, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
     return quads_outside(section, *elastic_core(mean, bending, limit))
 
 
@@ -97,11 +97,11 @@ def area(polygon: np.ndarray) -> float:
     return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
 
 
-def arc(radius: float, half_angle: float, thickness: float, nodes: int = 401) -> Section:
+def arc(radius: float, half_angle: float, thickness: float, nodes: int = 401) -> FilamentOutline:
     """A circular arc that opens upwards: its normal points to the centre."""
     angle = np.linspace(-half_angle, half_angle, nodes)
     normal = np.column_stack([-np.sin(angle), np.cos(angle)])
-    return Section(radius * np.sin(angle), -radius * np.cos(angle), normal, np.full(nodes, thickness))
+    return FilamentOutline(radius * np.sin(angle), -radius * np.cos(angle), normal, np.full(nodes, thickness))
 
 
 def test_outline_is_half_a_thickness_from_the_centreline_and_encloses_the_thickness(descent):

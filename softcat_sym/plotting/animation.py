@@ -22,9 +22,9 @@ from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
 from softcat_sym.plotting.run import Sheet, yielded_label
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Floats,
     Magnification,
-    Section,
     array,
     largest_sag,
     outline,
@@ -307,7 +307,7 @@ class Animation:
         larger = Magnification.of(largest_sag(film["y"]), scene.filament.thickness, scene.filament.span)
         film = larger.drawn(film)
         held = [one.holds_angle for one in scene.ends.supports]
-        sections: list[Section] = [section_at(film, k, held) for k in range(self.times.size)]
+        sections: list[FilamentOutline] = [section_at(film, k, held) for k in range(self.times.size)]
         corners = np.concatenate([outline(section) for section in sections])
         low, high = corners.min(axis=0), corners.max(axis=0)
         # Magnitude of the axial stress amid every strip of every cell [Pa], shape (moment, strip and cell).

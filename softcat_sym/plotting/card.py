@@ -22,10 +22,10 @@ from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.scaling_estimates import yield_stress_of
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.scaling import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of

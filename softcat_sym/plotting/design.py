@@ -11,6 +11,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from softcat_sym import drawing
+from softcat_sym.design.critical_span import CriticalSpan, with_span
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
@@ -19,7 +20,7 @@ from softcat_sym.plotting.style import log_axes, plain_log
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
-    from softcat_sym.design.critical_span import CriticalSpan
+    from softcat_sym.scene.scene import Scene
 
 _NAMES: dict[str, tuple[str, Callable[[float], Unit]]] = {
     SPAN: ("span", length_unit),
@@ -58,21 +59,24 @@ def experiment_figure(experiment: Experiment) -> Figure:
     return figure
 
 
+@drawing.plot.register(CriticalSpan)
 @style.styled()
 def critical_span_figure(found: CriticalSpan) -> Figure:
     """Draw sag over span as scanned, with the critical span; crosses at the top: the run has no answer."""
     spans, sags = np.array(found.scan).T
     finite = np.isfinite(sags) & (sags > 0)
     ruler, across = length_unit(found.sag), length_unit(found.span)
-    below = "spans that were scanned; ring: the critical span; crosses: the filament has no answer"
+    below = "spans that were run; dashed: the limit; ring: the largest span, with its error; crosses: no answer"
     notes = "\n".join(found.text)
     figure, body = style.sheet("Largest span that sags less than a limit", below, height=3.4, notes=notes, columns=112)
     axes = body.subplots()
     axes.plot(across.of(spans[finite]), ruler.of(sags[finite]), ".-", color=style.BLUE, linewidth=1.0)
     top = np.full_like(spans[~finite], ruler.of(sags[finite].max()))
     axes.plot(across.of(spans[~finite]), top, "x", color=style.GREY, markersize=5)
-    place = [found.span / across.size], [found.sag / ruler.size]
-    axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
+    allowed = [ruler.of(found.limit.at(span)) for span in (spans.min(), spans.max())]
+    axes.plot(across.of(spans[[0, -1]]), allowed, "--", color=style.GREY, linewidth=0.9)
+    x, y, error = across.of(found.span), ruler.of(found.sag), across.of(found.error or 0.0)
+    axes.errorbar(x, y, xerr=error, fmt="o", markersize=10, fillstyle="none", color=style.VERMILLION)
     log_axes(axes, xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
     axes.margins(0.04)
     axes.grid(True)
@@ -94,3 +98,15 @@ def experiment_report(experiment: Experiment, critical: CriticalSpan | None = No
         files["critical_span.png"] = partial(critical_span_figure, critical)
         files["critical_span.csv"] = critical.to_frame
     return Report(files, texts, stale=("critical_span.png", "critical_span.csv"))
+
+
+@drawing.report.register(CriticalSpan)
+def span_report(found: CriticalSpan, scene: Scene) -> Report:
+    """The longest span in a line, and what limits it; with the scene that has it."""
+    files = {
+        "span.json": found.to_dict(),
+        "span.csv": found.to_frame,
+        "span.png": partial(critical_span_figure, found),
+        "scene.toml": with_span(scene, found.span).to_toml,
+    }
+    return Report(files, found.text)

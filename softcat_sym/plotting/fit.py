@@ -15,11 +15,14 @@ from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.fitting.closed_form import ClosedForm
+from softcat_sym.fitting.plausibility import own_scene
 from softcat_sym.fitting.result import Fit, features_dict
 from softcat_sym.plotting import fit_words as words
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.fit_figures import FIGURES, collapse_figure, features_figure, laws_figure
 from softcat_sym.plotting.style import png
+from softcat_sym.plotting.track import model_figure
+from softcat_sym.simulate import recalled, without_estimate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,6 +30,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.collapse_test import CollapseTest
     from softcat_sym.fitting.model_selection import LawComparison
     from softcat_sym.fitting.posterior import Posterior
+    from softcat_sym.tracking.result import Track
 
 
 def _printed(
@@ -92,7 +96,18 @@ def fit_page(
     )
 
 
-_SOMETIMES = ("features", "features_*", "profiles", "correlation", "starts", "laws", "posterior", "collapse")
+_SOMETIMES = (
+    "features",
+    "features_*",
+    "film",
+    "film_*",
+    "profiles",
+    "correlation",
+    "starts",
+    "laws",
+    "posterior",
+    "collapse",
+)
 """Pictures that only some fits have."""
 
 
@@ -103,9 +118,16 @@ def fit_report(
     laws: LawComparison | None = None,
     posterior: Posterior | None = None,
     collapse: CollapseTest | None = None,
+    tracks: Mapping[int, Track] | None = None,
 ) -> Report:
-    """The fit with its pictures and a page, beside it the laws that were compared, draws, and a collapse test."""
+    """The fit with its pictures and a page, beside it the laws compared, draws, a collapse test, and tracked films."""
     drawn = captioned_figures(fit)
+    for place, track in (tracks or {}).items():
+        scene = own_scene(fit.measurements.series[place], fit.fitted_scene).replace(
+            {"run.duration": f"{track.time[-1]:.9g} s"}
+        )
+        figure = model_figure(track, recalled(without_estimate(scene)))
+        drawn["film" if place == 0 else f"film_{place + 1}"] = ("the last frame, and the fitted model over it", figure)
     if laws is not None:
         drawn["laws"] = ("residuals of every law, the best law first", laws_figure(laws))
     if posterior is not None:

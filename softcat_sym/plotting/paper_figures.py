@@ -22,7 +22,7 @@ from softcat_sym.drawing import Report
 from softcat_sym.physics.beams import ARREST_THRESHOLD_EXACT
 from softcat_sym.plotting import phase, style
 from softcat_sym.plotting.compare import draw_strip
-from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
+from softcat_sym.plotting.section import FilamentOutline, elastic_core, quads_outside, section_at
 from softcat_sym.plotting.style import legend, styled
 from softcat_sym.scene.scene import elastic_time, groups_of
 from softcat_sym.studies.paper_figures import (
@@ -321,7 +321,7 @@ YIELDED = style.VERMILLION
 class Strip:
     """A filament at one instant, whole span; lengths over the span."""
 
-    section: Section  # Centreline, normals, thickness on the nodes
+    section: FilamentOutline  # Centreline, normals, thickness on the nodes
     # shape (cells,); Limits in zeta of the part that does not yield, by the stress sigma_0 + sigma_1 zeta of (2.24).
     low: Floats
     high: Floats
@@ -350,14 +350,14 @@ def strip_at(filmed: FilmedScene, instant: float, theory: str = PAPER) -> Strip:
     data, span = filmed.filaments[theory].data, filmed.scene.filament.span
     frame = int(np.abs(data["time"].values / elastic_time(filmed.scene) - instant).argmin())
     section = _section_of(data, frame)
-    scaled = Section(section.x / span, section.y / span, section.normal, section.thickness / span)
+    scaled = FilamentOutline(section.x / span, section.y / span, section.normal, section.thickness / span)
     mean, bending = data["stress_mean"].values[frame], data["stress_bending"].values[frame]
     low, high = elastic_core(mean, bending, filmed.scene.material.yield_stress or np.inf)
     middle = np.column_stack([(c[1:] + c[:-1]) / 2 for c in (scaled.x, scaled.y)])
     return Strip(scaled, low, high, data["X_cell"].values / span, middle)
 
 
-def _section_of(data: xr.Dataset, frame: int) -> Section:
+def _section_of(data: xr.Dataset, frame: int) -> FilamentOutline:
     """Sections turn by psi = theta - atan(Gam/Lam): normal to the centreline only where nothing shears."""
     section = section_at(data, frame, (True, True))
     shear = data["shear"].values[frame] if "shear" in data else np.zeros(data.sizes["cell"])

@@ -23,10 +23,11 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
+from softcat_sym.plotting.bodies import draw_bodies
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Floats,
     Magnification,
-    Section,
     array,
     largest_sag,
     outline,
@@ -199,7 +200,7 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
 class Shape:
     """What is drawn of one frame."""
 
-    section: Section  # Centreline, normals, thickness
+    section: FilamentOutline  # Centreline, normals, thickness
     outline: Floats  # Closed polygon, shape (vertex, 2) [m]
     yielded: Floats  # Quads of the yielded zones, shape (quad, 4, 2) [m]
     label: str  # Time, sag and yielded share, one per line
@@ -277,6 +278,7 @@ def shapes_figure(
             if np.ptp(bounds) < 1e3 * wide:
                 axes.set_aspect(larger.sag, anchor="S")
             axes.set(xlim=ruler.of(x), ylim=ruler.of(bounds))
+            draw_bodies(axes, scene, 4 * margin, (x[0], x[1]), bounds[0], ruler)
             draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=STEPS))
             if not stacked and inch * wide < _NARROW:

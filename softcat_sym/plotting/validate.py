@@ -23,7 +23,7 @@ from softcat_sym.plotting.style import legend, plain_log, png, sheet, styled
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import typeset
 from softcat_sym.scene.table_reader import counted
-from softcat_sym.studies.published.case import Case, Kind, Row, published_scene
+from softcat_sym.studies.published.case import Case, DataKind, PublishedValue, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
 _HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
@@ -38,7 +38,7 @@ _NAMED = 8
 """More curves than this are told apart by no legend."""
 
 
-def difference_text(row: Row) -> str:
+def difference_text(row: PublishedValue) -> str:
     """A difference in the unit of the number, or in per cent; none within a range that is published."""
     if row.agrees and row.band is not None and row.band[0] < row.band[1]:
         return "within"
@@ -51,16 +51,16 @@ def _number(value: float, unit: str, digits: int) -> str:
     return f"{value:.{digits}g} {typeset(unit)}".rstrip()
 
 
-def _published(row: Row) -> str:
+def _published(row: PublishedValue) -> str:
     if row.band is None:
         return _number(row.published, row.unit, 4)
     low, high = row.band
     return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {typeset(row.unit)}".rstrip()
 
 
-def _texts(row: Row, case: Case) -> tuple[str, str, str]:
+def _texts(row: PublishedValue, case: Case) -> tuple[str, str, str]:
     """What is published, ours, and the difference; what is assumed does not differ by being right."""
-    apart = "assumed" if case.kind is Kind.ASSUMED else difference_text(row)
+    apart = "assumed" if case.kind is DataKind.ASSUMED else difference_text(row)
     return _published(row), _number(row.ours, row.unit, 4), apart
 
 
@@ -86,7 +86,7 @@ def summary_of(validation: Validation) -> str:
     """One sentence on how many cases there are."""
     results = validation.results
     idle, failed = sum(bool(one.not_run) for one in results), len(validation.failures)
-    assumed = sum(one.finding is not None and one.case.kind is Kind.ASSUMED for one in results)
+    assumed = sum(one.finding is not None and one.case.kind is DataKind.ASSUMED for one in results)
     compared = counted(len(results) - idle - failed - assumed, "case")
     parts = [f"{compared} compared", f"{assumed} assumed", f"{idle} not run"]
     return ", ".join([*parts, *([f"{failed} without an answer"] if failed else [])])
@@ -151,7 +151,7 @@ def _relative(validation: Validation) -> list[tuple[str, float]]:
     return [
         (f"{result.case.name}: {row.quantity}", row.difference)
         for result in validation.results
-        if result.finding is not None and result.case.kind is not Kind.ASSUMED
+        if result.finding is not None and result.case.kind is not DataKind.ASSUMED
         for row in result.finding.rows
         if not row.is_absolute
     ]
