@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from functools import partial
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
@@ -17,11 +17,12 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import mp4
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.edges import UnreadableFrameError
-from softcat_sym.tracking.film import Frame, pyav
+from softcat_sym.tracking.film import Frame
 from softcat_sym.tracking.result import Track
 from softcat_sym.tracking.strand import Measured, measure
 
@@ -205,22 +206,5 @@ def _png(picture: NDArray[np.uint8]) -> bytes:
 
 def _film(track: Track) -> bytes:
     """All frames with their edges, as MP4 at the rate of the film."""
-    av, stream = pyav(), BytesIO()
-    rate = round(1 / float(np.median(np.diff(track.time)))) or 1
-    with av.open(stream, "w", format="mp4") as container:
-        video = container.add_stream(
-            "libx264" if "libx264" in av.codecs_available else "mpeg4", rate=min(max(rate, 1), 60)
-        )
-        for number, picture in enumerate(_even(map(partial(_painted, track), track.film))):
-            if number == 0:
-                video.height, video.width, video.pix_fmt = *picture.shape[:2], "yuv420p"
-            container.mux(video.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
-        container.mux(video.encode(None))
-    return stream.getvalue()
-
-
-def _even(pictures: Iterable[NDArray[np.uint8]]) -> Iterator[NDArray[np.uint8]]:
-    """Pictures of even numbers of rows and columns, as H.264 has them."""
-    for picture in pictures:
-        rows, columns = (size - size % 2 for size in picture.shape[:2])
-        yield np.ascontiguousarray(picture[:rows, :columns])
+    rate = round(1 / float(np.median(np.diff(track.time))))
+    return mp4(map(partial(_painted, track), track.film), min(max(rate, 1), 60))
