@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym.design.critical_span import Limit, critical_span, polished
-from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
+from softcat_sym.design.experiment import Experiment, design_experiment, least_in_box
 from softcat_sym.design.information import ReadingNoise, exact_film, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from tests.common.in_process import Softcat, sets
@@ -321,10 +321,10 @@ def test_the_search_finds_a_minimum_behind_a_jump() -> None:
             return math.inf
         return (x - 0.7) ** 2 + (x - 0.7) * (y - 1.1) + (y - 1.1) ** 2 + (1.0 if x < 0.2 else 0.0)
 
-    best = pattern_search(value, np.array([0.0, 0.0]), np.array([2.0, 2.0]), 200)
+    best = least_in_box(value, np.array([0.0, 0.0]), np.array([2.0, 2.0]), 200)
     assert best == pytest.approx((0.7, 1.1), abs=0.05)
-    assert pattern_search(lambda point: point[0], np.array([1.0]), np.array([3.0]), 60) == (1.0,)
-    assert pattern_search(lambda point: math.inf, np.array([1.0]), np.array([3.0]), 60) is None
+    assert least_in_box(lambda point: point[0], np.array([1.0]), np.array([3.0]), 60) == (1.0,)
+    assert least_in_box(lambda point: math.inf, np.array([1.0]), np.array([3.0]), 60) is None
 
 
 def test_errors_of_a_known_information() -> None:

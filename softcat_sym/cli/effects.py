@@ -16,7 +16,7 @@ from softcat_sym.scene.bundled import bundled_names
 
 with lazy_imports():
     from softcat_sym.effects import selection
-    from softcat_sym.plotting import pricing as tables
+    from softcat_sym.plotting import effect_importance as tables
     from softcat_sym.plotting import terminal
     from softcat_sym.studies import effect_importance
 

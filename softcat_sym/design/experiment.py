@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pandas as pd
+from scipy.optimize import minimize
 
 from softcat_sym import store
 from softcat_sym.design.critical_span import LIMITS, Limit, read_limit, sentences
@@ -41,42 +44,29 @@ from softcat_sym.solvers.solution import Progress, Silence
 
 _GRID = {1: 9, 2: 5}
 _FINEST = math.log(1.05)
-_DIGITS = 9
 
 Point = tuple[float, ...]
 Free = tuple[FreeParameter, ...]
 
 
-def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats, most: int) -> Point | None:
-    """Search a box.
+def least_in_box(value: Callable[[Point], float], lower: Floats, upper: Floats, most: int) -> Point | None:
+    """Where a value is least in a box: Nelder and Mead's simplex (1965) from the best point of a grid; None if nowhere.
 
-    Hooke and Jeeves (1961), polled in all directions of the axes and their diagonals, from the best point of a grid.
-    The step is halved where nothing is better; bounds are polled themselves.
+    Infinite where there is no answer; at most so many points are tried.
     """
     if not lower.size:
         return () if math.isfinite(value(())) else None
-    known: dict[Point, float] = {}
-
-    def at(point: Point) -> float:
-        key = tuple(round(x, _DIGITS) for x in point)
-        if key not in known:
-            known[key] = value(point) if len(known) < most else math.inf
-        return known[key]
-
-    axes = [np.linspace(a, b, _GRID[lower.size]).tolist() for a, b in zip(lower, upper, strict=True)]
-    best = min((tuple(point) for point in product(*axes)), key=at)
+    at, count = functools.cache(value), _GRID[lower.size]
+    axes = [np.linspace(a, b, count).tolist() for a, b in zip(lower, upper, strict=True)]
+    best = min(product(*axes), key=at)
     if not math.isfinite(at(best)):
         return None
-    step = (upper - lower) / (2 * (_GRID[lower.size] - 1))
-    directions = [np.array(one) for one in product((-1, 0, 1), repeat=lower.size) if any(one)]
-    while step.max() > _FINEST and len(known) < most:
-        polled = [tuple(np.clip(best + step * one, lower, upper).tolist()) for one in directions]
-        better = min(polled, key=at)
-        if at(better) < at(best):
-            best = better
-        else:
-            step = step / 2
-    return best
+    step = (upper - lower) / (2 * (count - 1))
+    sides = np.where(best + step > upper, -step, step)
+    options = {"initial_simplex": best + np.vstack([0 * step, np.diag(sides)]), "maxfev": most - count**lower.size}
+    options |= {"xatol": _FINEST, "fatol": math.inf}
+    search = partial(minimize, method="Nelder-Mead", bounds=np.column_stack([lower, upper]), options=options)
+    return tuple(search(lambda point: at(tuple(point.tolist())), best).x.tolist())
 
 
 _TRIAL = store.json_form(asdict, lambda found: Trial(**found))
@@ -296,7 +286,7 @@ def design_experiment(
     The standard errors are those of the Cramer-Rao bound with white noise: the inverse of the Fisher information
     sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
     Tobias 2007). The worst of all `free` ones that are not the camera's is minimised over span and thickness by a grid
-    and a pattern search; one run of each filament serves all its films, at the highest frame rate unless `max_frames`
+    and a simplex; one run of each filament serves all its films, at the highest frame rate unless `max_frames`
     binds. With `rough` values that may be wrong by a factor the worst error is that over all corners, two a parameter.
 
     `noise` is that of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film; `within` has
@@ -329,7 +319,7 @@ def _searched(judge: ExperimentJudge, progress: Progress) -> list[Trial]:
 
     open_to_choice = [path for path in (SPAN, THICKNESS) if not judge.ranges[path].is_fixed]
     lower, upper = (np.log([getattr(judge.ranges[path], edge) for path in open_to_choice]) for edge in ("low", "high"))
-    pattern_search(value, lower, upper, _MOST)
+    least_in_box(value, lower, upper, _MOST)
     return tried
 
 

@@ -5,7 +5,7 @@ from softcat_sym.drawing import plot as plot
 DRAWN_IN = {
     "Run": "run", "Fit": "fit", "ClosedForm": "fit", "Posterior": "posterior",
     "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
-    "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "pricing", "WorkPrecision": "accuracy",
+    "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "effect_importance", "WorkPrecision": "accuracy",
     "Validation": "validate", "Result": "validate", "FlowCurveFit": "flow_curve", "Experiment": "design",
     "CriticalSpan": "design", "RheometerMaterial": "material", "Track": "track",
 }  # fmt: skip

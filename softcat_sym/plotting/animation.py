@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from importlib.util import find_spec
+from io import BytesIO
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, Final, cast
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -18,8 +18,9 @@ from matplotlib.path import Path as Outline
 from matplotlib.ticker import MaxNLocator
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically
+from softcat_sym.files import replace_atomically
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import mp4
 from softcat_sym.plotting.run import Sheet, yielded_label
 from softcat_sym.plotting.section import (
     FilamentOutline,
@@ -78,7 +79,6 @@ class FilmOrder:
     name: str  # Of the file
     kind: str  # ``gif`` or ``mp4``
     seconds: float  # Its length [s]
-    ffmpeg: str = ""  # The program, of an MP4
 
     @property
     def pictures(self) -> int:
@@ -97,22 +97,10 @@ def film_order(asked: str, seconds: float) -> FilmOrder:
         )
     if not 0 < seconds <= LONGEST:
         raise SoftcatError(f"--animate-seconds: {seconds:g} s; accepted: more than 0 and at most {LONGEST:g} s")
-    return FilmOrder(name, kind, seconds, _ffmpeg() if kind == "mp4" else "")
-
-
-def _ffmpeg() -> str:
-    """The program on the path, or the one that the package imageio-ffmpeg brings along."""
-    if found := shutil.which("ffmpeg"):
-        return found
-    try:
-        import imageio_ffmpeg
-
-        return str(imageio_ffmpeg.get_ffmpeg_exe())
-    except (ImportError, RuntimeError):
-        raise SoftcatError(
-            "--animate: an MP4 needs ffmpeg, and there is none: install it (Debian: apt install ffmpeg), or "
-            "pip install 'softcat_sym[movies]'; a GIF needs nothing else"
-        ) from None
+    if kind == "mp4" and find_spec("av") is None:
+        needs = "an MP4 is written by PyAV, which is not installed: pip install 'softcat_sym[movies]'"
+        raise SoftcatError(f"--animate: {needs}; a GIF needs nothing else")
+    return FilmOrder(name, kind, seconds)
 
 
 def write_film(
@@ -130,16 +118,11 @@ def write_film(
             step(f"picture {number + 1} of {order.pictures}")
             yield animation.picture(number)
 
-    def fill(path: Path) -> None:
-        if order.kind == "gif":
-            _gif(animation, pictures(), path)
-        else:
-            _mp4(animation.size, pictures(), path, order.ffmpeg)
-
-    return fill_atomically(directory / order.name, fill), animation.note
+    content = _gif(animation, pictures()) if order.kind == "gif" else mp4(pictures(), round(KINDS["mp4"]))
+    return replace_atomically(directory / order.name, content), animation.note
 
 
-def _gif(animation: Animation, pictures: Iterator[NDArray[np.uint8]], path: Path) -> None:
+def _gif(animation: Animation, pictures: Iterator[NDArray[np.uint8]]) -> bytes:
     """All pictures with the colours of a few of them, so that what does not move is the same number in all."""
     from PIL import Image
 
@@ -153,32 +136,9 @@ def _gif(animation: Animation, pictures: Iterator[NDArray[np.uint8]], path: Path
     palette.putpalette(colours.ravel().tolist())
     first, *pauses = [round(1000 / KINDS["gif"])] * (count - 1) + [_HOLD_MS]
     frames = (Image.fromarray(picture).quantize(palette=palette, **plain) for picture in pictures)
-    with path.open("xb") as stream:
-        looks: dict[str, Any] = {"duration": [first, *pauses], "loop": 0, "optimize": False}
-        next(frames).save(stream, format="GIF", save_all=True, append_images=frames, **looks)
-
-
-def _mp4(size: tuple[int, int], pictures: Iterator[NDArray[np.uint8]], path: Path, ffmpeg: str) -> None:
-    """Hand raw pictures to ffmpeg, which Matplotlib's writer would have drawn whole each; every player shows H.264."""
-    width, height = size
-    taken = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{KINDS['mp4']:g}", "-i", "-"]
-    made = ["-an", "-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)]
-    command = [ffmpeg, "-loglevel", "error", "-nostdin", "-y", *taken, *made]
-    pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
-    # A group of its own: Ctrl-C is ours to handle.
-    with subprocess.Popen(command, start_new_session=True, **pipes) as process:
-        try:
-            for picture in pictures:
-                cast("IO[bytes]", process.stdin).write(picture.tobytes())
-        except BrokenPipeError:
-            pass  # It has ended, and says why.
-        except BaseException:
-            process.kill()
-            raise
-        _, said = process.communicate()
-    if process.returncode != 0:
-        reason = " ".join(said.decode(errors="replace").split())[-300:] or f"exit status {process.returncode}"
-        raise SoftcatError(f"--animate: ffmpeg could not write the film: {reason}")
+    looks: dict[str, Any] = {"duration": [first, *pauses], "loop": 0, "optimize": False}
+    next(frames).save(stream := BytesIO(), format="GIF", save_all=True, append_images=frames, **looks)
+    return stream.getvalue()
 
 
 WIDTH, DPI = 12.8, 100

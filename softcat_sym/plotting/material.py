@@ -14,8 +14,9 @@ from softcat_sym.drawing import Report
 from softcat_sym.fitting.flow_curve import FlowCurveFit
 from softcat_sym.fitting.rheometer import Constant, RheometerMaterial, RheometerTest
 from softcat_sym.plotting import style
+from softcat_sym.plotting.style import log_axes, styled
 from softcat_sym.plotting.terminal import TextTable
-from softcat_sym.plotting.units import significant, typeset
+from softcat_sym.plotting.units import Unit, significant, stress_unit, typeset
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -30,43 +31,54 @@ _AXES = {
 
 
 @drawing.plot.register(RheometerMaterial)
+@styled()
 def material_figure(material: RheometerMaterial) -> Figure:
-    """Draw each test with what was fitted to it, side by side."""
-    count = len(material.tests)
+    """Draw each test with what was fitted to it, two a row."""
+    rows, columns = -(-len(material.tests) // 2), min(len(material.tests), 2)
     below = "points: measured; lines: fitted; dashed: stresses or times that were read off"
-    with style.styled():
-        figure, body = style.sheet("Material from a rheometer", below, height=3.6)
-        panels = np.atleast_1d(body.subplots(1, count))
-        for axes, test in zip(panels, material.tests, strict=True):
-            _draw_curve(axes, test) if isinstance(test, FlowCurveFit) else _draw_test(axes, test)
-            axes.margins(x=0.04)
-            axes.grid(True)
+    figure, body = style.sheet("Material from a rheometer", below, height=2.8 * rows)
+    panels = body.subplots(rows, columns, squeeze=False).ravel()
+    for axes in panels[len(material.tests) :]:
+        axes.remove()
+    for axes, test in zip(panels, material.tests, strict=False):
+        _draw_curve(axes, test) if isinstance(test, FlowCurveFit) else _draw_test(axes, test)
+        axes.margins(x=0.04)
+        axes.grid(True)
     return figure
 
 
 def _draw_curve(axes: Axes, fit: FlowCurveFit) -> None:
-    rate = fit.curve.shear_rate
+    rate, unit = fit.curve.shear_rate, stress_unit(float(fit.curve.shear_stress.max()))
     dense = np.geomspace(rate.min(), rate.max(), 200)
-    axes.loglog(rate, fit.curve.shear_stress, "o", color=style.BLACK, markersize=3.5)
-    axes.loglog(dense, fit.best.stress(dense), color=style.VERMILLION)
-    axes.set(title=f"flow curve: {fit.best.law}", xlabel="shear rate [s⁻¹]", ylabel="shear stress [Pa]")
+    axes.plot(rate, unit.of(fit.curve.shear_stress), "o", color=style.BLACK, markersize=3.5)
+    axes.plot(dense, unit.of(fit.best.stress(dense)), color=style.VERMILLION)
+    log_axes(axes, xlabel="shear rate [s⁻¹]", ylabel=f"shear stress [{unit.symbol}]")
+    axes.set_title(f"flow curve: {fit.best.law}", loc="left", fontsize=9)
+
+
+_SHOWN = {"storage_modulus": ("G'", style.BLUE), "loss_modulus": ("G''", style.GREY), "viscosity": ("η", style.BLUE)}
 
 
 def _draw_test(axes: Axes, test: RheometerTest) -> None:
-    at = test.table[test.swept].to_numpy()
-    shown = {"storage_modulus": ("G'", style.BLUE), "loss_modulus": ("G''", style.GREY), "viscosity": ("η", style.BLUE)}
-    for name, (label, color) in shown.items():
-        if name in test.table:
-            axes.plot(at, test.table[name], "o", color=color, markersize=3.5, label=label)
+    at, names = test.table[test.swept].to_numpy(), [name for name in _SHOWN if name in test.table]
+    unit, quantity = stress_unit(float(test.table[names].max(axis=None))), "modulus"
+    if names == ["viscosity"]:
+        unit, quantity = Unit(f"{unit.symbol}·s", unit.size), "viscosity"
+    for name in names:
+        label, color = _SHOWN[name]
+        axes.plot(at, unit.of(test.table[name]), "o", color=color, markersize=3.5, label=label)
     if test.curve is not None:
         dense = np.linspace(at[0], at[-1], 400) if test.kind == "recovery" else np.geomspace(at.min(), at.max(), 200)
-        axes.plot(dense, test.curve(dense), color=style.VERMILLION)
+        axes.plot(dense, unit.of(test.curve(dense)), color=style.VERMILLION)
     limit = test.found.get("strain_linear")
     if limit is not None:
         axes.axvline(limit.value, color=style.GREY, linestyle="--", linewidth=0.9)
-    scale = "linear" if test.kind == "recovery" else "log"
-    axes.set(title=test.kind, xlabel=_AXES[test.swept], ylabel="modulus [Pa]", xscale=scale, yscale="log")
-    axes.legend(loc="best")
+    log_axes(axes, xlabel=_AXES[test.swept], ylabel=f"{quantity} [{unit.symbol}]")
+    if test.kind == "recovery":
+        axes.set_xscale("linear")
+    axes.set_title(test.kind, loc="left", fontsize=9)
+    if len(names) > 1:
+        axes.legend(loc="best")
 
 
 def _rows(constants: tuple[Constant, ...]) -> list[tuple[str, str, str, str]]:

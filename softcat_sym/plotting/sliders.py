@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import math
 from html import escape
-from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
@@ -13,7 +12,7 @@ from matplotlib import colormaps
 from numpy.typing import NDArray
 
 from softcat_sym.plotting.units import typeset
-from softcat_sym.web.page import filled, inlined
+from softcat_sym.web.page import filled, inlined, template
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -132,7 +131,6 @@ def _listed(values: Floats) -> list[float | None]:
     return [float(f"{value:.7g}") if math.isfinite(value) else None for value in values.tolist()]
 
 
-_STYLES = ("common.css", "sliders.css")
 _SCRIPTS = ("drawing.js", "sliders_data.js", "sliders_filament.js", "sliders.js")
 """In the order in which they need one another."""
 
@@ -142,16 +140,10 @@ def sliders_page(dataset: xr.Dataset, title: str) -> str:
 
     Dragging one chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
     """
-    folders = [resources.files(f"softcat_sym.{package}") / "templates" for package in ("plotting", "web")]
-
-    def read(*names: str) -> str:
-        files = [next(file for folder in folders if (file := folder / name).is_file()) for name in names]
-        return "\n".join(file.read_text(encoding="utf-8") for file in files)
-
     parts = {
         "TITLE": escape(" ".join(title.split()) or "Sweep"),
-        "STYLE": read(*_STYLES),
-        "SCRIPT": read(*_SCRIPTS),
+        "STYLE": template("common.css", "sliders.css"),
+        "SCRIPT": template(*_SCRIPTS),
         "DATA": inlined(packed(dataset)),
     }
-    return filled(read("sliders.html"), parts)
+    return filled(template("sliders.html"), parts)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from functools import partial
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
@@ -17,11 +17,13 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import mp4
+from softcat_sym.plotting.style import styled
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.edges import UnreadableFrameError
-from softcat_sym.tracking.film import Frame, pyav
+from softcat_sym.tracking.film import Frame
 from softcat_sym.tracking.result import Track
 from softcat_sym.tracking.strand import Measured, measure
 
@@ -39,32 +41,34 @@ _WIDE = 1280
 
 
 @drawing.plot.register(Track)
+@styled()
 def track_figure(track: Track) -> Figure:
     """Draw midpoint and thickness with their standard errors over time, and the frames that were refused."""
-    with style.styled():
-        below = f"{track.number.size} frames read, {len(track.refused)} refused · {track.codec}"
-        figure, body = style.sheet(track.film.path.name, below, height=4.6, notes="\n".join(track.warnings))
-        above, under = body.subplots(2, 1, height_ratios=[2.2, 1])
-        axis = TimeAxis.of(track.time)
-        for axes, values, std, name in (
-            (above, track.midpoint, track.midpoint_std, "midpoint height"),
-            (under, track.thickness, track.thickness_std, "thickness"),
-        ):
-            seen = np.isfinite(values)
-            ruler = length_unit(float(np.abs(values[seen]).max()) if seen.any() else 1e-3)
-            look: dict[str, Any] = {"color": style.BLACK, "markersize": 3, "elinewidth": 0.7, "linestyle": ""}
-            time = axis.unit.of(track.time[seen])
-            axes.errorbar(time, ruler.of(values[seen]), yerr=1.96 * ruler.of(std[seen]), fmt=".", **look)
-            axes.set_ylabel(f"{name} [{ruler.symbol}]")
-            axes.grid(True)
-            refused = axis.unit.of([one.time - track.release for one in track.refused])
-            marks = axes.plot(refused, np.zeros_like(refused), "|", color=style.VERMILLION, markersize=9, clip_on=False,
-                              transform=axes.get_xaxis_transform())  # fmt: skip
-            marks[0].set_in_layout(False)
-            axis.dress(axes, label=axis.label if axes is under else "")
+    below = f"{track.number.size} frames read, {len(track.refused)} refused · {track.codec}"
+    figure, body = style.sheet(track.film.path.name, below, height=4.6, notes="\n".join(track.warnings))
+    above, under = body.subplots(2, 1, height_ratios=[2.2, 1])
+    axis = TimeAxis.of(track.time)
+    refused = axis.unit.of([one.time - track.release for one in track.refused])
+    for axes, values, std, name in (
+        (above, track.midpoint, track.midpoint_std, "midpoint height"),
+        (under, track.thickness, track.thickness_std, "thickness"),
+    ):
+        seen = np.isfinite(values)
+        ruler = length_unit(float(np.abs(values[seen]).max()) if seen.any() else 1e-3)
+        look: dict[str, Any] = {"color": style.BLACK, "markersize": 3, "elinewidth": 0.7, "linestyle": ""}
+        time = axis.unit.of(track.time[seen])
+        axes.errorbar(time, ruler.of(values[seen]), yerr=1.96 * ruler.of(std[seen]), fmt=".", **look)
+        axes.set_ylabel(f"{name} [{ruler.symbol}]")
+        axes.grid(True)
+        edge: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "markersize": 9, "clip_on": False}
+        (marks,) = axes.plot(refused, np.zeros_like(refused), "|", color=style.VERMILLION, **edge)
+        marks.set_in_layout(False)
+        axis.dress(axes, label=axis.label if axes is under else "")
+    above.tick_params(labelbottom=False)
     return figure
 
 
+@styled()
 def model_figure(track: Track, run: Run) -> Figure:
     """Draw the last frame with the edges found in it, and the midline of a run of the fitted filament at its time."""
     number, data = int(track.number[-1]), run.data
@@ -77,13 +81,11 @@ def model_figure(track: Track, run: Run) -> Figure:
         return np.asarray(np.interp(x, place - (place[0] + place[-1]) / 2, y))
 
     picture = overlays(track, [number], model)[number]
-    with style.styled():
-        below = f"frame {number}, {track.time[-1]:.4g} s after the release: edges, midline, and in purple the model"
-        tall = style.WIDTH * picture.shape[0] / picture.shape[1]
-        figure, body = style.sheet(track.film.path.name, below, height=tall)
-        axes = body.subplots()
-        axes.imshow(picture)
-        axes.set_axis_off()
+    below = f"frame {number}, {track.time[-1]:.4g} s after the release: edges, midline, and in purple the model"
+    figure, body = style.sheet(track.film.path.name, below, height=style.WIDTH * picture.shape[0] / picture.shape[1])
+    axes = body.subplots()
+    axes.imshow(picture)
+    axes.set_axis_off()
     return figure
 
 
@@ -205,22 +207,5 @@ def _png(picture: NDArray[np.uint8]) -> bytes:
 
 def _film(track: Track) -> bytes:
     """All frames with their edges, as MP4 at the rate of the film."""
-    av, stream = pyav(), BytesIO()
-    rate = round(1 / float(np.median(np.diff(track.time)))) or 1
-    with av.open(stream, "w", format="mp4") as container:
-        video = container.add_stream(
-            "libx264" if "libx264" in av.codecs_available else "mpeg4", rate=min(max(rate, 1), 60)
-        )
-        for number, picture in enumerate(_even(map(partial(_painted, track), track.film))):
-            if number == 0:
-                video.height, video.width, video.pix_fmt = *picture.shape[:2], "yuv420p"
-            container.mux(video.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
-        container.mux(video.encode(None))
-    return stream.getvalue()
-
-
-def _even(pictures: Iterable[NDArray[np.uint8]]) -> Iterator[NDArray[np.uint8]]:
-    """Pictures of even numbers of rows and columns, as H.264 has them."""
-    for picture in pictures:
-        rows, columns = (size - size % 2 for size in picture.shape[:2])
-        yield np.ascontiguousarray(picture[:rows, :columns])
+    rate = round(1 / float(np.median(np.diff(track.time))))
+    return mp4(map(partial(_painted, track), track.film), min(max(rate, 1), 60))

@@ -131,15 +131,15 @@ def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) ->
         If the page would be larger than `LARGEST`.
     """
     # In a function of its own, the page's names do not meet the model's.
-    script = f"\n(() => {{\n{_read('drawing.js')}{_read('page.js')}}})();\n"
+    script = f"\n(() => {{\n{template('drawing.js', 'page.js')}}})();\n"
     parts = {
         "TITLE": escape(" ".join(str(data["title"] or "").split()) or str(data["name"])),
-        "STYLE": _read("common.css") + _read("page.css"),
+        "STYLE": template("common.css", "page.css"),
         "DATA": inlined(data),
         # Without a time in it, the same page at every writing.
         "MODULE": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),
-        "WORKER": _read("worker.js"),
-        "MODEL": _read("model.js") if model is None else model,
+        "WORKER": template("worker.js"),
+        "MODEL": template("model.js") if model is None else model,
         "SCRIPT": script,
     }
     policy = {
@@ -152,7 +152,7 @@ def page_of(data: Mapping[str, Any], module: bytes, model: str | None = None) ->
         "form-action": "'none'",
     }
     parts["POLICY"] = "; ".join(f"{name} {given}" for name, given in policy.items())
-    page = filled(_read("page.html"), parts)
+    page = filled(template("page.html"), parts)
     if (size := len(page.encode())) > LARGEST:
         rooms = ", ".join(f"{words} {len(parts[name].encode()) // 1000} kB" for name, words in _ROOMS.items())
         raise SoftcatError(
@@ -167,13 +167,15 @@ def inlined(data: Mapping[str, Any]) -> str:
     return json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
-def filled(template: str, parts: Mapping[str, str]) -> str:
+def filled(text: str, parts: Mapping[str, str]) -> str:
     """Put the parts at their marks, such as @TITLE@, in one pass: a title that looks like a mark stays a title."""
-    return re.sub(f"@({'|'.join(parts)})@", lambda mark: parts[mark[1]], template)
+    return re.sub(f"@({'|'.join(parts)})@", lambda mark: parts[mark[1]], text)
 
 
-def _read(name: str) -> str:
-    return (resources.files("softcat_sym.web") / "templates" / name).read_text(encoding="utf-8")
+def template(*names: str) -> str:
+    """Templates of pages, one after another."""
+    folder = resources.files("softcat_sym.web") / "templates"
+    return "".join((folder / name).read_text(encoding="utf-8") for name in names)
 
 
 def _hash(text: str) -> str:

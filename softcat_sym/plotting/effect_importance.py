@@ -40,7 +40,7 @@ _MARKS: dict[str, dict[str, Any]] = {
     "not in force, put in": {"marker": "D", "markersize": 5.0, "color": style.VERMILLION, "markerfacecolor": "white"},
     "everything at once": {"marker": "s", "markersize": 5.5, "color": style.BLACK},
 }
-_RATIOS = {"solve time": "time_ratio", "unknowns": "states_ratio", "instructions": "instructions_ratio"}
+_RATIOS = {"solve time (×)": "time_ratio", "unknowns (×)": "states_ratio", "instructions (×)": "instructions_ratio"}
 _NOTE = "Ratios are with the effect over without it. What needs it is left out of both runs, what it needs is in both."
 
 
@@ -77,7 +77,7 @@ def pricing_figure(pricing: Pricing) -> Figure:
         axes.tick_params(axis="x", labelsize=7)
     for axes in panels[1:]:
         axes.axvline(1.0, color=style.GREY, linewidth=0.5, zorder=1)
-        plain_log(axes.xaxis, "× {:g}".format)
+        plain_log(axes.xaxis, ticks=3)
     change, asked = panels[0], f"accuracy asked, {percent(accuracy)}"
     change.axvline(accuracy, color=style.GREY, linestyle="--", linewidth=0.9, label=asked)
     plain_log(change.xaxis, lambda share: f"{100 * share:g} %", 4)
