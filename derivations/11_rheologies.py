@@ -27,8 +27,7 @@ import sympy as sp
 from proving import prove_equal
 
 from softcat_sym.physics import bulk, closed_forms
-from softcat_sym.physics.filament import law_in_force
-from softcat_sym.physics.laws import (
+from softcat_sym.physics.constitutive_laws import (
     E_2,
     SMALL_STRESS,
     K,
@@ -43,6 +42,7 @@ from softcat_sym.physics.laws import (
     power_law_rate,
 )
 from softcat_sym.physics.regimes import H
+from softcat_sym.physics.section_equations import law_in_force
 from softcat_sym.physics.sections import RECTANGLE, scaled
 from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.physics.terms import Rheology, Terms

@@ -22,14 +22,14 @@
 # that it never leaves $[0, 1]$, that rest is an exponential, that Roussel's linear growth (2006) is its beginning, how
 # numbers of a rheometer in shear convert, and that yield stress and viscosity are what the scene states at the start.
 #
-# Effects derived here: `structure` (`structure.build_up_rate`, `structure.structure_clock`) and `backstress`
-# (`backstress.back_rate`, `reissner.hardened`).
+# Effects derived here: `structure` (`structure.build_up_rate`, `structure.structure_clock`) and `hardening_rule`
+# (`hardening_rule.back_rate`, `reissner.hardened`).
 
 # %%
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import structure as st
+from softcat_sym.physics import structure_kinetics as st
 from softcat_sym.physics.symbols import eta, sigma_Y
 
 # %% [markdown]
@@ -110,7 +110,7 @@ prove_equal(both, plain.subs(st.tau_b, sp.sqrt(3) * in_shear))
 # the shear, whose rate $\dot\gamma^p + c\gamma^p\dot\epsilon^p$ works against $\tau_d$, and where the width is held.
 
 # %%
-from softcat_sym.physics import backstress, reissner
+from softcat_sym.physics import hardening_rule, reissner
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.symbols import sigma
 
@@ -121,12 +121,12 @@ for share in (sp.S.One, sp.Rational(3, 4)):
     power = sigma * flow.axial_rate + reissner.tau_d * sheared
     stored = sum(
         sp.diff(hardening.stored, one) * rate
-        for one, rate in zip((backstress.axial, backstress.shear), hardening.rates, strict=True)
+        for one, rate in zip((hardening_rule.axial, hardening_rule.shear), hardening.rates, strict=True)
     )
     lost = flow.dissipation - flow.speed * sigma_eq
     driving = phi * flow.equivalent**2 / sigma_eq
     prove_equal(sp.expand(power - stored - driving - lost), 0)
-    prove_equal(sp.expand(lost - 2 * backstress.recovery * phi * hardening.stored), 0)
+    prove_equal(sp.expand(lost - 2 * hardening_rule.recovery * phi * hardening.stored), 0)
 
 # %% [markdown]
 # Flow one way by a plastic strain $e$: $\chi = C (1 - e^{-q e})/q$, at length $C/q$, or $C e$ (Prager). In
@@ -134,6 +134,6 @@ for share in (sp.S.One, sp.Rational(3, 4)):
 
 # %%
 e = sp.Symbol("e", positive=True)
-back = (1 - sp.exp(-backstress.recovery * e)) / backstress.recovery
-prove_equal(sp.diff(back, e), backstress.back_rate(sp.S.One, back, sp.S.One))
-prove_equal(sp.limit(back, backstress.recovery, 0), e)
+back = (1 - sp.exp(-hardening_rule.recovery * e)) / hardening_rule.recovery
+prove_equal(sp.diff(back, e), hardening_rule.back_rate(sp.S.One, back, sp.S.One))
+prove_equal(sp.limit(back, hardening_rule.recovery, 0), e)

@@ -24,7 +24,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import conformation as co
+from softcat_sym.physics import polymer_chains as co
 from softcat_sym.physics.sections import CIRCLE, SHEET
 from softcat_sym.physics.symbols import E
 

@@ -71,7 +71,7 @@ class CosseratBenchmarkSolver:
             scenes = self.scenes(scenario, n_elements=n_elements, n_frames=n_frames)
         except NotImplementedError:
             return {}
-        viscosity, rests = scenes[0].material.viscosity, all(is_still(scenario, rod) for rod in scenario.rods)
+        viscosity, rests = scenes[0].material.viscosity, all(is_static(scenario, rod) for rod in scenario.rods)
         return {
             "integrator": "none: Newton's method" if rests else "Rosenbrock, fifth order, adaptive",
             "accuracy": self.accuracy,
@@ -138,7 +138,7 @@ class CosseratBenchmarkSolver:
                 raise NotImplementedError(str(error)) from error
             if not run.outcome.is_success:
                 raise Diverged(f"{run.outcome.name}: {run.summary['message']}", float(run.data.time.values[-1]))
-            places, lines = in_its_words(rod, axes_of(rod, scenario.gravity), run, still=is_still(scenario, rod))
+            places, lines = in_its_words(rod, axes_of(rod, scenario.gravity), run, static=is_static(scenario, rod))
             positions.append(places if len(places) == n_frames else places[[0] + [1] * (n_frames - 1)])
             directors.append(lines if len(lines) == n_frames else lines[[0] + [1] * (n_frames - 1)])
         times = np.linspace(0.0, scenario.duration, n_frames)
@@ -154,10 +154,10 @@ class CosseratBenchmarkSolver:
         poisson = min(poisson, math.nextafter(0.5, 0))
         nodes = (rod.nodes(n_elements) - rod.centerline[0]) @ axes.T
         material = {"law": "elastic", "youngs_modulus": law.youngs_modulus, "poisson": poisson}
-        still = is_still(scenario, rod)
-        damped = scenario.quasi_static and not still
+        static = is_static(scenario, rod)
+        damped = scenario.quasi_static and not static
         initial: dict[str, Any] = {}
-        if not still:
+        if not static:
             straight = np.outer(np.linspace(0, rod.length, n_elements + 1), [1.0, 0.0, 0.0])
             if np.max(np.abs(nodes - straight)) > _SAME * rod.length:
                 initial = {"centreline": nodes.tolist()}
@@ -177,15 +177,15 @@ class CosseratBenchmarkSolver:
             "initial": initial,
             "run": {
                 "duration": scenario.duration,
-                "frames": 2 if still else n_frames,
+                "frames": 2 if static else n_frames,
                 "accuracy": self.accuracy,
-                "effects": list(of_a_rod(moves=not still, damped=damped)),
+                "effects": list(of_a_rod(moves=not static, damped=damped)),
             },
             "numerics": {"cells": n_elements // 2, "grading": 1.0, "estimate": False},
         }
 
 
-def is_still(scenario: Scenario, rod: Rod) -> bool:
+def is_static(scenario: Scenario, rod: Rod) -> bool:
     """Tell whether a rod is asked for its equilibrium, and nothing drives it."""
     return bool(scenario.quasi_static) and rod.start_motion is None and rod.end_motion is None
 
@@ -254,13 +254,13 @@ def _driven(rod: Rod, motion: Motion, axes: Floats) -> dict[str, Any]:
     return ends
 
 
-def in_its_words(rod: Rod, axes: Floats, run: Run, *, still: bool) -> tuple[Floats, Floats]:
+def in_its_words(rod: Rod, axes: Floats, run: Run, *, static: bool) -> tuple[Floats, Floats]:
     """Nodes and directors of a run in the world; of one frame of equilibrium, behind the shape that the rod states."""
     data, cells = run.data, len(run.data.X_cell)
     flat = "z" not in data
     places = np.stack([data.x, data.y, 0 * data.y if flat else data.z], axis=-1)
     places -= places[:, :1]
-    if still:
+    if static:
         places[0] = (rod.nodes(cells) - rod.centerline[0]) @ axes.T
     tangents = _unit(np.diff(places, axis=1))
     second = np.cross([0.0, 0.0, 1.0], tangents)
@@ -268,7 +268,7 @@ def in_its_words(rod: Rod, axes: Floats, run: Run, *, still: bool) -> tuple[Floa
         # d2 of the turns between two nodes, of any length.
         w, x, y, z = np.moveaxis(data.quaternion.values[:, 1:] + data.quaternion.values[:, :-1], -1, 0)
         second = np.stack([2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)], axis=-1)
-        if still:
+        if static:
             second[0] = np.cross([0.0, 0.0, 1.0], tangents[0])
     second = _unit(second - np.sum(second * tangents, axis=-1, keepdims=True) * tangents)
     third = np.cross(tangents, second)

@@ -172,7 +172,7 @@ def seconds_text(seconds: float) -> str:
 _STAGES = ("build", "compile", "solve", "estimate", "write")
 
 
-class Clock:
+class Stopwatch:
     """A stopwatch with one lap for each stage of a run."""
 
     def __init__(self) -> None:

@@ -8,8 +8,8 @@ from functools import partial
 import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.progress import Clock
+from softcat_sym.effects.selection import Effects
+from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import break_frame, breakable
 from softcat_sym.results.fields import dense_fields, node_positions, whole_span_fields
 from softcat_sym.results.motion import settling_time
@@ -17,9 +17,9 @@ from softcat_sym.results.observed import DISPLACEMENT, Watched
 from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Interrupted, Progress, Silence, Solution
+from softcat_sym.solvers.solve import Prepared, assembled, prepare
 
 _MIN_CELLS = 8
 
@@ -30,7 +30,7 @@ OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
 """Outcomes that shorter steps may cure."""
 
 
-def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None) -> Prepared:
+def build(scene: Scene, effects: Effects, clock: Stopwatch | None = None, progress: Progress | None = None) -> Prepared:
     """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready."""
     listener = progress or Silence()
     listener.doing("building")
@@ -51,7 +51,7 @@ def run_once(
     scene: Scene,
     resolved: Scene,
     effects: Effects,
-    clock: Clock,
+    clock: Stopwatch,
     progress: Progress,
     times: int = 0,
     watched: Watched | None = None,
@@ -89,9 +89,12 @@ def run_once(
     if series and len(every.time) > len(solution.time):
         fields = {**fields, **dense_fields(scene, prepared, every)}
     watched = watched.between_frames(series, stride)
-    told, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
-    told = told | {"scale_m": scale, "largest_m": told["largest_m"] + scale - told["scale_m"]}
-    summary = trajectory.summary | {"displacement": told}
+    displacement, scale = trajectory.summary["displacement"], watched.scale[DISPLACEMENT]
+    displacement = displacement | {
+        "scale_m": scale,
+        "largest_m": displacement["largest_m"] + scale - displacement["scale_m"],
+    }
+    summary = trajectory.summary | {"displacement": displacement}
     return replace(trajectory, fields=fields, watched=watched, series=series, summary=summary)
 
 

@@ -16,9 +16,9 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import CLAMPED, PINNED
 from softcat_sym.scene.scene import Scene

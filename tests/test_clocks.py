@@ -14,18 +14,18 @@ from scipy.integrate import quad
 
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.fitting.free_parameters import candidates, free_parameters, with_values
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
-from softcat_sym.scene.history import History, Timed, TimedNumber
+from softcat_sym.scene.history import ChangingNumber, ChangingQuantity, History
 from softcat_sym.scene.units import in_si
 from softcat_sym.studies.compare import compare
 
 BACKENDS = ("interpreted", "compiled")
 
-STRESS = Timed("stress", "9 kPa")
+STRESS = ChangingQuantity("stress", "9 kPa")
 BAR = {"span": 0.2, "thickness": 0.002, "density": 1000.0}
 TABLE = {"0 s": "200 Pa", "20 s": "500 Pa", "1 min": "900 Pa"}
 FORMULAS = (
@@ -63,7 +63,7 @@ def test_a_history_is_one_expression_and_comes_back_from_its_file(given: Any) ->
 def test_numbers_of_python_are_si_in_a_table_too() -> None:
     assert STRESS.read(in_si({0: 200.0, 60: 900.0})).at(60.0) == 900.0
     assert float(STRESS.read("5 kPa")) == 5000.0
-    assert TimedNumber(-1, 1).read({"0 s": 0, "1 min": -0.05}).at(30.0) == -0.025
+    assert ChangingNumber(-1, 1).read({"0 s": 0, "1 min": -0.05}).at(30.0) == -0.025
 
 
 @pytest.mark.parametrize(

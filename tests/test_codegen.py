@@ -16,19 +16,19 @@ import sympy as sp
 
 import softcat_sym as sc
 from softcat_sym import cache
+from softcat_sym.codegen.c_model import Structure, model_for
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
 from softcat_sym.codegen.c_text import CSource, number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.codegen.library import about, compile_library, load
 from softcat_sym.codegen.right_hand_side import JACOBIAN, POWERS, RHS, rhs_source
-from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import PrintingError
-from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.solve import assembled
 from tests.common.pairs import differences, pair_of
 from tests.common.rosenbrock import RUNTIME
 

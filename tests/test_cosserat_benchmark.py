@@ -125,8 +125,8 @@ def arc(length: float = 1.0, span: float = 0.8, points: int = 201) -> tuple[Thre
 
 def clamp_that_turns(**changes: Any) -> Motion:
     turned = ((0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (7.0, 0.0, 0.0))
-    still = Motion(TIMES, ((0.0, 0.0, 0.0),) * 3, turned, slides_along=(1.0, 0.0, 0.0))
-    return replace(still, **changes)
+    static = Motion(TIMES, ((0.0, 0.0, 0.0),) * 3, turned, slides_along=(1.0, 0.0, 0.0))
+    return replace(static, **changes)
 
 
 def twisted(**changes: Any) -> Rod:
@@ -242,7 +242,7 @@ def test_positions_and_sections_are_those_of_the_world(normal: Three) -> None:
         line = np.array(normal) - (np.array(normal) @ tangent) * tangent / (tangent @ tangent)
         rod = Rod(points, 0.005, normal=tuple(turn @ line / np.linalg.norm(line)), start=Held.PINNED, end=Held.PINNED)
         run = sc.simulate(scene_of(rod, gravity=DOWN))
-        places, lines = in_its_words(rod, axes_of(rod, DOWN), run, still=True)
+        places, lines = in_its_words(rod, axes_of(rod, DOWN), run, static=True)
         assert np.allclose(places[0], rod.nodes(20), atol=1e-12)
         assert np.allclose(lines[0], rod.directors(20), atol=1e-9)
         tangents = np.diff(places, axis=1)
@@ -272,7 +272,7 @@ def test_sections_that_turn_and_twist_carry_their_lines() -> None:
     fields = {name: (("time", "node"), one) for name, one in zip("xyz", np.moveaxis(places, -1, 0), strict=True)}
     turned_by = {"quaternion": (("time", "node", "component"), np.array(quaternions))}
     run: Any = SimpleNamespace(data=xr.Dataset({**fields, **turned_by}, coords={"X_cell": ("cell", np.arange(n))}))
-    found, lines = in_its_words(rod, axes, run, still=False)
+    found, lines = in_its_words(rod, axes, run, static=False)
     middle = (s[1:] + s[:-1]) / 2
     for k, (turn, twist) in enumerate(zip(turns, twists, strict=True)):
         whole = Rotation.from_rotvec(np.array(turn) @ axes)

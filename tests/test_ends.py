@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import signal
 import threading
 from pathlib import Path
@@ -125,26 +124,3 @@ def test_whoever_stops_a_run_in_python_has_what_there_is(monkeypatch: pytest.Mon
         sc.simulate(scene, progress=Impatient())
     run = stopped.value.part()  # type: ignore[attr-defined]
     assert run.outcome is sc.Outcome.interrupted and 0 < run.fields["time"][-1] < 600
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("command", ["card", "phase"])
-def test_a_limit_ends_what_runs_many(softcat: Softcat, command: str, tmp_path: Path) -> None:
-    words = ("card", "no-yield", *LONG) if command == "card" else ("phase", "--fresh")
-    done = softcat(*words, "-q", "-o", str(tmp_path / "out"), "--time-limit", "4")
-    assert done.status == 1 and "softcat: the time limit of 4 s is over" in done.err
-
-
-@pytest.mark.slow
-def test_a_long_run_tells_its_price_before_it_begins(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The number that explain prints; the run is ended as it begins, long before its four hundred million seconds."""
-
-    def ended(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(CompiledIntegration, "run", ended)
-    scene = str(CASES / "beam-for-50000-years.toml")
-    price = re.search(r"about (\S+) s of the\s+processor", " ".join(softcat("explain", scene).out.split()))
-    told = softcat("run", scene, "-q", "--no-pictures").err
-    assert price is not None and float(price[1]) > 1e8
-    assert f"about {price[1]} s" in told and "load.ramp" in told and "--time-limit" in told

@@ -12,7 +12,7 @@ from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.error_control import control, refinement
 from softcat_sym.error_control.estimate import (
     Before,

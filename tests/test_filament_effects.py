@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym import simulate
-from softcat_sym.effects.free_vibration import first_vibration, solid_decay
+from softcat_sym.estimates.free_vibration import first_vibration, solid_decay
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate

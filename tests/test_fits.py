@@ -47,6 +47,7 @@ from softcat_sym.results import verdict
 from softcat_sym.solvers.compiled import CModel
 from tests.common.draws import draws, misses, shares
 from tests.common.filmed import TRUTH, film, scene
+from tests.common.fitting import METHODS_AGREE, methods_apart
 from tests.common.flow_curves import curve_of
 
 NECK = "the cell at X/L = 0.49 carries 60%"
@@ -61,6 +62,19 @@ def fitted(*free: str, wave: float = 0.0) -> Fit:
 def test_a_run_that_is_solved_changes_nothing() -> None:
     found = fitted()
     assert (found.outcome, found.message) == (FitOutcome.solved, "")
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(
+    ("name", "share"), [("maxwell-fast", 0.03), ("continual-descent", 0.2), ("continual-descent", 0.4)]
+)
+def test_both_methods_find_one_optimum(name: str, share: float) -> None:
+    assert methods_apart(name, share, seed=0) < METHODS_AGREE
+
+
+def test_an_unknown_method_is_refused() -> None:
+    with pytest.raises(SoftcatError, match="no method 'gauss-newton'; accepted: least-squares, ipopt"):
+        fit(Measurements.of(*film()), scene(), ["viscosity"], method="gauss-newton")  # type: ignore[arg-type]
 
 
 def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
 import softcat_sym as sc
-from softcat_sym.effects.free_vibration import (
+from softcat_sym.estimates.free_vibration import (
     damping_note,
     first_vibration,
     ringing,
@@ -259,24 +259,3 @@ def test_without_bending_it_is_a_chain() -> None:
     chain = {"filament__rest_length": "30 mm", "run__effects": ["inertia", "extensibility", "large-rotation"]}
     scene = strand("1 mm", "45 GPa", **chain)
     assert frequency(scene) == pytest.approx(links(0.03, 0.02), rel=2e-3)
-
-
-@pytest.mark.slow
-def test_a_slack_rope_rings_in_a_run_as_foreseen() -> None:
-    """Its right support is moved by a quarter of a per cent of the span, and the rope is left to itself."""
-    scene = sc.Scene.from_dict(
-        {
-            "filament": {"span": 0.2, "rest_length": 0.24, "diameter": 0.001, "density": 1000.0},
-            "material": {"law": "elastic", "youngs_modulus": 10e6},
-            "ends": {"motion": [["0 s", "0 m", "0 m"], ["10 ms", "0.5 mm", "0.3 mm"]]},
-            "run": {"duration": 3.0, "frames": 601},
-            "numerics": {"estimate": False},
-        }
-    )
-    fields, foreseen = sc.simulate(scene).fields, frequency(scene) / (2 * math.pi)
-    about, time, spectrum = foreseen * np.linspace(0.7, 1.3, 1201), fields["time"], np.zeros(1201)
-    for axis in ("x", "y"):
-        way = fields[axis][:, fields[axis].shape[1] // 2]
-        swing = (way - np.polyval(np.polyfit(time, way, 2), time)) * np.hanning(len(time))
-        spectrum += np.abs(np.exp(-2j * np.pi * np.outer(about, time)) @ swing)
-    assert about[np.argmax(spectrum)] == pytest.approx(foreseen, rel=0.01)

@@ -31,7 +31,7 @@ from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.generation import export
 from softcat_sym.scene.scene import Scene

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import undeformed_area

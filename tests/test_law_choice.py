@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.free_parameters import free_parameters

@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym.errors import SceneError
 from softcat_sym.scene import laws
 from softcat_sym.scene.formula import FUNCTIONS, parse_formula
-from softcat_sym.scene.material import Mode, Parameter
+from softcat_sym.scene.material import Mode, NamedConstant
 from softcat_sym.scene.scene import Scene
 from tests.common.scenes import BINGHAM, LAWS, MODES, faults_of, spoiled
 
@@ -154,7 +154,7 @@ def test_modes() -> None:
         ([], [("", "missing: the law 'multimode-maxwell' needs it")]),
         ("1 MPa", [("", "'1 MPa' is not a list")]),
         (one * 51, [("", "51 modes; accepted: at most 50")]),
-        ([3, *one], [(".1", "3 is not a mode")]),
+        ([3, *one], [(".1", "3 is not a table")]),
         ([*one, {"youngs_modulus": "1 MPa"}], [(".2.viscosity", "missing")]),
         ([*one, one[0] | {"width": 1}], [(".2.width", "unknown key; accepted: youngs_modulus, viscosity")]),
         (
@@ -170,7 +170,7 @@ def test_modes() -> None:
 
 def test_parameters_of_a_custom_law_can_be_replaced() -> None:
     scene = scene_of("custom")
-    assert scene.material.parameters[-1] == Parameter("tau_c", 2.0, (1.0, -1.0, -2.0))
+    assert scene.material.parameters[-1] == NamedConstant("tau_c", 2.0, (1.0, -1.0, -2.0))
     other = scene.replace({"material.parameters.tau_c": "3 Pa"})
     assert other.material.threshold == pytest.approx(3.0, rel=1e-12)
     assert scene.material.threshold == pytest.approx(2.0, rel=1e-12)

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.forecast import compliant_sag, lagging
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.error_control.estimate import Judge
+from softcat_sym.estimates.forecast import compliant_sag, lagging
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import (
     STRIDE,
@@ -435,26 +435,3 @@ def test_of_a_long_ringing_the_phase_that_rotary_inertia_shifts_is_not_told() ->
     assert judge.between(first, second).size < without.summary["checked"]["rotary-inertia"] < 1e-3
     brief = simulate(scene.replace({"run.duration": "0.06 s"}))
     assert brief.summary["checked"]["rotary-inertia"] > scene.run.accuracy
-
-
-@pytest.mark.slow
-def test_a_creep_is_told_by_its_rate_and_by_where_it_tends() -> None:
-    """A beam of a standard linear solid: q L^4/(384 E I) at last, from which it is E_2/(E_1 + E_2) exp(-t/tau) away."""
-    first, second, viscosity, span, h = 100e3, 450e3, 120e3, 0.02, 1e-3
-    law = {"law": "standard-linear", "youngs_modulus": first, "second_modulus": second, "viscosity": viscosity}
-    effects = ["inertia", "bending", "viscous-flow", "gravity-ramp"]
-    scene = Scene.from_dict(
-        {
-            "filament": {"span": span, "thickness": h, "density": 1050.0},
-            "material": law,
-            "load": {"ramp": 0.2, "gravity": 1.0},
-            "run": {"duration": 4.0, "frames": 41, "accuracy": 1e-3, "effects": effects},
-        }
-    )
-    summary = simulate(scene).summary
-    last, tau = -1050 * span**4 / (32 * first * h**2), viscosity * (first + second) / (first * second)
-    left = second / (first + second) * math.exp(-(4 - 0.1) / tau)
-    assert summary["midpoint_final_m"] == pytest.approx(last * (1 - left), rel=5e-3)
-    assert summary["midpoint_settled_m"]["amplitude"] < 2e-3 * abs(last)
-    assert summary["creep"]["rate_m_per_s"] == pytest.approx(last * left / tau, rel=0.05)
-    assert summary["creep"]["tends_to_m"] == pytest.approx(last, rel=5e-3)

@@ -13,8 +13,8 @@ from scipy.integrate import solve_bvp
 import softcat_sym as sc
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.errors import SceneError
+from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.natural_curve import natural_curve
 from tests.common.spatial_statics import Statics
 

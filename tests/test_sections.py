@@ -20,10 +20,9 @@ from scipy.optimize import linprog
 
 from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.filament import derive
-from softcat_sym.physics.laws import (
+from softcat_sym.physics.constitutive_laws import (
     K,
     bingham_means,
     bingham_rate,
@@ -33,6 +32,7 @@ from softcat_sym.physics.laws import (
     n,
     power_law_rate,
 )
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import (
     CIRCLE,
     RECTANGLE,

@@ -21,10 +21,10 @@ from softcat_sym.discretization.point_rule import ring_rule, spatial_rule, warpi
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.out_of_plane_stability import PlanarCells, banded, is_positive, out_of_plane_instability
@@ -94,13 +94,13 @@ def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[s
     """Rates and residuals of all unknowns, powers, and what a run stores."""
     x, z = (
         np.array(gathered(layout, {b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
-        for layout in (graph.moving, graph.still)
+        for layout in (graph.differential, graph.algebraic)
     )
     out = ca.Function(
         "all", [graph.t, graph.x, graph.z, graph.p], [*graph.symbolic.balances, *graph.symbolic.raw.powers]
     )
     ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
-    found = graph.moving.split(ode) | graph.still.split(alg)
+    found = graph.differential.split(ode) | graph.algebraic.split(alg)
     observed = graph.observe(np.array([0.3]), x[:, None], z[:, None], p)
     return found, np.array([one.sum() for one in powers]), observed
 
@@ -113,7 +113,7 @@ def test_in_the_plane_it_is_the_planar_filament(law: str, section: str) -> None:
     bump, states = 0.25 - X**2, dict[str, Floats]()
     flat = {"x": X + 0.01 * np.sin(5 * X) * bump, "y": -0.2 * bump, "psi": 0.35 * X * (1 - 4 * X**2)}
     flat |= {"u": 0.1 * bump, "v": -0.3 * bump, "omega": 0.2 * np.sin(6 * X) * bump}
-    for layout in (planar.moving, planar.still):
+    for layout in (planar.differential, planar.algebraic):
         for block in layout.blocks:
             if block.name not in flat:
                 states[block.name] = 0.02 * rng.standard_normal(12)

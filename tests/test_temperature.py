@@ -12,7 +12,7 @@ import sympy as sp
 from scipy.integrate import quad
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.temperature import biot_number, cooling_time, transfer_coefficient
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.forward_model import ForwardModel
@@ -21,7 +21,7 @@ from softcat_sym.physics import heat as sy
 from softcat_sym.results.fields import heat_residual
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.start import Start

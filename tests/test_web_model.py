@@ -14,7 +14,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.batch.members import written
 from softcat_sym.discretization.parameters import parameter_values, time_scale
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
 from softcat_sym.results.motion import has_yielded, midpoint_extremes

@@ -17,7 +17,7 @@ import xarray as xr
 from softcat_sym.batch.executor import MembersProgress, Where, counted, worker_count
 from softcat_sym.batch.lane_pool import Stop
 from softcat_sym.batch.members import Choosing, Member, Row, is_group, is_number, kind_of, members_of, rows_of
-from softcat_sym.batch.records import Column, Record, table_of, variables_of, versions
+from softcat_sym.batch.records import Record, RecordColumn, table_of, variables_of, versions
 from softcat_sym.batch.reference_member import (
     RESOLUTION,
     ReferenceMember,
@@ -33,7 +33,7 @@ from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.run import Run
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.scene.units import SI_UNITS, Number, Quantity
+from softcat_sym.scene.units import Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import watched
@@ -41,15 +41,17 @@ from softcat_sym.solvers.solution import watched
 _ROUNDING = 1e-9
 
 _COLUMNS = {
-    "midpoint": Column("m", "height of the midpoint X = 0, negative down; NaN where it was not reached", ("time",)),
-    "midpoint_final": Column("m", "height of the midpoint in the last frame reached, negative down"),
-    "time_final": Column("s", "time of the last frame reached"),
-    "outcome": Column("", "how the run ended", dtype=str),
-    "message": Column("", "why, if that is no success", dtype=str),
-    "energy_residual": Column("1", "energy imbalance of the last frame against the first, of the largest energy"),
-    "effects": Column("", "effects in force", dtype=str),
-    "steps": Column("", "steps of the integrator", dtype=int),
-    "wall_s": Column("s", "wall time, side by side with other members"),
+    "midpoint": RecordColumn(
+        "m", "height of the midpoint X = 0, negative down; NaN where it was not reached", ("time",)
+    ),
+    "midpoint_final": RecordColumn("m", "height of the midpoint in the last frame reached, negative down"),
+    "time_final": RecordColumn("s", "time of the last frame reached"),
+    "outcome": RecordColumn("", "how the run ended", dtype=str),
+    "message": RecordColumn("", "why, if that is no success", dtype=str),
+    "energy_residual": RecordColumn("1", "energy imbalance of the last frame against the first, of the largest energy"),
+    "effects": RecordColumn("", "effects in force", dtype=str),
+    "steps": RecordColumn("", "steps of the integrator", dtype=int),
+    "wall_s": RecordColumn("s", "wall time, side by side with other members"),
     **RESOLUTION,
 }
 
@@ -185,7 +187,7 @@ def _column(scenes: Sequence[Scene], rows: Sequence[Row], key: str) -> tuple[str
     if isinstance(kind, (Quantity, Number)):
         table, _, name = key.partition(".")
         values = [getattr(getattr(scene, table), name) for scene in scenes]
-        unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else "1"
+        unit = kind.unit or "1"
         return "member", np.array([np.nan if value is None else value for value in values], float), {"units": unit}
     given = [row[key] for row in rows]
     if all(is_number(value) for value in given):

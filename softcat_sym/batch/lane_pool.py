@@ -119,45 +119,45 @@ class LanePool(futures.Executor):
 
     def integrate(self, model: CModel, run: RunInput, room: Answer) -> None:
         """Integrate a run into its room, together with others."""
-        asked = _Waiting(model, run, room)
+        request = _Waiting(model, run, room)
         with self._lock:
-            self._queue.append(asked)
+            self._queue.append(request)
             self._busy -= 1
-        while not asked.done.is_set() and self._serve():
+        while not request.done.is_set() and self._serve():
             pass
         self._turns.release()
-        asked.done.wait()
+        request.done.wait()
         self._turns.acquire()
-        if asked.errors:
-            raise asked.errors[0]
+        if request.errors:
+            raise request.errors[0]
 
     def _serve(self) -> bool:
         """Integrate a batch, if there is one that need not wait for more."""
         with self._lock:
-            counts = Counter(asked.kind for asked in self._queue)
+            counts = Counter(request.kind for request in self._queue)
             kind, count = counts.most_common(1)[0] if counts else (None, 0)
             if not count or (count < AT_ONCE and self._busy):
                 return False
-            batch = [asked for asked in self._queue if asked.kind == kind][:AT_ONCE]
-            self._queue = [asked for asked in self._queue if asked not in batch]
+            batch = [request for request in self._queue if request.kind == kind][:AT_ONCE]
+            self._queue = [request for request in self._queue if request not in batch]
         try:
             self._integrate(batch)
         except Exception as error:  # noqa: BLE001 - it is raised in every thread that waits for it
-            for asked in batch:
-                asked.errors.append(error)
+            for request in batch:
+                request.errors.append(error)
         with self._lock:
             self._busy += len(batch)
-        for asked in batch:
-            asked.done.set()
+        for request in batch:
+            request.done.set()
         return True
 
     def _integrate(self, batch: Sequence[_Waiting]) -> None:
         lanes = self._lanes_for(batch[0].model, len(batch))
         if lanes is not None:
-            lanes.integrate([asked.run for asked in batch], [asked.room for asked in batch], self.stop.flag)
+            lanes.integrate([request.run for request in batch], [request.room for request in batch], self.stop.flag)
             return
-        for asked in batch:
-            asked.model.integrate(asked.run, asked.room.status, self.stop.flag, asked.room)
+        for request in batch:
+            request.model.integrate(request.run, request.room.status, self.stop.flag, request.room)
 
     def _lanes_for(self, model: CModel, count: int) -> LanesModel | None:
         """The lanes of a structure, once so many of it wait that they are worth compiling."""

@@ -11,7 +11,7 @@ from typing import Any, Literal, TypeGuard
 import numpy as np
 from pydantic_core import to_json
 
-from softcat_sym.effects.choosing import (
+from softcat_sym.effects.selection import (
     Effects,
     choose_effects,
     refuse_together,
@@ -134,7 +134,7 @@ def constants_of(scene: Scene, row: Row) -> Row:
     slenderness = numbers.pop("delta", None)
     constants: Row = {}
     if slenderness is not None:
-        constants["filament.thickness"] = with_unit(slenderness * scene.filament.span, "length")
+        constants["filament.thickness"] = with_unit(slenderness * scene.filament.span, "m")
     material = scene.material
     names = material.spec.constants
 
@@ -243,7 +243,16 @@ class MemberMaker:
                     self._effects[pattern] = effects
                 return effects
             self._effects[pattern] = choose_effects(self.scene)
-        _admit(scene, self._effects[pattern])
+        # The effects were chosen for another scene.
+        chosen = self._effects[pattern].in_force
+        barred = [
+            Fault("run.effects", f"{effect.name!r} cannot be had: {why_not(effect, scene)}", 'effects="each"')
+            for effect in chosen
+            if not effect.applies(scene)
+        ]
+        if barred:
+            raise SceneError(barred)
+        refuse_together(scene, chosen)
         return self._effects[pattern]
 
     def _backend(self, scene: Scene, effects: Effects, pattern: Pattern) -> tuple[Backend, bool]:
@@ -268,16 +277,3 @@ def pattern_of(scene: Scene, row: Row) -> Pattern:
         is_value = known is not None or isinstance(kind_of(scene, row, key), (Quantity, Number))
         pattern.append((key, not value if is_value else to_json(value, inf_nan_mode="constants")))
     return tuple(pattern)
-
-
-def _admit(scene: Scene, effects: Effects) -> None:
-    """Refuse a scene that cannot have effects that were chosen for another one."""
-    chosen = effects.in_force
-    barred = [
-        Fault("run.effects", f"{effect.name!r} cannot be had: {why_not(effect, scene)}", 'effects="each"')
-        for effect in chosen
-        if not effect.applies(scene)
-    ]
-    if barred:
-        raise SceneError(barred)
-    refuse_together(scene, chosen)

@@ -28,7 +28,7 @@ from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
 from softcat_sym.scene.toml import read_overrides
-from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
+from softcat_sym.scene.units import NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
@@ -263,7 +263,15 @@ def plan_sweep(
     """Make the plan of a sweep from its arguments."""
     if mode not in MODES:
         raise SoftcatError(f"no mode {mode!r} of a sweep; accepted: {', '.join(MODES)}")
-    _check_samples(mode, samples, seed)
+    if mode == "lhs":
+        if type(samples) is not int or not 2 <= samples <= MAX_MEMBERS:
+            raise SoftcatError(
+                f"samples = {samples!r}: a Latin hypercube needs a number of samples, 2 to {MAX_MEMBERS}"
+            )
+        if type(seed) is not int or seed < 0:
+            raise SoftcatError(f"seed = {seed!r}: accepted: a whole number, 0 or more")
+    elif samples is not None:
+        raise SoftcatError(f"samples are for a Latin hypercube (mode lhs), not for mode {mode}")
     if isinstance(vary, Path):
         if mode != "grid":
             raise SoftcatError(f"a table lists its members in rows: it has no mode {mode!r}")
@@ -278,18 +286,6 @@ def plan_sweep(
     if plan.members > MAX_MEMBERS:
         raise SoftcatError(f"a sweep of {plan.members} members; accepted: up to {MAX_MEMBERS}")
     return plan
-
-
-def _check_samples(mode: str, samples: int | None, seed: int) -> None:
-    if mode == "lhs":
-        if type(samples) is not int or not 2 <= samples <= MAX_MEMBERS:
-            raise SoftcatError(
-                f"samples = {samples!r}: a Latin hypercube needs a number of samples, 2 to {MAX_MEMBERS}"
-            )
-        if type(seed) is not int or seed < 0:
-            raise SoftcatError(f"seed = {seed!r}: accepted: a whole number, 0 or more")
-    elif samples is not None:
-        raise SoftcatError(f"samples are for a Latin hypercube (mode lhs), not for mode {mode}")
 
 
 def _check_axes(axes: Sequence[SweepAxis], mode: str) -> None:
@@ -459,7 +455,7 @@ def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
     kind = kind_of(scene, {}, axis.key)
     quantity = kind if isinstance(kind, Quantity) else None
     if quantity is not None:
-        units = quantity.unit or SI_UNITS[quantity.dimension]
+        units = quantity.unit
     elif isinstance(kind, (Number, Whole)) or is_group(axis.key) or all(map(is_number, axis.values)):
         units = "1"
     elif all(map(_is_quantity, axis.values)):

@@ -31,7 +31,7 @@ Table = npt.NDArray[Any]
 
 
 @dataclass(frozen=True)
-class Column:
+class RecordColumn:
     """What records hold under a name."""
 
     units: str  # Empty for texts and counts
@@ -45,7 +45,7 @@ class Column:
         return {"long_name": self.meaning} | ({"units": self.units} if self.units else {})
 
 
-def table_of(records: Sequence[Record], columns: Mapping[str, Column], sizes: Mapping[str, int]) -> Table:
+def table_of(records: Sequence[Record], columns: Mapping[str, RecordColumn], sizes: Mapping[str, int]) -> Table:
     """Join records; a column that a record does not have is NaN, or an empty text."""
     values = {
         name: [record.get(name, _MISSING.get(column.dtype, np.nan)) for record in records]
@@ -73,7 +73,7 @@ Variables = Mapping[str, tuple[tuple[str, ...], npt.NDArray[Any], Mapping[str, A
 """Dimensions, values and attributes by name, as :class:`xarray.Dataset` takes them."""
 
 
-def variables_of(table: Table, columns: Mapping[str, Column]) -> dict[str, Any]:
+def variables_of(table: Table, columns: Mapping[str, RecordColumn]) -> dict[str, Any]:
     """Variables of a table."""
     return {name: (("member", *column.dims), table[name], column.attrs) for name, column in columns.items()}
 
@@ -110,7 +110,7 @@ class Batch:
     block_size: int  # Of the last block at most
     rows: Callable[[int], Sequence[Row]]  # Rows of a block
     key: Callable[[Sequence[Row]], str]  # Key of their table in the store
-    columns: Mapping[str, Column]
+    columns: Mapping[str, RecordColumn]
     sizes: Mapping[str, int]  # Of the dimensions of the columns
 
     @property

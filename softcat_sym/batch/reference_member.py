@@ -9,19 +9,21 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from softcat_sym.batch.members import Member, Row
-from softcat_sym.batch.records import Column
+from softcat_sym.batch.records import RecordColumn
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import recalled
-from softcat_sym.solvers.run import Prepared, structure_for
 from softcat_sym.solvers.settings import settings_for
+from softcat_sym.solvers.solve import Prepared, structure_for
 
 RESOLUTION = {
-    "cells": Column("1", "cells per half span"),
-    "fibres": Column("1", "fibres of the section; NaN where it is not resolved by them"),
-    "rtol": Column("1", "relative tolerance of the integrator"),
-    "error_estimate": Column("1", "estimated error of the midpoint over its largest; NaN where it was not estimated"),
+    "cells": RecordColumn("1", "cells per half span"),
+    "fibres": RecordColumn("1", "fibres of the section; NaN where it is not resolved by them"),
+    "rtol": RecordColumn("1", "relative tolerance of the integrator"),
+    "error_estimate": RecordColumn(
+        "1", "estimated error of the midpoint over its largest; NaN where it was not estimated"
+    ),
 }
 """What is stored of a member's resolution."""
 

@@ -23,7 +23,17 @@ from softcat_sym import store
 from softcat_sym.batch.executor import MembersProgress, Where
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.batch.records import Batch, Column, Record, Table, Variables, append, unpacked, variables_of, versions
+from softcat_sym.batch.records import (
+    Batch,
+    Record,
+    RecordColumn,
+    Table,
+    Variables,
+    append,
+    unpacked,
+    variables_of,
+    versions,
+)
 from softcat_sym.batch.reference_member import (
     RESOLUTION,
     ReferenceMember,
@@ -49,31 +59,31 @@ from softcat_sym.solvers.solution import watched
 SHAPE_FRAMES, SHAPE_NODES = 21, 41
 STORE, TABLE = "sweep.nc", "sweep.csv"
 
-_COLUMNS: Final[Mapping[str, Column]] = {
-    "outcome": Column(
+_COLUMNS: Final[Mapping[str, RecordColumn]] = {
+    "outcome": RecordColumn(
         "", "how the run ended; refused: invalid scene; failed: error of the program; lost: its worker died", dtype=str
     ),
-    "regime": Column("", "regime that the run shows; empty if the run is no answer", dtype=str),
-    "message": Column("", "why the run is no answer", dtype=str),
-    "midpoint_final": Column("m", "height of midspan at the end, negative down"),
-    "sag_largest": Column("m", "largest sag of midspan, positive down"),
-    "sag_over_span": Column("1", "largest sag of midspan over the span"),
-    "time_to_90": Column("s", "time at which the sag first reaches 90 % of its last value"),
-    "largest_stretch": Column("1", "largest stretch of the centreline, at any place and time"),
-    "energy_residual": Column("1", "imbalance of energy over the largest energy"),
-    "wall_s": Column("s", "wall time, while other members run in parallel"),
+    "regime": RecordColumn("", "regime that the run shows; empty if the run is no answer", dtype=str),
+    "message": RecordColumn("", "why the run is no answer", dtype=str),
+    "midpoint_final": RecordColumn("m", "height of midspan at the end, negative down"),
+    "sag_largest": RecordColumn("m", "largest sag of midspan, positive down"),
+    "sag_over_span": RecordColumn("1", "largest sag of midspan over the span"),
+    "time_to_90": RecordColumn("s", "time at which the sag first reaches 90 % of its last value"),
+    "largest_stretch": RecordColumn("1", "largest stretch of the centreline, at any place and time"),
+    "energy_residual": RecordColumn("1", "imbalance of energy over the largest energy"),
+    "wall_s": RecordColumn("s", "wall time, while other members run in parallel"),
     **RESOLUTION,
-    "span": Column("m", "span of the filament"),
-    "thickness": Column("m", "thickness of the undeformed filament"),
-    "duration": Column("s", "duration of the run"),
+    "span": RecordColumn("m", "span of the filament"),
+    "thickness": RecordColumn("m", "thickness of the undeformed filament"),
+    "duration": RecordColumn("s", "duration of the run"),
 }
 """Columns of the table."""
 
 _MIDPOINT: Final = {
-    "midpoint": Column("m", "height of midspan, negative down; NaN where there is no answer", ("frame",))
+    "midpoint": RecordColumn("m", "height of midspan, negative down; NaN where there is no answer", ("frame",))
 }
-_SHAPES: Final[Mapping[str, Column]] = {
-    name: Column(
+_SHAPES: Final[Mapping[str, RecordColumn]] = {
+    name: RecordColumn(
         unit, f"{meaning}, at equal steps of time and material", ("shape_frame", "shape_node"), dtype=np.float32
     )
     for name, unit, meaning in (
@@ -166,7 +176,7 @@ def _has_missing_effect(run: MemberRun) -> bool:
 class _Parts:
     """Finished blocks in a file, in the order in which they finish, so that memory does not grow with their number."""
 
-    def __init__(self, plan: SweepPlan, columns: Mapping[str, Column], file: IO[bytes]) -> None:
+    def __init__(self, plan: SweepPlan, columns: Mapping[str, RecordColumn], file: IO[bytes]) -> None:
         self._plan, self._columns, self._file = plan, columns, file
         self.places: dict[int, tuple[int, int]] = {}
 

@@ -38,13 +38,15 @@ def accuracy(
     confirmed by a rival. The programs share the time; measurements that are cut off are listed. Nothing comes from the
     store.
     """
-    asked, output = cli.scene_and_directory(scene, changes, output, "accuracy")
+    resolved, output = cli.scene_and_directory(scene, changes, output, "accuracy")
     methods = integrators.METHODS if everything else integrators.RIVALS
     limit = limit or (work_precision.LIMIT_OF_ALL if everything else work_precision.LIMIT)
     try:
         with Display(quiet=quiet) as progress:
             progress.stage("accuracy")
-            found = work_precision.study(scene, asked, methods, limit, lambda what, share: progress.reach(share, what))
+            found = work_precision.study(
+                scene, resolved, methods, limit, lambda what, share: progress.reach(share, what)
+            )
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written") from None
     report = drawing.report(found)

@@ -29,7 +29,7 @@ with lazy_imports():
     from importlib import metadata
 
     from softcat_sym import files, store
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
@@ -156,12 +156,13 @@ OutputOption = Annotated[Path | None, output_option("softcat-out/SCENE-COMMAND")
 FreshOption = Annotated[
     bool, switch("Run everything again, even what an earlier command has finished (see softcat cache).", "--fresh")
 ]
+MaxSagOption = Annotated[str, option("LENGTH", "Largest sag allowed: '0.2 mm', or '5 %' of the span.")]
 QuietOption = Annotated[bool, switch("Print no progress and no summary.", "--quiet", "-q")]
 VerboseOption = Annotated[bool, switch("Print everything, with reasons and formulas.", "--verbose", "-v")]
 
 
-def _version(asked: bool) -> None:
-    if asked:
+def _version(wanted: bool) -> None:
+    if wanted:
         typer.echo(f"softcat {metadata.version('softcat_sym')}")
         raise typer.Exit
 
@@ -180,7 +181,9 @@ def scene_of(name: str, changes: list[str] | None) -> Scene:
     return reading.load_scene(name, changes or [])
 
 
-def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
+def output_directory(
+    output: Path | None, command: str, scene: str | None = None, resolved: Scene | None = None
+) -> Path:
     """Return the writable DIR of a command: that of ``-o``, or a separate folder for each scene and command."""
     if output is None:
         parts = ([] if scene is None else [Path(scene).name.removesuffix(".toml")]) + [command] * (command != "run")
@@ -188,8 +191,8 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
     try:
         check_directory(output)
     except OSError:
-        if asked is not None:
-            choosing.choose_effects(asked)
+        if resolved is not None:
+            selection.choose_effects(resolved)
         raise
     return output
 
@@ -198,14 +201,14 @@ def scene_and_directory(
     name: str, changes: list[str] | None, output: Path | None, command: str, settings: Sequence[str] = ()
 ) -> tuple[Scene, Path]:
     """Return the scene and the DIR of a command; faults of the scene and of its effects are reported first."""
-    asked = scene_of(name, [*settings, *(changes or [])])
-    output = output_directory(output, command, name, asked)
+    resolved = scene_of(name, [*settings, *(changes or [])])
+    output = output_directory(output, command, name, resolved)
     if (output / "scene.toml").is_file():
-        _tell_what_is_replaced(asked, output)
-    return asked, output
+        _tell_what_is_replaced(resolved, output)
+    return resolved, output
 
 
-def _tell_what_is_replaced(asked: Scene, output: Path) -> None:
+def _tell_what_is_replaced(resolved: Scene, output: Path) -> None:
     """Print what is different in the scene whose results are in DIR, if it is another one."""
     from softcat_sym.errors import SceneError
     from softcat_sym.scene.reading import load_scene
@@ -214,7 +217,7 @@ def _tell_what_is_replaced(asked: Scene, output: Path) -> None:
         there = load_scene(output / "scene.toml")
     except SceneError:
         return
-    changed = [f"{path} {before} -> {now}" for path, (before, now) in there.differences(asked).items()]
+    changed = [f"{path} {before} -> {now}" for path, (before, now) in there.differences(resolved).items()]
     if changed:
         more = f" and {len(changed) - _CHANGES_SHOWN} more" if len(changed) > _CHANGES_SHOWN else ""
         listed = ", ".join(changed[:_CHANGES_SHOWN])

@@ -60,14 +60,6 @@ def _compare_once(
     cli.judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
-def _write_deck(scene: Scene, output: Path, mesh: elements.Mesh, clamp: elements.Clamp, *, quiet: bool) -> None:
-    """Write the deck of CalculiX, which need not be installed."""
-    deck = calculix.calculix_deck(scene, mesh, clamp=clamp).text
-    written = write_results(output, {"calculix/deck.inp": deck, "scene.toml": scene.to_toml()})
-    if not quiet:
-        cli.print_written(written, output)
-
-
 def _compare_varied(
     name: str,
     changes: list[str] | None,
@@ -166,7 +158,11 @@ def compare(
     resolved, output = cli.scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
     if deck_only:
-        _write_deck(resolved, output, size, face, quiet=quiet)
+        # The deck alone: CalculiX need not be installed
+        deck = calculix.calculix_deck(resolved, size, clamp=face).text
+        written = write_results(output, {"calculix/deck.inp": deck, "scene.toml": resolved.to_toml()})
+        if not quiet:
+            cli.print_written(written, output)
     else:
         _compare_once(resolved, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
 

@@ -24,7 +24,6 @@ from softcat_sym.simulate import simulated
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
-    from softcat_sym.solvers.solution import Progress
 
 with lazy_imports():
     from packaging import requirements
@@ -80,27 +79,29 @@ def _say(name: str, text: str) -> None:
 
 def _findings(*, quiet: bool) -> Iterator[Check]:
     packages = list(_packages())
-    yield from (_python(), *packages)
+    cores = f"{executor.worker_count(None)} of {os.cpu_count()} processors"
+    system = f"{platform.system()} {platform.machine()}"
+    yield from (Check("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})"), *packages)
     if any(finding.is_fault for finding in packages):
         yield Check("self-test", "not run, since required packages are missing or too old")
         return
-    compiler, cache = _compiler(), _cache()
-    yield from (compiler, cache)
-    if not cache.is_fault:
-        yield _results()
-    yield _terminal()
+    compiler, kept = _compiler(), _cache()
+    yield from (compiler, kept)
+    if not kept.is_fault:
+        found, place = cache.entries(cache.RESULTS), cache.folder(cache.RESULTS)
+        size, limit = libraries.size_text(sum(entry.size for entry in found)), libraries.size_text(store.LIMIT)
+        yield Check("results", f"{place}, {len(found)} of studies, {size} of at most {limit}")
+    encoding, signs = sys.stdout.encoding or "unknown", "which has every sign that is printed"
+    try:
+        "µ±²→".encode(encoding)
+    except (UnicodeEncodeError, LookupError):
+        signs = "which lacks signs such as µ: they are written as plain letters (um)"
+    yield Check("terminal", f"{encoding}, {signs}")
     yield _tested("interpreted", quiet=quiet)
-    if compiler.remedy or cache.is_fault:
+    if compiler.remedy or kept.is_fault:
         yield Check("self-test", f"compiled: not run, see {'compiler' if compiler.remedy else 'cache'}")
     else:
         yield _tested("compiled", quiet=quiet)
-
-
-def _python() -> Check:
-
-    cores = f"{executor.worker_count(None)} of {os.cpu_count()} processors"
-    system = f"{platform.system()} {platform.machine()}"
-    return Check("python", f"{platform.python_version()} on {system}, {cores} ({sys.executable})")
 
 
 def _packages() -> Iterator[Check]:
@@ -157,41 +158,20 @@ def _cache() -> Check:
     return Check("cache", f"{folder}, can be written; compiled libraries take {size} of at most {limit}")
 
 
-def _results() -> Check:
-
-    found = cache.entries(cache.RESULTS)
-    size, limit = libraries.size_text(sum(entry.size for entry in found)), libraries.size_text(store.LIMIT)
-    return Check("results", f"{cache.folder(cache.RESULTS)}, {len(found)} of studies, {size} of at most {limit}")
-
-
-def _terminal() -> Check:
-    encoding = sys.stdout.encoding or "unknown"
-    try:
-        "µ±²→".encode(encoding)
-    except (UnicodeEncodeError, LookupError):
-        return Check("terminal", f"{encoding}, which lacks signs such as µ: they are written as plain letters (um)")
-    return Check("terminal", f"{encoding}, which has every sign that is printed")
-
-
 def _tested(backend: str, *, quiet: bool) -> Check:
     """A run of a bundled scene against the exact sag."""
     began, advice = perf_counter(), "install softcat_sym again; if that does not help, report it with these lines"
     try:
         with StudyDisplay(quiet=quiet) as progress:
             progress.stage(f"self-test, {backend}")
-            found, exact = _sags(backend, progress)
+            changes = {"numerics.cells": _CELLS, "numerics.estimate": False, "numerics.backend": backend}
+            scene = reading.load_scene(_SCENE, changes)
+            found, exact = -float(simulated(scene, progress).data.midpoint.values[-1]), exact_sag(scene)
     except (SoftcatError, ImportError, OSError, RuntimeError) as error:
         return Check("self-test", f"{backend}: {error}", advice, True)
     text = f"{backend}: sag {1e6 * found:.3f} um, exact {1e6 * exact:.3f} um ({perf_counter() - began:.1f} s)"
     is_fault = not abs(found / exact - 1) < _TOLERANCE
     return Check("self-test", text, advice if is_fault else "", is_fault)
-
-
-def _sags(backend: str, progress: Progress) -> tuple[float, float]:
-
-    changes = {"numerics.cells": _CELLS, "numerics.estimate": False, "numerics.backend": backend}
-    scene = reading.load_scene(_SCENE, changes)
-    return -float(simulated(scene, progress).data.midpoint.values[-1]), exact_sag(scene)
 
 
 def exact_sag(scene: Scene) -> float:

@@ -15,7 +15,7 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_names
 
 with lazy_imports():
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.plotting import pricing as tables
     from softcat_sym.plotting import terminal
     from softcat_sym.studies import effect_importance
@@ -40,9 +40,9 @@ def effects(
     if scene is None:
         _all(output, changes or [], fresh=fresh, quiet=quiet)
         return
-    asked, output = cli.scene_and_directory(scene, changes, output, "effects")
-    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-        pricing = effect_importance.price_effects(asked, progress, scene)
+    resolved, output = cli.scene_and_directory(scene, changes, output, "effects")
+    with cli.study(output, fresh=fresh), terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+        pricing = effect_importance.price_effects(resolved, progress, scene)
         progress.stage("drawing")
         report = drawing.report(pricing)
         written = report.write(output)
@@ -56,7 +56,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
     errors: list[SoftcatError] = []
     for name in bundled_names():
         try:
-            choosing.choose_effects(cli.scene_of(name, changes))
+            selection.choose_effects(cli.scene_of(name, changes))
         except SoftcatError as error:
             errors.append(error)
     if len(errors) == len(bundled_names()):
@@ -66,9 +66,9 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
         for name in bundled_names():
             contents: dict[str, object] = {}
             try:
-                asked = cli.scene_of(name, changes)
-                with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-                    done[name] = pricing = effect_importance.price_effects(asked, progress, name)
+                resolved = cli.scene_of(name, changes)
+                with terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+                    done[name] = pricing = effect_importance.price_effects(resolved, progress, name)
                 contents = {
                     f"effects_{name}.json": pricing.to_dict(),
                     f"effects_{name}.png": pricing.plot(),

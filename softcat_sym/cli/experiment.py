@@ -53,15 +53,15 @@ def experiment(
     error is smallest; quantities without a range stay as in the scene. After Ctrl-C the same command resumes from the
     experiments that were tried.
     """
-    asked, output = cli.scene_and_directory(scene, changes, output, "experiment")
+    resolved, output = cli.scene_and_directory(scene, changes, output, "experiment")
     given = {"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration}
     # A text that is no pair is passed on, as one value or for the design to refuse.
     within = {name: cli.read_pair(text) or text for name, text in given.items() if text is not None}
     with cli.study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
         progress.doing("reading and compiling")
-        judge = design.judge_of(asked, free, noise, within, nuisance or [], max_frames, rough, max_sag)
+        judge = design.judge_of(resolved, free, noise, within, nuisance or [], max_frames, rough, max_sag)
         # The faster of the two comes first.
-        critical = None if sag is None else critical_span.critical_span(asked, sag, progress=progress)
+        critical = None if sag is None else critical_span.critical_span(resolved, sag, progress=progress)
         found = design.best_experiment(judge, progress)
         progress.stage("drawing")
         report = drawing.report(found, critical=critical)

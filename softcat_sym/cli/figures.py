@@ -45,8 +45,8 @@ def figures(
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
     output = cli.output_directory(output, "figures")
     filmed: dict[str, study.FilmedScene] = {}
-    asked = [number for number in _NUMBERS if number in (only or _NUMBERS)]
-    waiting = list(asked)
+    wanted = [number for number in _NUMBERS if number in (only or _NUMBERS)]
+    waiting = list(wanted)
     try:
         while waiting:
             with store.fresh(fresh), made(output):
@@ -56,8 +56,8 @@ def figures(
             cli.present(report, written, output, quiet=quiet)
     except KeyboardInterrupt:
         text = "the same command resumes from what was finished"
-        if waiting != asked:
-            done = " and ".join(number for number in asked if number not in waiting)
+        if waiting != wanted:
+            done = " and ".join(number for number in wanted if number not in waiting)
             again = " ".join(f"--only {number}" for number in waiting)
             text = f"figure {done} is written; softcat figures -o {output} {again} resumes from {output}"
         raise cli.interrupted(text) from None

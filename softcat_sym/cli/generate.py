@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_names
-
-if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
 
 with lazy_imports():
     from softcat_sym import generation
@@ -61,15 +57,20 @@ def generate(
     try:
         if scene is None:
             output = cli.output_directory(output, "generate")
-            written, refused = _all_bundled(output, web=web, quiet=quiet)
+            with terminal.StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as steps:
+                if web:
+                    written, refused = pages.bundled_pages(output, steps.step)
+                else:
+                    written = generation.write(output, steps.step)
         else:
-            asked, output = cli.scene_and_directory(scene, changes, output, "generate")
+            resolved, output = cli.scene_and_directory(scene, changes, output, "generate")
             if web:
                 page = name if name != _NAME else Path(scene).stem
-                written = _page(asked, output, sliders or (), page, quiet=quiet)
+                with terminal.StepProgress(pages.STEPS, "a live page", quiet=quiet) as steps:
+                    written = [pages.live_page(resolved, output, sliders or (), page, steps.step)]
             else:
-                with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-                    written = generation.generate(asked, output, rhs, name, progress)
+                with terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
+                    written = generation.generate(resolved, output, rhs, name, progress)
     except KeyboardInterrupt:
         raise cli.interrupted("nothing was written; finished C texts are kept in the cache") from None
     if quiet:
@@ -91,17 +92,3 @@ def _refuse_together(scene: str | None, *, bundled: bool, own: bool, web: bool, 
         raise typer.BadParameter("--bundled takes no option of a single scene", param_hint="--bundled")
     if web and rhs:
         raise typer.BadParameter("a page has no right-hand side to write", param_hint="--rhs")
-
-
-def _all_bundled(output: Path, *, web: bool, quiet: bool) -> tuple[list[Path], dict[str, str]]:
-    """Write sources or pages of all bundled scenes; return the files, and the reasons of scenes without any."""
-    with terminal.StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
-        if web:
-            return pages.bundled_pages(output, progress.step)
-        return generation.write(output, progress.step), {}
-
-
-def _page(scene: Scene, output: Path, sliders: Sequence[str], name: str, *, quiet: bool) -> list[Path]:
-    """Write the live page of a scene."""
-    with terminal.StepProgress(pages.STEPS, "a live page", quiet=quiet) as progress:
-        return [pages.live_page(scene, output, sliders, name, progress.step)]

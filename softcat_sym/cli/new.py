@@ -76,7 +76,7 @@ def new(
     }
     given = {path: text for path, text in flags.items() if text is not None}
     if not given and sys.stdin.isatty() and sys.stdout.isatty():
-        given = _asked()
+        given = _prompted()
     try:
         text, scene = scene_keys.scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
     except SceneError as error:
@@ -88,7 +88,7 @@ def new(
         typer.echo(f"wrote {file}; next: softcat run {file}")
 
 
-def _asked() -> dict[str, str]:
+def _prompted() -> dict[str, str]:
     """Ask for one value after the other, each until it is valid."""
     meaning = {key.path: key.meaning for key in scene_keys.scene_keys()}
     answers: dict[str, str] = {}
@@ -120,8 +120,8 @@ def samples(
 ) -> None:
     """Copy sample files: a scene, a film, a flow curve.
 
-    my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve. This package
-    computed film and curve, with added noise, as their first lines say.
+    my-ink.toml is an ink, film.mov a film of its fall across a gap of 10 mm, film.csv the numbers of such a film,
+    my-curve.csv its flow curve. This package computed films and curve, with added noise.
     """
     output = cli.output_directory(output, "samples")
     folder = resources.files("softcat_sym") / "samples"

@@ -40,12 +40,12 @@ def phase(
     row and a mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy is 1e-2 and the
     filament has 40 graded cells. After Ctrl-C the same command resumes from the finished runs.
     """
-    asked, output = cli.scene_and_directory(scene, changes, output, "phase", study.SETTINGS)
+    resolved, output = cli.scene_and_directory(scene, changes, output, "phase", study.SETTINGS)
     planes = plane or list(phase_runs.PLANES)
     with cli.study(output, fresh=fresh):
         with MembersBar("phase diagram", quiet=quiet) as bar:
             diagram = study.phase_diagram(
-                asked,
+                resolved,
                 planes,
                 resolution,
                 workers=workers,

@@ -51,14 +51,14 @@ def run(
     """
     plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
-    asked, output = cli.scene_and_directory(scene, changes, output, "run")
+    resolved, output = cli.scene_and_directory(scene, changes, output, "run")
     files, films = list[Path](), list[Path]()
     again = f"softcat draw {output} -o {output}"
     try:
-        with terminal.IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        with terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             try:
-                trajectory = simulated(asked, progress, cli.print_error)
+                trajectory = simulated(resolved, progress, cli.print_error)
             except solution.Interrupted as stopped:
                 # What there is, at once: pictures can be drawn of it later.
                 trajectory, no_pictures, order = stopped.part(), True, None
@@ -82,7 +82,7 @@ def run(
             left = f"the run is in {output}, its film is not: {again} --animate {order.name}"
             raise cli.interrupted(left) from None
     if not quiet:
-        terminal.print_summary(trajectory.summary, asked, (*films, *files), verbose=verbose)
+        terminal.print_summary(trajectory.summary, resolved, (*films, *files), verbose=verbose)
     cli.judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 

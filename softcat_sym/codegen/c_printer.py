@@ -15,7 +15,7 @@ from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_re
 from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.point_rule import POINT_TABLES
 from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf
-from softcat_sym.discretization.unknowns import PER_FIBRE, Where
+from softcat_sym.discretization.unknowns import PER_FIBRE, SiteRange
 from softcat_sym.errors import PrintingError
 
 _LONGEST = 60
@@ -221,7 +221,7 @@ class Writer:
         self.moves_in_time = True
         return "t"
 
-    def function(self, name: str, where: Where, values: Sequence[ca.SX], targets: Sequence[Target]) -> str:
+    def function(self, name: str, where: SiteRange, values: Sequence[ca.SX], targets: Sequence[Target]) -> str:
         """Write a function that computes values at its sites; the call of it."""
         sums = [leaf for leaf in self._leaves.within(ca.vertcat(*values)) if leaf.kind == SUM]
         values = [*values, *(self._leaves.summed(leaf) for leaf in sums)]

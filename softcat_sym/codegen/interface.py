@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 import jinja2
 import numpy as np
 
+from softcat_sym.codegen.c_model import Model, Structure
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
-from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
-from softcat_sym.discretization.catalogue import CATALOGUE
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import choose_grading, towards_middle
+from softcat_sym.discretization.parameter_table import CATALOGUE
 from softcat_sym.discretization.parameters import history_values, parameter_values
 from softcat_sym.discretization.supports import (
     DIRECTION,
@@ -30,14 +30,14 @@ from softcat_sym.discretization.supports import (
     TIP_TORQUE,
 )
 from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.initial_stress import initial_strain
+from softcat_sym.effects.selection import Effects
 from softcat_sym.errors import PrintingError
-from softcat_sym.scene.material import Parameter, constant_in_c
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
-from softcat_sym.scene.temperature import PREFIX, Temperature
-from softcat_sym.scene.units import Quantity, si_unit
+from softcat_sym.scene.temperature_table import PREFIX, Temperature
+from softcat_sym.scene.units import si_unit
 
 MIN_CELLS = 4
 """Per half span: with fewer, the two ends see each other."""
@@ -103,7 +103,7 @@ class Given:
     value: float  # That of the scene
 
 
-class Steps(NamedTuple):
+class StepSettings(NamedTuple):
     """How a scene is integrated."""
 
     relative: float  # Tolerances
@@ -122,7 +122,7 @@ class Description:
     graph: Graph  # On the scene's grid
     structure: Structure  # What its text depends on
     model: Model  # Its physics as C text
-    steps: Steps
+    steps: StepSettings
 
     @property
     def title(self) -> str:
@@ -198,7 +198,7 @@ class Description:
         return () if natural is None else tuple(np.column_stack([self.graph.grid.centres, natural]).ravel().tolist())
 
 
-def _named_by_user(scene: Scene) -> dict[str, Parameter]:
+def _named_by_user(scene: Scene) -> dict[str, NamedConstant]:
     """Constants that only this scene has, by their names in C."""
     return {constant_in_c(path): one for path, one in scene.named_constants().items()}
 
@@ -212,7 +212,7 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     if name.startswith(PREFIX):
         kind = kinds_of(Temperature).get(name.removeprefix(PREFIX))
         kelvin = "K" if name.startswith(f"{PREFIX}activation") else "m" if name.startswith(f"{PREFIX}heated") else "1"
-        return (kind.unit if isinstance(kind, Quantity) else "") or kelvin
+        return kind.unit if kind and kind.unit else kelvin
     own = _named_by_user(scene)
     if name in own:
         return str(si_unit(own[name].dimension)).replace(" ", "") or "1"

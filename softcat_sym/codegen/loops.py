@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from softcat_sym.discretization.stencil import DERIVATIVE, STAGED, SUM, TIME, UNKNOWN, Field, Leaf, Leaves
-from softcat_sym.discretization.unknowns import PER_FIBRE, Where
+from softcat_sym.discretization.unknowns import PER_FIBRE, SiteRange
 
 
 @dataclass(frozen=True)
 class Loop:
     """Fields that the same sites compute in one go, as seen from each of them."""
 
-    where: Where  # The sites
+    where: SiteRange  # The sites
     names: tuple[str, ...]  # The fields
     values: tuple[ca.SX, ...]  # What each is, of leaves whose sites are distances
 
@@ -53,7 +53,7 @@ def levels_of(leaves: Leaves, fields: Sequence[Field]) -> list[list[Loop]]:
             found.append(_loop(leaves, where, {one.name: one.value for one in special if one.where == where}))
         for site in sorted({site for one in special for site in one.ends}):
             values = {one.name: one.ends[site] for one in special if site in one.ends}
-            found.append(_loop(leaves, Where(site, 0, alone=True), values))
+            found.append(_loop(leaves, SiteRange(site, 0, alone=True), values))
         levels.append(found)
     return levels
 
@@ -71,7 +71,7 @@ def _after(
     return level[leaf.name] if shares else level[leaf.name] + 1
 
 
-def _together(leaves: Leaves, where: Where, group: Sequence[Field]) -> Loop:
+def _together(leaves: Leaves, where: SiteRange, group: Sequence[Field]) -> Loop:
     """One loop: fields of the same site are written out where they are used."""
     values: dict[str, ca.SX] = {}
     known: list[tuple[ca.SX, ca.SX]] = []
@@ -84,7 +84,7 @@ def _together(leaves: Leaves, where: Where, group: Sequence[Field]) -> Loop:
     return _loop(leaves, where, values)
 
 
-def _loop(leaves: Leaves, where: Where, values: Mapping[str, ca.SX]) -> Loop:
+def _loop(leaves: Leaves, where: SiteRange, values: Mapping[str, ca.SX]) -> Loop:
     """A loop over sites; what its fields sum over the fibres is a symbol in it."""
     summed = (leaves.sum_of(value) if name in leaves.totals else value for name, value in values.items())
     return Loop(where, tuple(values), tuple(summed))

@@ -85,7 +85,7 @@ _MARGIN = 0.01
 
 
 @dataclass(frozen=True)
-class Judge:
+class ExperimentJudge:
     """Judges experiments."""
 
     scene: Scene  # With rough values
@@ -308,12 +308,12 @@ def design_experiment(
     return best_experiment(judge, progress or Silence())
 
 
-def best_experiment(judge: Judge, progress: Progress) -> Experiment:
+def best_experiment(judge: ExperimentJudge, progress: Progress) -> Experiment:
     """Search the best film, and judge the scene's own beside it; the rest of :func:`design_experiment`."""
     return _chosen(judge, _searched(judge, progress))
 
 
-def _searched(judge: Judge, progress: Progress) -> list[Trial]:
+def _searched(judge: ExperimentJudge, progress: Progress) -> list[Trial]:
     """Every film that was judged on the way to the best."""
     tried: list[Trial] = []
 
@@ -333,7 +333,7 @@ def _searched(judge: Judge, progress: Progress) -> list[Trial]:
     return tried
 
 
-def _chosen(judge: Judge, tried: list[Trial]) -> Experiment:
+def _chosen(judge: ExperimentJudge, tried: list[Trial]) -> Experiment:
     """The best film, with what limits it; refuses where none is worth anything."""
     best = min(tried, key=lambda one: one.worst)
     if not best.worst < MAX_ERROR:
@@ -358,7 +358,7 @@ def _chosen(judge: Judge, tried: list[Trial]) -> Experiment:
     )
 
 
-def _filament(judge: Judge, point: tuple[float, ...]) -> tuple[float, float]:
+def _filament(judge: ExperimentJudge, point: tuple[float, ...]) -> tuple[float, float]:
     """Span and thickness [m] from the logarithms of those that are open to choice."""
     logs = iter(point)
     span, thickness = (
@@ -377,7 +377,7 @@ def judge_of(
     max_frames: int | None,
     rough: float,
     max_sag: object,
-) -> Judge:
+) -> ExperimentJudge:
     """Read what :func:`design_experiment` is given; every fault is refused before anything runs."""
     ranges, faults, reading, allowed = read_ranges(scene, within), [], ReadingNoise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
@@ -404,10 +404,10 @@ def judge_of(
     if faults:
         raise SceneError(faults)
     names = tuple(one.path for one in unknowns)
-    return Judge(scene, names, counted, reading, ranges, max_frames, float(rough), allowed)
+    return ExperimentJudge(scene, names, counted, reading, ranges, max_frames, float(rough), allowed)
 
 
-def _as_given(judge: Judge) -> Trial:
+def _as_given(judge: ExperimentJudge) -> Trial:
     scene = judge.scene
     frames = min(scene.run.frames, judge.max_frames or scene.run.frames)
     values = as_given(scene)
@@ -417,7 +417,7 @@ def _as_given(judge: Judge) -> Trial:
     return replace(judge, max_sag=None).exactly(start)[0]
 
 
-def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
+def _nothing_to_see(judge: ExperimentJudge, tried: Sequence[Trial]) -> str:
     """Say that no experiment determines the parameters, and what combination of them is determined."""
     names = " and ".join(name.rpartition(".")[2] for name in judge.names)
     span = math.exp(2 * two_sided_quantile(None) * MAX_ERROR)
@@ -441,7 +441,7 @@ def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
     return f"{head}; what is determined, with a span of {trial.span:.3g} m, is {listed}: {remedy}"
 
 
-def _information(judge: Judge, trial: Trial, matrix: Floats) -> Information:
+def _information(judge: ExperimentJudge, trial: Trial, matrix: Floats) -> Information:
     """The information as a fit would judge it."""
     free = free_parameters(judge.scene.replace(trial.changes), judge.names)
     values, directions = np.linalg.eigh(matrix)

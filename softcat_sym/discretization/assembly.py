@@ -20,19 +20,20 @@ from softcat_sym.discretization.grid import (
 )
 from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, Supports, node_mass
+from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
+from softcat_sym.scene.tables import bodies_of
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
-    from softcat_sym.discretization.symbolic import Filament
+    from softcat_sym.discretization.symbolic import SymbolicFilament
 
 DEFAULT_CELLS = 40
 """Cells per half span: where the whole section is on the cell, and of the published theory away from clamps."""
@@ -110,9 +111,11 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     left, right = scene.ends.supports
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
+    edges = [one.edge_place / rest_length(scene) for one in bodies_of(scene) if one.edge_place is not None]
+    edge = min(edges, default=0.5)
     if is_symmetric(scene) and all(one.symmetric for one in densities):
-        return half_span(cells, right, grading, middle=middle)
-    return whole_span(cells, left, right, grading, middle=middle)
+        return half_span(cells, right, grading, middle=middle, edge=edge)
+    return whole_span(cells, left, right, grading, middle=middle, edge=edge)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:
@@ -134,7 +137,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
     )
     return Body(
         supports,
-        Profile.sampled(scene.filament.profile, grid),
+        ThicknessProfile.sampled(scene.filament.profile, grid),
         weighted=scene.load.point_mass > 0,
         tip_mass=scene.load.tip_mass > 0,
         tip_force=any(scene.load.tip_force),
@@ -240,20 +243,20 @@ class Recorded:
     body: Body
 
     @cached_property
-    def program(self) -> Filament:
+    def program(self) -> SymbolicFilament:
         """What its sites compute, or the small-deflection model, which has none."""
         if self.theory.model != "small-deflection":
             return self.sampled_by(self.theory.rule)
         # Imported here and below: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.small_deflection import SmallDeflection
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.physics.section_equations import equations_of
 
         return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
 
     def sampled_by(self, rule: SectionRule | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
-        from softcat_sym.discretization.filament import build
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.discretization.filament_graph import build
+        from softcat_sym.physics.section_equations import equations_of
 
         return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 
@@ -261,13 +264,13 @@ class Recorded:
 def graph_of(recorded: Recorded, effects: tuple[str, ...], signature: Signature) -> Graph:
     """A filament whose sites compute what a signature names."""
     grid, formulation = recorded.grid, recorded.formulation
-    moving, still = (
+    differential, algebraic = (
         Layout([_block(slot, grid) for slot in signature.slots if slot.differential == differential])
         for differential in (True, False)
     )
     places = places_of(grid, recorded.body, formulation.area_power)
     described = effects, formulation.terms, formulation.conserves_energy
-    return Graph(grid, *described, signature, recorded.theory.rule, recorded, places, moving, still)
+    return Graph(grid, *described, signature, recorded.theory.rule, recorded, places, differential, algebraic)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:

@@ -14,8 +14,8 @@ from typing import Any
 import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import printed
-from softcat_sym.discretization.catalogue import CATALOGUE, symbols_of
 from softcat_sym.discretization.held_ends import Held, held
+from softcat_sym.discretization.parameter_table import CATALOGUE, symbols_of
 from softcat_sym.discretization.parameters import AREA, TIME_SCALE
 from softcat_sym.discretization.stencil import (
     PARAMETER,
@@ -44,15 +44,15 @@ from softcat_sym.discretization.unknowns import (
     Floats,
     Shown,
     Signature,
+    SiteRange,
     Slot,
-    Where,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.conformation import Direction
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
+from softcat_sym.physics.polymer_chains import Direction
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import SYMMETRY, Support
 
@@ -183,7 +183,7 @@ class Builder:
         """Temperature of a filament that has one."""
         return ca.SX((1 + warming) * self.values[initial])
 
-    def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
+    def _changed(self, given: Values, name: str, where: SiteRange, warming: ca.SX) -> dict[Any, Any]:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
         found, heat = dict(given), self.equations.heat
         for clock in (one for one in self.equations.clocks if one.state is None):
@@ -199,7 +199,7 @@ class Builder:
                 found[symbols.n_0] += self._thermal(f"expansion_of_a_{name}", where, heat.strain, found)
         return found
 
-    def _thermal(self, name: str, where: Where, value: Any, given: Values) -> ca.SX:
+    def _thermal(self, name: str, where: SiteRange, value: Any, given: Values) -> ca.SX:
         """What follows from the temperature of a site, computed once for all fibres and derivatives."""
         staged = self.stage(name, where, printed(value, given))[0]
         self.thermal.append((staged, printed(value.diff(temperature), given)))
@@ -209,7 +209,7 @@ class Builder:
         """A number of each site: a length, a mass, a relative thickness."""
         return Neighbours(self.leaves, PLACE, name)
 
-    def stage(self, name: str, where: Where, value: Any, ends: Mapping[int, Any] | None = None) -> Neighbours:
+    def stage(self, name: str, where: SiteRange, value: Any, ends: Mapping[int, Any] | None = None) -> Neighbours:
         """Let other sites read a field; one that is the same number everywhere is no field."""
         return self._kept(Field(name, where, ca.SX(value), {at: ca.SX(one) for at, one in (ends or {}).items()}))
 
@@ -224,7 +224,7 @@ class Builder:
         ends = {
             at: ca.SX(0) if end is None else end for at, holds in zip((0, -1), self.bends, strict=True) if not holds
         }
-        return Field(name, Where(int(not self.bends[0]), int(not self.bends[1])), ca.SX(value), ends)
+        return Field(name, SiteRange(int(not self.bends[0]), int(not self.bends[1])), ca.SX(value), ends)
 
     def joints(self, name: str, value: ca.SX, end: ca.SX | None = None) -> Neighbours:
         """Let other sites read a field of the nodes that carry a moment."""

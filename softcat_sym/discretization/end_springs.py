@@ -10,7 +10,7 @@ import casadi as ca
 from softcat_sym.discretization.cell import Builder
 from softcat_sym.discretization.parameters import AREA
 from softcat_sym.discretization.stencil import Field, Neighbours
-from softcat_sym.discretization.unknowns import Where
+from softcat_sym.discretization.unknowns import SiteRange
 from softcat_sym.physics import spatial
 from softcat_sym.scene.ends import Hold
 
@@ -34,7 +34,7 @@ class EndSpring:
     @property
     def stored(self) -> Field:
         """Its energy, to be audited."""
-        return Field(f"spring_{'last' if self.site else 'first'}", Where(self.site, 0, alone=True), self.energy)
+        return Field(f"spring_{'last' if self.site else 'first'}", SiteRange(self.site, 0, alone=True), self.energy)
 
 
 def end_springs(

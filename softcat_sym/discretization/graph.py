@@ -17,14 +17,14 @@ from softcat_sym.physics.terms import Terms
 if TYPE_CHECKING:
     import casadi as ca
 
-    from softcat_sym.discretization.symbolic import Filament, Symbolic
+    from softcat_sym.discretization.symbolic import Symbolic, SymbolicFilament
 
 
 class RecordedProgram(Protocol):
     """What its sites compute, written down when somebody asks for it."""
 
     @property
-    def program(self) -> Filament:
+    def program(self) -> SymbolicFilament:
         """The fields."""
         ...
 
@@ -45,11 +45,11 @@ class Graph:
     rule: SectionRule | None  # Points of a section that is resolved
     recorded: RecordedProgram  # What writes down what its sites compute
     places: Mapping[str, Floats]  # Geometry of each site
-    moving: Layout  # Where the differential and the algebraic unknowns stand
-    still: Layout
+    differential: Layout  # Where the differential and the algebraic unknowns stand
+    algebraic: Layout
 
     @property
-    def program(self) -> Filament:
+    def program(self) -> SymbolicFilament:
         """What its sites compute."""
         return self.recorded.program
 
@@ -59,7 +59,7 @@ class Graph:
         # Imported here: a run whose library is cached does without CasADi.
         from softcat_sym.discretization.symbolic import Symbolic
 
-        return Symbolic(self.program, self.places, self.moving, self.still)
+        return Symbolic(self.program, self.places, self.differential, self.algebraic)
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -79,52 +79,52 @@ class Graph:
     @property
     def start(self) -> Floats:
         """Differential states of the straight, relaxed filament at rest, shape (nx,)."""
-        return self.moving.start
+        return self.differential.start
 
     @property
     def straight(self) -> Floats:
         """Algebraic states of the straight filament, where the search for equilibrium begins, shape (nz,)."""
-        return self.still.start
+        return self.algebraic.start
 
     @property
     def state_names(self) -> tuple[str, ...]:
         """What each component is, for messages."""
-        return self.moving.names
+        return self.differential.names
 
     @property
     def algebraic_names(self) -> tuple[str, ...]:
         """Of the algebraic states."""
-        return self.still.names
+        return self.algebraic.names
 
     @property
     def x_kinds(self) -> tuple[str, ...]:
         """Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ..."""
-        return self.moving.kinds
+        return self.differential.kinds
 
     @property
     def z_kinds(self) -> tuple[str, ...]:
         """Of the algebraic states."""
-        return self.still.kinds
+        return self.algebraic.kinds
 
     @property
     def x_where(self) -> Floats:
         """X/L_0 of each component."""
-        return self.moving.where
+        return self.differential.where
 
     @property
     def z_where(self) -> Floats:
         """Of the algebraic states."""
-        return self.still.where
+        return self.algebraic.where
 
     @property
     def x_places(self) -> tuple[int, ...]:
         """Number of the node or cell of each component."""
-        return self.moving.places
+        return self.differential.places
 
     @property
     def z_places(self) -> tuple[int, ...]:
         """Of the algebraic states."""
-        return self.still.places
+        return self.algebraic.places
 
     def midpoint_row(self, kind: str) -> int:
         """Row of an unknown of the node at X = 0, differential ones first."""
@@ -134,7 +134,7 @@ class Graph:
     @property
     def is_dae(self) -> bool:
         """Whether some unknowns are algebraic: positions without inertia, section angles without rotary inertia."""
-        return len(self.still) > 0
+        return len(self.algebraic) > 0
 
     @property
     def has_velocities(self) -> bool:

@@ -49,7 +49,9 @@ def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds:
     moved, speed = _path([path_name, *axes], supports.rows, given, seconds)
     (twist,), (spin,) = _path([turn_name, "angle"], supports.turns, given, seconds)
     nothing = ca.SX(0)
-    aside, aside_speed = (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
+    out_of_plane, out_of_plane_speed = (
+        (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
+    )
     down = (given[name] for name in DIRECTION) if supports.directed else (nothing, ca.SX(-1), nothing)
     return Held(
         left_x=-half,
@@ -59,8 +61,8 @@ def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds:
         right_v=speed[1] / length,
         left_angle=given[LEFT_ANGLE] if supports.left_turned else nothing,
         right_angle=given[RIGHT_ANGLE] if supports.right_turned else nothing,
-        right_z=aside,
-        right_w=aside_speed,
+        right_z=out_of_plane,
+        right_w=out_of_plane_speed,
         right_twist=twist,
         right_spin=spin,
         turns=tuple(

@@ -22,8 +22,8 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS, Slot
-from softcat_sym.physics import conformation, symbols
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics import polymer_chains, symbols
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.section_response import BranchResponse, ViscousResponse
 
 
@@ -40,7 +40,7 @@ class Strains:
 
 
 @dataclass
-class Section:
+class SectionParts:
     """What a section does: sums over its parts, in expressions of a cell."""
 
     tension: ca.SX = field(default_factory=lambda: ca.SX(0))
@@ -57,13 +57,13 @@ class Section:
     conformation: list[ca.SX] = field(default_factory=list)
 
 
-def linear_section(b: Builder, at: Strains) -> Section:
+def linear_section(b: Builder, at: Strains) -> SectionParts:
     """The section of the paper: a plastic strain linear through the thickness; stretching on cells, bending on joints.
 
     What has a potential is differentiated. What has none - the printed closure, and a finite stretch of a section that
     does not thin - states its resultants, conjugate to the rates of the strains (virtual power).
     """
-    response, found = b.equations.response, Section()
+    response, found = b.equations.response, SectionParts()
     for j, part in enumerate(response.parts):
         viscous = isinstance(part, ViscousResponse)
         flows = isinstance(part, BranchResponse) and part.means is not None
@@ -135,15 +135,15 @@ def linear_section(b: Builder, at: Strains) -> Section:
     return found
 
 
-def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: Section) -> None:
+def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: SectionParts) -> None:
     """Polymer chains of a section that does not bend: one conformation in every cell."""
     response, strain = b.equations.response, b.equations.strain.strain
     slots = [Slot(chain_state(one), "cell", (False, False), True, "", section=False) for one in chains.states]
     taken = {one.taken: b.unknown(slot)[0] for one, slot in zip(chains.states, slots, strict=True)}
     cell = {**b.values, **taken, symbols.s: at.s[0], symbols.h0: b.h_cell}
-    (pull,) = derivatives(response.volume * chains.stored.subs(conformation.strain, strain), (symbols.s,), cell)
-    fibre = {**cell, conformation.strain: printed(strain, cell)}
-    (stress,) = derivatives(chains.stored, (conformation.strain,), fibre)
+    (pull,) = derivatives(response.volume * chains.stored.subs(polymer_chains.strain, strain), (symbols.s,), cell)
+    fibre = {**cell, polymer_chains.strain: printed(strain, cell)}
+    (stress,) = derivatives(chains.stored, (polymer_chains.strain,), fibre)
     if not b.equations.conserves_energy:
         pull = printed(response.tension, {**cell, symbols.sigma_0: stress})
     found.tension += b.stage("tension_chains", CELLS, b.area_cell * pull)[0]
@@ -225,17 +225,12 @@ def kirchhoff(b: Builder) -> Mechanics:
         shown,
         double_force=double_force,
         profiles=section.profiles,
-        ageing=_aged(b, section, surface),
+        ageing=[*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else [],
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
     )
 
 
-def _aged(b: Builder, section: Section, surface: list[Field]) -> list[Field]:
-    """What clocks do to stored energies at strains that are held, and to what resists."""
-    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.clocks else []
-
-
-def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:
+def _shown(b: Builder, section: SectionParts, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:
     thickness = b.equations.response.thickness / symbols.h0
     return {
         "shear_force": transverse / s,

@@ -21,13 +21,14 @@ from softcat_sym.discretization.supports import (
     path_name,
     turn_name,
 )
-from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.estimates.free_vibration import solid_viscosity
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 from softcat_sym.scene.tables import frozen_below
-from softcat_sym.scene.temperature import PREFIX
+from softcat_sym.scene.temperature_table import PREFIX
 
 REST_LENGTH = "rest_length"
 AREA = "area"
@@ -92,6 +93,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         **_of_temperature(scene),
         **scene.material.values(),
         **history_values(scene.material),
+        **{name: one for effect in REGISTRY if effect.applies(scene) for name, one in effect.values(scene).items()},
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
         **_of_clamps(scene),

@@ -47,13 +47,7 @@ def warping_rule(across: int, beside: int, aspect: float) -> SectionRule:
     (y, share_y), (z, share_z) = (np.polynomial.legendre.leggauss(count) for count in (across, beside))
     Y, Z = (part.ravel() for part in np.meshgrid(y, aspect * z, indexing="ij"))
     weight = np.outer(share_y, share_z).ravel() / 4
-    W_2, W_3 = _slope_of_prandtl(Y, Z, aspect)
-    scale = np.sqrt(4 * CROSS_SECTIONS["rectangle"].torsion(aspect) / np.sum(weight * (W_2**2 + W_3**2)))
-    return spatial_rule(Y, Z, scale * W_2, scale * W_3, weight)
-
-
-def _slope_of_prandtl(Y: Floats, Z: Floats, aspect: float) -> tuple[Floats, Floats]:
-    """(phi_Z, -phi_Y) of phi = 1 - Y^2 - sum a_n cos(k_n Y) cosh(k_n Z)/cosh(k_n s), lap phi = -2, zero on the edge."""
+    # (phi_Z, -phi_Y) of phi = 1 - Y^2 - sum a_n cos(k_n Y) cosh(k_n Z)/cosh(k_n s), lap phi = -2, zero on the edge
     term = np.arange(_TERMS)[:, None]
     k = (2 * term + 1.0) * np.pi / 2
     a = 4 / k**3 * (-1.0) ** term
@@ -63,4 +57,6 @@ def _slope_of_prandtl(Y: Floats, Z: Floats, aspect: float) -> tuple[Floats, Floa
     even, odd = (grown + faded) / below, np.sign(Z) * (grown - faded) / below
     along_Y = -2 * Y + np.sum(a * k * np.sin(k * Y) * even, axis=0)
     along_Z = -np.sum(a * k * np.cos(k * Y) * odd, axis=0)
-    return along_Z, -along_Y
+    W_2, W_3 = along_Z, -along_Y
+    scale = np.sqrt(4 * CROSS_SECTIONS["rectangle"].torsion(aspect) / np.sum(weight * (W_2**2 + W_3**2)))
+    return spatial_rule(Y, Z, scale * W_2, scale * W_3, weight)

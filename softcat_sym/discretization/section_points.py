@@ -21,19 +21,19 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
-from softcat_sym.physics import backstress, conformation, reissner, spatial, symbols
+from softcat_sym.physics import hardening_rule, polymer_chains, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.clocks import Clock, State
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
-from softcat_sym.physics.structure import speed
+from softcat_sym.physics.structure_kinetics import speed
+from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12
 """Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
 
 
 @dataclass(frozen=True)
-class Sampled:
+class SectionSums:
     """Sums over the points of a section, and what a run shows of them."""
 
     means: dict[Any, ca.SX]  # By their symbols
@@ -51,7 +51,7 @@ def one_of(rule: SectionRule) -> SectionRule:
     return SectionRule.of_points({name: (ca.SX.sym(name),) for name in rule.tables}, stands_for_all=True)
 
 
-def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> Sampled:
+def sampled(b: Builder, section: SampledSection, rule: SectionRule, values: Values) -> SectionSums:
     """Stress and flow at the points of a section, and their sums."""
     if rule.stands_for_all:
         for name, (symbol,) in rule.tables.items():
@@ -90,7 +90,7 @@ def _summed(
     plastic: dict[str, ca.SX],
     profiles: dict[str, tuple[float, float]],
     states: Sequence[State],
-) -> Sampled:
+) -> SectionSums:
     weights = [place["weight"] for place in rule.places]
 
     def mean(name: str, values: Iterable[ca.SX], levers: Iterable[Any] | None = None) -> ca.SX:
@@ -107,7 +107,7 @@ def _summed(
         if any(branch.hardening is not None for branch in section.branches):
             found["backstress"] = point.backstress
         shown |= {f"{POINT}{name}_{label}": value for name, value in found.items()}
-    return Sampled(
+    return SectionSums(
         means={
             symbol: mean(
                 name,
@@ -185,7 +185,7 @@ def _add_branch(
     moving = len(kinds) if section.shears else 1
     names = [_names(rule, kind, number) for kind in kinds]
     back = [_names(rule, kind, number) for kind in ("back", "back_shear")[: moving if branch.hardening else 0]]
-    for row, symbol in zip(back, (backstress.axial, backstress.shear), strict=False):
+    for row, symbol in zip(back, (hardening_rule.axial, hardening_rule.shear), strict=False):
         for point, state in zip(points, _recalled(b, rule, row), strict=True):
             point.values[symbol] = state
     nothing = [ca.SX(0)] * rule.points
@@ -282,10 +282,10 @@ class _Point:
     def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
-        values |= {conformation.strain: self.strain[0] - printed(section.relaxed, values)}
+        values |= {polymer_chains.strain: self.strain[0] - printed(section.relaxed, values)}
         values |= {reissner.gamma: self.strain[1]}
-        stored = chains.stored + conformation.modulus() * reissner.gamma**2 / 2
-        self._press(derivatives(stored, (conformation.strain, reissner.gamma), values))
+        stored = chains.stored + polymer_chains.modulus() * reissner.gamma**2 / 2
+        self._press(derivatives(stored, (polymer_chains.strain, reissner.gamma), values))
         self.energy += printed(stored, values)
         self.conformation = [printed(extension, values) for extension in chains.extensions]
         if not chains.relaxes:

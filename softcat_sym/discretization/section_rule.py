@@ -212,21 +212,15 @@ def shown_of_section(points: dict[str, Floats], rule: SectionRule) -> dict[str, 
     if not rule.is_spatial:
         axial = kinds.pop("axial")
         slope = rule.weight * rule.zeta / float(rule.weight @ rule.zeta**2)
-        found |= dict(zip(("core_low", "core_high"), _core(rule.zeta, yields), strict=True))
+        # Limits in zeta of what does not yield, between the fibres that do on either side and those that do not. Where
+        # the whole thickness yields both limits have met on the opposite faces: they are put together
+        edges = np.concatenate([[-1.0], (rule.zeta[1:] + rule.zeta[:-1]) / 2, [1.0]])
+        widths = np.diff(edges)
+        low = -1 + _yielded_from_face(widths, yields)
+        high = 1 - _yielded_from_face(widths[::-1], yields[:, ::-1])
+        found |= dict(zip(("core_low", "core_high"), (low, np.maximum(low, high)), strict=True))
         found |= {"stress_mean": rule.weight @ axial, "stress_bending": slope @ axial}
     return found | {kind: rule.weight @ values for kind, values in kinds.items()}
-
-
-def _core(zeta: Floats, yields: Floats) -> tuple[Floats, Floats]:
-    """Limits in zeta of what does not yield, between the fibres that do on either side and those that do not.
-
-    Where the whole thickness yields both limits have met on the opposite faces: they are put together.
-    """
-    edges = np.concatenate([[-1.0], (zeta[1:] + zeta[:-1]) / 2, [1.0]])
-    widths = np.diff(edges)
-    low = -1 + _yielded_from_face(widths, yields)
-    high = 1 - _yielded_from_face(widths[::-1], yields[:, ::-1])
-    return low, np.maximum(low, high)
 
 
 def _yielded_from_face(widths: Floats, yields: Floats) -> Floats:

@@ -21,7 +21,7 @@ from softcat_sym.discretization.cell import (
     velocities,
 )
 from softcat_sym.discretization.frames import Angle, Frame, Quaternion
-from softcat_sym.discretization.section_points import Sampled, sampled
+from softcat_sym.discretization.section_points import SectionSums, sampled
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS
@@ -85,7 +85,19 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
     if surface and not rule.is_spatial:
         shown["axial_force"] = sum((f[0] * t for f, t in zip(force, slope, strict=True)), ca.SX(0)) / stretch[0]
     if isinstance(frame, Quaternion):
-        shown |= _out_of_the_plane(b, strains, conjugate, points)
+        # What a run stores of the cells beside what it stores in the plane
+        Lam, _, third, twist, k_2, _ = strains
+        mean, bending, *_ = points.means.values()
+        shown |= {
+            "curvature_2": k_2 / Lam,
+            "twist": twist,
+            "shear_3": third / Lam,
+            "shear_force_3": conjugate[2],
+            "torque": conjugate[3],
+            "moment_2": conjugate[4],
+            "stress_mean": mean,
+            "stress_bending": bending / float(b.equations.shape.zeta_squared),
+        }
     return Mechanics(
         places,
         speeds,
@@ -134,23 +146,7 @@ def _fixed(
     return {name: dict.fromkeys(pinned, value)}
 
 
-def _out_of_the_plane(b: Builder, strains: list[ca.SX], conjugate: list[ca.SX], points: Sampled) -> dict[str, ca.SX]:
-    """What a run stores of the cells beside what it stores in the plane."""
-    Lam, _, third, twist, k_2, _ = strains
-    mean, bending, *_ = points.means.values()
-    return {
-        "curvature_2": k_2 / Lam,
-        "twist": twist,
-        "shear_3": third / Lam,
-        "shear_force_3": conjugate[2],
-        "torque": conjugate[3],
-        "moment_2": conjugate[4],
-        "stress_mean": mean,
-        "stress_bending": bending / float(b.equations.shape.zeta_squared),
-    }
-
-
-def _aged(b: Builder, volume: ca.SX, fibres: Sampled, surface: list[Field]) -> list[Field]:
+def _aged(b: Builder, volume: ca.SX, fibres: SectionSums, surface: list[Field]) -> list[Field]:
     """What clocks do to the energies; that of the fibres may be a sum, which says nothing of the time."""
     if not b.equations.clocks:
         return []
@@ -158,7 +154,7 @@ def _aged(b: Builder, volume: ca.SX, fibres: Sampled, surface: list[Field]) -> l
     return [Field("fibres_aged", CELLS, of_fibres), *map(b.aged, surface)]
 
 
-def _softened(b: Builder, volume: ca.SX, fibres: Sampled, surface: list[Field]) -> list[Field]:
+def _softened(b: Builder, volume: ca.SX, fibres: SectionSums, surface: list[Field]) -> list[Field]:
     """What a kelvin adds to the energies."""
     if not b.thermal:
         return []

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, Where
+from softcat_sym.discretization.unknowns import PER_FIBRE, Shown, SiteRange
 
 UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
 FIBRE, SUM = "fibre", "sum"
@@ -81,7 +81,7 @@ class Field:
     """What sites compute alike, and what single sites at the ends compute otherwise."""
 
     name: str
-    where: Where  # The sites that compute `value`
+    where: SiteRange  # The sites that compute `value`
     value: ca.SX  # Of leaves whose sites are distances
     ends: Mapping[int, ca.SX] = field(default_factory=dict)  # By site, from the last if negative
 
@@ -159,11 +159,12 @@ class Spread:
 
     def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""
-        pieces = [(one.where, one.value), *((Where(site, 0, alone=True), value) for site, value in one.ends.items())]
+        ends = ((SiteRange(site, 0, alone=True), value) for site, value in one.ends.items())
+        pieces = [(one.where, one.value), *ends]
         found = sorted((self._column(where, value) for where, value in pieces), key=lambda piece: piece[0])
         return ca.vertcat(*(column for _, column in found))
 
-    def _column(self, where: Where, value: ca.SX) -> Column:
+    def _column(self, where: SiteRange, value: ca.SX) -> Column:
         """An expression at some sites."""
         first = where.first % self._sites
         count = 1 if where.alone else max(0, self._sites - where.behind - first)

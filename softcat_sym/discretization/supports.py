@@ -11,7 +11,7 @@ from softcat_sym.discretization.unknowns import Floats
 
 
 @dataclass(frozen=True)
-class Profile:
+class ThicknessProfile:
     """Relative thickness, one where it is the scene's."""
 
     # At the nodes and in the middle of the cells; None for a filament that is the same everywhere, which then leaves
@@ -20,7 +20,7 @@ class Profile:
     cells: Floats | None = None
 
     @classmethod
-    def sampled(cls, values: tuple[float, ...], grid: Grid) -> Profile:
+    def sampled(cls, values: tuple[float, ...], grid: Grid) -> ThicknessProfile:
         """The profile on a grid, linear between the given values at equal distances from left to right."""
         if not values:
             return cls()
@@ -28,7 +28,7 @@ class Profile:
         return cls(np.interp(grid.nodes, at, values), np.interp(grid.centres, at, values))
 
 
-def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
+def node_mass(grid: Grid, profile: ThicknessProfile, power: int) -> Floats:
     """Mass that each node answers for, over density, undeformed area and rest length, shape (cells + 1,)."""
     half = grid.cell_length / 2
     if profile.cells is not None:
@@ -82,7 +82,7 @@ class Body:
     """What of the filament's body and its supports a graph has to know, beyond equations and grid."""
 
     supports: Supports = field(default_factory=Supports)  # Where they are and how they move
-    profile: Profile = field(default_factory=Profile)  # How the section varies along the filament
+    profile: ThicknessProfile = field(default_factory=ThicknessProfile)  # How the section varies along the filament
     weighted: bool = False  # Whether a mass hangs at midspan
     tip_mass: bool = False  # Whether one hangs at a free right end, and whether a force acts there
     tip_force: bool = False

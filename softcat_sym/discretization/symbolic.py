@@ -28,7 +28,7 @@ class Evaluated:
     support: tuple[ca.SX, ...]  # Force of the right support
 
 
-class Filament(Protocol):
+class SymbolicFilament(Protocol):
     """Equations of a filament on any grid."""
 
     @property
@@ -52,10 +52,10 @@ class Filament(Protocol):
 class Symbolic:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures."""
 
-    program: Filament
+    program: SymbolicFilament
     places: Mapping[str, Floats]  # Geometry of each site
-    moving: Layout  # Where the differential and the algebraic unknowns stand
-    still: Layout
+    differential: Layout  # Where the differential and the algebraic unknowns stand
+    algebraic: Layout
 
     @cached_property
     def t(self) -> ca.SX:
@@ -70,24 +70,24 @@ class Symbolic:
     @cached_property
     def x(self) -> ca.SX:
         """Differential states, shape (nx,)."""
-        return ca.SX.sym("x", len(self.moving))
+        return ca.SX.sym("x", len(self.differential))
 
     @cached_property
     def z(self) -> ca.SX:
         """Algebraic states, shape (nz,)."""
-        return ca.SX.sym("z", len(self.still))
+        return ca.SX.sym("z", len(self.algebraic))
 
     @cached_property
     def raw(self) -> Evaluated:
         """The expressions; a compiled run needs them only for what a trajectory shows."""
         named = dict(zip(self.program.signature.parameters, ca.vertsplit(self.p), strict=True))
-        unknowns = {**self.moving.split(self.x), **self.still.split(self.z)}
+        unknowns = {**self.differential.split(self.x), **self.algebraic.split(self.z)}
         return self.program.evaluate(self.t, unknowns, named, self.places)
 
     @cached_property
     def balances(self) -> tuple[ca.SX, ca.SX]:
         """`ode` and `alg`, as built."""
-        ode, alg = (ca.SX(gathered(layout, self.raw.rates)) for layout in (self.moving, self.still))
+        ode, alg = (ca.SX(gathered(layout, self.raw.rates)) for layout in (self.differential, self.algebraic))
         return ode, alg
 
     @cached_property

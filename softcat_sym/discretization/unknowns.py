@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
+Numbers = npt.NDArray[np.int64]
 
 PER_FIBRE = "#"
 """In the name of what stands for all fibres: the place of the fibre's number."""
@@ -32,7 +33,7 @@ INVERTED = "cell", "node", "mass"
 
 
 @dataclass(frozen=True)
-class Where:
+class SiteRange:
     """Sites of a field, whatever their number: from `first` to the last but `behind`; or one site alone."""
 
     first: int  # Site at which the field begins; of a single one counted from the last if negative (-1 is the last)
@@ -40,7 +41,7 @@ class Where:
     alone: bool = False  # Whether it is `first` only
 
 
-NODES, CELLS, INNER = Where(0, 0), Where(0, 1), Where(1, 1)
+NODES, CELLS, INNER = SiteRange(0, 0), SiteRange(0, 1), SiteRange(1, 1)
 """All nodes, all cells, the nodes between two cells."""
 
 
@@ -56,11 +57,11 @@ class Slot:
     section: bool  # Whether it belongs to the section of one cell
 
     @property
-    def where(self) -> Where:
+    def where(self) -> SiteRange:
         """The sites at which it is unknown."""
         if self.on == "whole":
-            return Where(0, 0, alone=True)
-        return Where(int(self.held[0]), int(self.held[1]) + (self.on == "cell"))
+            return SiteRange(0, 0, alone=True)
+        return SiteRange(int(self.held[0]), int(self.held[1]) + (self.on == "cell"))
 
 
 @dataclass(frozen=True)

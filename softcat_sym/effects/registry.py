@@ -10,6 +10,7 @@ from softcat_sym.effects.added_mass import ADDED_MASS
 from softcat_sym.effects.backstress import BACKSTRESS
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.buoyancy import BUOYANCY
+from softcat_sym.effects.contact import CONTACT
 from softcat_sym.effects.curing import CURING
 from softcat_sym.effects.drag import DRAG
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, never
@@ -25,7 +26,7 @@ from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.solid_damping import SOLID_DAMPING
-from softcat_sym.effects.structure import STRUCTURE
+from softcat_sym.effects.structural_build_up import STRUCTURE
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.temperature import TEMPERATURE
 from softcat_sym.effects.thinning import THINNING
@@ -62,6 +63,7 @@ REGISTRY: list[Effect] = [
     STRUCTURE,
     BACKSTRESS,
     NATURAL_STRAIN,
+    CONTACT,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"

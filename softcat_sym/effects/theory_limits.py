@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast, neck_draw
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.effects.scaling_estimates import viscous_number
+from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.estimates.forecast import expected_sag, expected_strain, forecast, neck_draw
+from softcat_sym.estimates.scaling import viscous_number
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, groups_of
 
@@ -82,7 +82,13 @@ def theory_limits(scene: Scene, effects: Collection[str], terms: Terms) -> tuple
     """Warnings in words about the theory of a scene with these effects; empty if it should hold."""
     regime = expected_regime(scene, effects)
     stated = [words for effect in REGISTRY for words in effect.warnings(scene, forecast(scene))]
-    found = (*stated, _thickness(scene, effects, terms), _rupture(scene, regime), _descent(regime), *_reductions(scene))
+    sag, strain = expected_sag(scene), expected_strain(scene)
+    shallow = printed = ""
+    if scene.model == "small-deflection" and sag > SHALLOW:
+        shallow = f"the small-deflection model is for sags well below the span, and {sag:.2g} L is expected"
+    if scene.run.closure == "printed" and strain > COUNTERED:
+        printed = f"the printed closure loses log s of its viscous tension, and a strain of {strain:.2g} is expected"
+    found = (*stated, _thickness(scene, effects, terms), _rupture(scene, regime), _descent(regime), shallow, printed)
     return tuple(filter(None, found))
 
 
@@ -118,20 +124,9 @@ def _rupture(scene: Scene, regime: ExpectedRegime) -> str:
 def _descent(regime: ExpectedRegime) -> str:
     """Warning about a filament beyond the threshold of arrest, whose descent does not end in the theory."""
     threshold, number = regime.arrest_exact, regime.gravity_number
-    if threshold is None or number is None or number < threshold:
+    if threshold is None or number is None or number < threshold or regime.until:
         return ""
     return (
         f"it never stops (G = {number:.3g}, nothing rests beyond {threshold:.4g}): in a longer run it thins until "
         "beads or rupture, neither of which is in the theory, end it"
     )
-
-
-def _reductions(scene: Scene) -> tuple[str, str]:
-    """Warnings about the limits of the reduced model and of the printed closure."""
-    sag, strain = expected_sag(scene), expected_strain(scene)
-    shallow = printed = ""
-    if scene.model == "small-deflection" and sag > SHALLOW:
-        shallow = f"the small-deflection model is for sags well below the span, and {sag:.2g} L is expected"
-    if scene.run.closure == "printed" and strain > COUNTERED:
-        printed = f"the printed closure loses log s of its viscous tension, and a strain of {strain:.2g} is expected"
-    return shallow, printed

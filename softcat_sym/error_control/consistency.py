@@ -6,10 +6,10 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.control import frames_of_first, refine_to_accuracy
 from softcat_sym.error_control.estimate import LOOSER, Resolution
-from softcat_sym.progress import Clock
+from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import Break, break_at_end, break_frame, first_break, refuse_broken, unbreakable
 from softcat_sym.results.out_of_plane_stability import OutOfPlaneInstability, perturbed_3d_scene
 from softcat_sym.results.run import Run
@@ -29,7 +29,7 @@ _LONGER = 1.25
 
 def run_until_consistent(scene: Scene, progress: Progress, finished: list[Run]) -> Run:
     """Run, estimate, and repeat with what the finished run calls for."""
-    clock, shown, repeats = Clock(), dict[str, str](), list[str]()
+    clock, shown, repeats = Stopwatch(), dict[str, str](), list[str]()
     while True:
         effects, ends, until = choose_effects(scene, shown), None, scene
         if scene.run.until == "settled":
@@ -105,7 +105,7 @@ def _descended(run: Run, scene: Scene) -> Run:
     return replace(run, outcome=Outcome.solved).revised(changes, Outcome.descends, message, scene)
 
 
-def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> tuple[Run, Break]:
+def _up_to_its_break(run: Run, effects: Effects, clock: Stopwatch, progress: Progress) -> tuple[Run, Break]:
     """Follow a filament that breaks again, with its frames spaced evenly up to then.
 
     The instant is interpolated between frames, and moved by the rate of the load until that is what it bears.
@@ -140,7 +140,7 @@ def _broken(answer: Run, scene: Scene, until: Scene, end: Break, effects: Effect
         at = Resolution(**answer.summary["resolution"])
         longer = until.replace({"run.duration": f"{min(until.run.duration, _LONGER * end.time_s)!r} s"})
         beside = replace(at, cells=max(1, at.cells // 2), rtol=min(LOOSER * at.rtol, 0.5)).of(longer)
-        run = run_once(beside, beside, effects, Clock(), Silence(), frames_of_first(beside, effects))
+        run = run_once(beside, beside, effects, Stopwatch(), Silence(), frames_of_first(beside, effects))
         found = first_break(beside, run.fields)
         end = replace(end, time_error_s=end.time_s if found is None else abs(found.time_s - end.time_s))
     changes = {"broken": asdict(end), "midpoint_settled_m": None, "midpoint_settled_why": "it breaks"}

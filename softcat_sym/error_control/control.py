@@ -8,12 +8,12 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.selection import Effects
 from softcat_sym.error_control.estimate import Differences, Judge, Resolution, resolution_of
 from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import controlled
-from softcat_sym.progress import Clock
+from softcat_sym.estimates.free_vibration import ringing
+from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import breakable
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.observed import DISPLACEMENT, Series
@@ -45,7 +45,7 @@ _STATES_PER_CELL = 10
 """Unknowns of a cell that are no fibre's, or more."""
 
 
-def refine_to_accuracy(first: Run, effects: Effects, clock: Clock, progress: Progress | None = None) -> Run:
+def refine_to_accuracy(first: Run, effects: Effects, clock: Stopwatch, progress: Progress | None = None) -> Run:
     """Estimate the error of a run, and refine grid, fibres or steps until it is small enough."""
     scene, periods = first.scene, periods_of(first)
     guess = resolution_of(scene, effects, compiled=first.summary["backend"] == "compiled")
@@ -57,7 +57,8 @@ def refine_to_accuracy(first: Run, effects: Effects, clock: Clock, progress: Pro
     start = replace(guess, rtol=first.summary["rtol"])
 
     def judged(seen: Series) -> Judge:
-        return Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        judge = Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        return replace(judge, of_modes=runs.last.summary["tail_error"])
 
     found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")
@@ -84,7 +85,7 @@ def refine_to_accuracy(first: Run, effects: Effects, clock: Clock, progress: Pro
 class _Runs:
     """The answer so far, and runs beside it; all of them have `frames` output times, so that they can be compared."""
 
-    def __init__(self, first: Run, effects: Effects, clock: Clock, progress: Progress, frames: int) -> None:
+    def __init__(self, first: Run, effects: Effects, clock: Stopwatch, progress: Progress, frames: int) -> None:
         self.last, self._waiting, self._beside = first, True, 0
         self._effects, self._clock, self._progress, self._frames = effects, clock, progress, frames
         self._known: dict[str, Series | None] = {}
@@ -122,7 +123,7 @@ class _Runs:
             self._beside += 1
             usual = 3 if at.fibres or at.order else 2
             self._progress.stage(f"estimating {self._beside} of {max(usual, self._beside)}")
-            clock = Clock()
+            clock = Stopwatch()
             prepared = build(scene, self._effects, clock, self._progress)
             clock.lap("build")
             self._progress.doing("solving")

@@ -12,8 +12,8 @@ from typing import Any, TypedDict
 import numpy as np
 from scipy import stats
 
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import everything, named
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import ClosedForm, constants_of, features_of
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
@@ -24,6 +24,7 @@ from softcat_sym.fitting.identifiability import Information, ResidualChecks, che
 from softcat_sym.fitting.inference import Inference, infer, information_at
 from softcat_sym.fitting.least_squares import (
     LINEAR,
+    METHODS,
     OUT_OF_TIME,
     STUCK,
     Floats,
@@ -32,6 +33,7 @@ from softcat_sym.fitting.least_squares import (
     Optimum,
     minimise,
     multi_start,
+    polished,
 )
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
@@ -152,7 +154,7 @@ def fit(
     backend: str = "auto",
     rtol: float | None = None,
     seed: int = 0,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     calibrated: bool = False,
     discrepancy: bool = True,
     time_limit: float | None = None,
@@ -192,7 +194,7 @@ def fit(
     profiles, progress : bool, Progress, optional
         Whether intervals come from profile likelihoods, or from the curvature alone; receiver of progress reports.
     method : str
-        ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
+        ``"least-squares"`` (SciPy), or ``"ipopt"``: the same likelihood and derivatives, a few times the evaluations.
     calibrated, discrepancy : bool
         Whether the camera's parameters are known exactly; whether the likelihood includes the theory's error.
     time_limit : float, optional
@@ -218,6 +220,8 @@ def fit(
     """
     if not 0 <= starts <= MAX_STARTS:
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
+    if method not in METHODS:
+        raise SoftcatError(f"no method {method!r}; accepted: {', '.join(METHODS)}")
     if time_limit is not None and not time_limit > 0:
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene, changes)
@@ -423,7 +427,8 @@ def _refined(
     # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
     pairs = (looser or (problem, best), (problem, best))
     problem, best = min(pairs, key=lambda pair: (not pair[1].converged, pair[1].offset))
-    return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, loss)
+    best, resolution = _accept_if_near(problem, replace(best, evaluations=spent), resolution, loss)
+    return problem, polished(problem, best, loss), resolution
 
 
 def _accept_if_near(

@@ -14,10 +14,10 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.scaling_estimates import pull_of_surface
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.scaling import pull_of_surface
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
@@ -26,10 +26,9 @@ from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.tables import frozen_below
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.thixotropy import Thixotropy
 from softcat_sym.scene.units import (
-    SI_UNITS,
     Kind,
     NotAQuantity,
     Number,
@@ -371,7 +370,7 @@ def why_not_free(scene: Scene, name: str, known: Mapping[str, FreeParameter]) ->
 
 
 def _unit(kind: Kind) -> str:
-    return (kind.unit or SI_UNITS[kind.dimension] if isinstance(kind, Quantity) else "") or "1"
+    return kind.unit or "1"
 
 
 Bounds = Mapping[str, tuple[object, object]]

@@ -462,7 +462,7 @@ def infer(
     loss: Loss,
     *,
     profiles: bool = True,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     gain: float | None = None,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:

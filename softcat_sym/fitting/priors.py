@@ -17,7 +17,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.parts import kinds_of
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.units import NotAQuantity, did_you_mean, refusal, shown, to_si
 
 FORM = "NAME=DISTRIBUTION, such as 'viscosity=lognorm(s=0.5, scale=30 Pa*s)'"

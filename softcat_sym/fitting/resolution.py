@@ -8,7 +8,7 @@ import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.estimate import (
     LOOSER,
     MORE,

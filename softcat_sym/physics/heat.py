@@ -10,13 +10,13 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from softcat_sym.physics.constitutive_laws import Constant, Law
 from softcat_sym.physics.histories import varying
-from softcat_sym.physics.laws import Constant, Law
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.sections import Section
 from softcat_sym.physics.symbols import ONE, E, enter, eta, g, h0, s, t
 from softcat_sym.physics.terms import Warming
-from softcat_sym.scene.temperature import PREFIX
+from softcat_sym.scene.temperature_table import PREFIX
 
 _SOURCE = "Incropera 2007"
 temperature = enter("theta_K", r"\vartheta", ONE, "temperature of a section, in kelvin", _SOURCE, positive=True)

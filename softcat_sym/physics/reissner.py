@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from softcat_sym.physics import backstress
+from softcat_sym.physics import hardening_rule
 from softcat_sym.physics.bulk import shear_modulus, sigma_eq
+from softcat_sym.physics.constitutive_laws import Law
 from softcat_sym.physics.kinematics import mass_per_length
-from softcat_sym.physics.laws import Law
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
 from softcat_sym.physics.symbols import (
@@ -259,16 +259,18 @@ def hardened(
     The back strain in shear follows the shear rate of the plastic deformation, gamma_p_t + c gamma_p eps_p_t: that
     which tau_d is the driving stress of. So the energy is closed at any stretch.
     """
-    axially, across = backstress.back_stress(share)
+    axially, across = hardening_rule.back_stress(share)
     moved = flow.subs({sigma: sigma - axially} | ({tau_d: tau_d - across} if shear else {}))
     sheared = moved.shear_rate[0] + carry * gamma_p * moved.axial_rate if shear else sp.S.Zero
     rates = (
-        backstress.back_rate(moved.axial_rate, backstress.axial, moved.speed),
-        backstress.back_rate(sheared, backstress.shear, moved.speed) if shear else sp.S.Zero,
+        hardening_rule.back_rate(moved.axial_rate, hardening_rule.axial, moved.speed),
+        hardening_rule.back_rate(sheared, hardening_rule.shear, moved.speed) if shear else sp.S.Zero,
     )
-    stored = backstress.stored(share) if shear else backstress.stored(share).subs(backstress.shear, 0)
+    stored = hardening_rule.stored(share).subs({} if shear else {hardening_rule.shear: 0})
     # Power of the stresses in the plastic rates, less what is stored of it.
-    lost = moved.dissipation + backstress.recovered(share, moved.speed).subs({} if shear else {backstress.shear: 0})
+    lost = moved.dissipation + hardening_rule.recovered(share, moved.speed).subs(
+        {} if shear else {hardening_rule.shear: 0}
+    )
     return replace(moved, dissipation=lost), FibreHardening(stored, rates, axially)
 
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.constitutive_laws import Branch, Law
 from softcat_sym.physics.kinematics import StrainMeasure
-from softcat_sym.physics.laws import Branch, Law
 from softcat_sym.physics.sections import Contraction, Section, SectionMeans, of_bending_alone, scaled
 from softcat_sym.physics.symbols import (
     A0,
@@ -87,7 +87,7 @@ A = enter("A", "A", AREA, "area of the section", "2.9", positive=True)
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class StressPart:
     """One part of the stress sigma_0 + sigma_1 zeta (2.23), with its densities per unit material length."""
 
     stress_mean: sp.Expr  # sigma_0 and sigma_1 of the strains and the plastic state, or the rates of the strains
@@ -101,7 +101,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class BranchResponse(Part):
+class BranchResponse(StressPart):
     """A spring with its flow rule."""
 
     means: SectionMeans | None  # Means of the flow rule of (sigma_0, sigma_1)
@@ -113,7 +113,7 @@ class BranchResponse(Part):
 
 
 @dataclass(frozen=True, slots=True)
-class ViscousResponse(Part):
+class ViscousResponse(StressPart):
     """The viscous stress eta eps_t."""
 
 
@@ -147,7 +147,7 @@ class SectionResponse:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class SectionShape:
     """The section as the effects in force leave it."""
 
     section: Section  # Its outline
@@ -198,7 +198,7 @@ def shrunk(shape: Section) -> tuple[sp.Expr, sp.Expr]:
     return sp.exp(3 * n_0), sp.exp(2 * n_0 if shape.plane_strain else 3 * n_0 / 2)
 
 
-def respond(shape: Shape, closed: ClosedSection, law: Law) -> SectionResponse:
+def respond(shape: SectionShape, closed: ClosedSection, law: Law) -> SectionResponse:
     """Assemble the section of a law whose branches hold the flow rule that is in force."""
     area, thickness = shape.contraction.area, shape.contraction.thickness
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
@@ -227,7 +227,7 @@ def resistance(shape: Section, viscosity: sp.Expr) -> sp.Expr:
     return viscosity / PLANE_STRAIN**2 if shape.plane_strain else viscosity
 
 
-def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchResponse:
+def _branch(shape: SectionShape, closed: ClosedSection, branch: Branch) -> BranchResponse:
     zero = sp.Integer(0)
     bends = sp.Integer(1) if shape.bends else zero
     modulus, means = stiffness(shape.section, branch.modulus), None
@@ -261,7 +261,7 @@ def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchRespon
     )
 
 
-def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: Shape) -> SectionMeans:
+def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: SectionShape) -> SectionMeans:
     """What flows, and what springs without stress that join the others add: the stress over E, times the growth g.
 
     With a_t = sigma g/E, g = E_t/E, the stress E (eps - a) of a strain that is held stays as it is: sigma_t = E eps_t.
@@ -275,7 +275,7 @@ def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: Shape) -> S
     )
 
 
-def _viscous(shape: Shape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
+def _viscous(shape: SectionShape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
     eta = resistance(shape.section, viscosity)
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt

@@ -17,9 +17,10 @@ import numpy as np
 
 from softcat_sym.codegen.compiler import run
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.reference.element_loop import Clamp, Floats, Indices, Mesh, Strip, problem_of
-from softcat_sym.reference.elements import Progress
+from softcat_sym.reference.element_loop import Clamp, Floats, HalfFilament, Indices, Mesh, problem_of
+from softcat_sym.reference.elements import ElementProgress
 from softcat_sym.scene.scene import Scene, elastic_time
+from softcat_sym.scene.tables import bodies_of
 
 _HEAD = re.compile(r"^ displacements \(vx,vy,vz\) for set \S+ and time\s+(\S+)\s*$", re.MULTILINE)
 
@@ -110,7 +111,10 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     if problem.pull:
         found = f"{scene.surroundings.surface_tension:g} N/m, which the deck of CalculiX does not know"
         raise SceneError([Fault("surroundings.surface_tension", found, "0 N/m, or our own elements")])
-    strip = Strip(mesh if mesh is not None else Mesh(), problem.thickness)
+    for body in bodies_of(scene):
+        found = "given, but the deck of CalculiX knows neither floor nor pillars"
+        raise SceneError([Fault(body.table_name, found, "leaving it out, or our own elements")])
+    strip = HalfFilament(mesh if mesh is not None else Mesh(), problem.thickness)
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     held = _held(strip, layers, clamp)
@@ -139,7 +143,7 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
 class _Layers:
     """The strip, drawn out across the width into bricks: z = 0, the middle, the free face."""
 
-    def __init__(self, strip: Strip, span: float, depth: float) -> None:
+    def __init__(self, strip: HalfFilament, span: float, depth: float) -> None:
         self._strip, self._span, self._depth = strip, span, depth
         nodes = len(strip.position)
         self.bottom: Indices = np.arange(1, nodes + 1, dtype=np.int32)
@@ -201,7 +205,7 @@ def material_lines(scene: Scene) -> Iterator[str]:
     yield "*SOLID SECTION, ELSET=EALL, MATERIAL=FILAMENT"
 
 
-def _held(strip: Strip, layers: _Layers, clamp: Clamp) -> list[str]:
+def _held(strip: HalfFilament, layers: _Layers, clamp: Clamp) -> list[str]:
     """Symmetry in x and z, and the clamp: each line with a comma takes one displacement away."""
     lines = ["*BOUNDARY"]
     lines += [f"{number}, 1" for number in layers.all_at(strip.midspan)]
@@ -288,7 +292,7 @@ def run_calculix(
     *,
     clamp: Clamp = Clamp.THINNING,
     step: float = STEP,
-    progress: Progress | None = None,
+    progress: ElementProgress | None = None,
 ) -> CalculixRun:
     """Run a scene in CalculiX.
 
@@ -323,7 +327,7 @@ def run_calculix(
     )
 
 
-def _execute(program: str, folder: Path, progress: Progress | None) -> None:
+def _execute(program: str, folder: Path, progress: ElementProgress | None) -> None:
     """Run the deck of a folder to its end, telling how far it is."""
     status = folder / f"{_JOB}.sta"
 

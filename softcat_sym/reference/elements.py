@@ -20,10 +20,10 @@ from softcat_sym.reference.element_loop import (
     Clamp,
     ElementLoop,
     Floats,
+    HalfFilament,
     Mesh,
     Problem,
     State,
-    Strip,
     deformation_of,
     element_sources,
     fingerprint,
@@ -39,13 +39,13 @@ from softcat_sym.scene.scene import Scene, elastic_time
 
 # Fields kept unless their times are named, evenly spaced; the last output time is always among them.
 _FIELDS = 21
-ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "potential")
+ENERGIES = ("kinetic", "elastic", "surface", "contact", "dissipated", "gravity_work", "potential")
 
 
 class Records:
     """Arrays that fill up as a run goes on."""
 
-    def __init__(self, problem: Problem, strip: Strip, shares: Sequence[float] = ()) -> None:
+    def __init__(self, problem: Problem, strip: HalfFilament, shares: Sequence[float] = ()) -> None:
         frames, elements = problem.frames, len(strip.corner)
         fields = np.array(shares) if len(shares) else np.linspace(0, 1, min(_FIELDS, frames))
         self.frame_of_field = np.unique((fields * (frames - 1)).round().astype(int))
@@ -73,6 +73,7 @@ class Records:
             "kinetic": loop.kinetic_energy,
             "elastic": loop.elastic_energy,
             "surface": loop.surface_energy,
+            "contact": loop.contact_energy,
             "dissipated": loop.plastic_work,
             "gravity_work": loop.gravity_work,
             "potential": loop.gravity(loop.time) * (strip.mass @ loop.displacement[:, 1]),
@@ -128,12 +129,12 @@ class ElementRun:
         return float(np.abs(self.energy_residual).max() / self.work) if self.work > 0 else 0.0
 
 
-def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
+def run_of(scene: Scene, strip: HalfFilament, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
     """Put units to what was recorded."""
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
-    held = kept["kinetic"] + kept["elastic"] + kept["surface"] + kept["dissipated"]
+    held = sum(kept[name] for name in ("kinetic", "elastic", "surface", "contact", "dissipated"))
     joule = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width
     energy = {name: joule * kept[name] for name in ENERGIES}
     return ElementRun(
@@ -170,9 +171,9 @@ class ElementField:
     stress: Floats  # shape (elements, 4, 2, 2); Cauchy stress in the plane [Pa]; the other components are zero
 
 
-def strip_of(scene: Scene, run: ElementRun) -> Strip:
+def strip_of(scene: Scene, run: ElementRun) -> HalfFilament:
     """The mesh of a run, with its nodes; lengths over the span."""
-    return Strip(run.mesh, problem_of(scene).thickness)
+    return HalfFilament(run.mesh, problem_of(scene).thickness)
 
 
 def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
@@ -208,7 +209,7 @@ class Snapshot:
     )
 
 
-def snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
+def snapshot(strip: HalfFilament, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
     """The strip with these displacements of its nodes and rates at its Gauss points."""
     corners = (strip.position + displacement)[strip.corner]
 
@@ -312,7 +313,7 @@ class March:
     def _audit(self) -> None:
         """Refuse a state whose energies do not add up: steps too long for what the strip has become."""
         loop = self._loop
-        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.plastic_work
+        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.contact_energy + loop.plastic_work
         residual = held - loop.gravity_work
         self._work = max(self._work, abs(loop.gravity_work))
         # Written so that NaN is refused too.
@@ -324,7 +325,7 @@ class March:
             )
 
 
-class Progress(Protocol):
+class ElementProgress(Protocol):
     """Listens to a run."""
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
@@ -350,7 +351,7 @@ def run_elements(
     checkpoint: Path | None = None,
     checkpoint_every: float = 30.0,
     fields: Sequence[float] = (),
-    progress: Progress | None = None,
+    progress: ElementProgress | None = None,
 ) -> ElementRun:
     """Run the elements over a scene: a rectangular filament between two clamps; elastic, Maxwell or Bingham.
 
@@ -368,7 +369,7 @@ def run_elements(
     if checkpoint is not None and not checkpoint.parent.is_dir():
         raise SoftcatError(f"no folder {checkpoint.parent} for the checkpoint {checkpoint.name}; make it first")
     problem, began = problem_of(scene), time.perf_counter()
-    strip, code = Strip(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
+    strip, code = HalfFilament(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
     if problem.pull * problem.thickness > _FOLDS * strip.size[:, 0].min():
         found = f"pulls with {problem.pull:.2g} of Young's modulus, which folds the edges of elements this short"
         raise SceneError(
@@ -377,7 +378,14 @@ def run_elements(
     supports = half_span_supports(strip, clamp)
     key = checkpoint_key(scene, strip.mesh, clamp, step_factor, fields)
     loop = ElementLoop(
-        strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
+        strip,
+        supports,
+        code,
+        dict(problem.material),
+        gravity=problem.gravity,
+        pull=problem.pull,
+        ramp=problem.ramp,
+        bodies=dict(problem.bodies),
     )
     march, second = March(problem, loop, step_factor, fields), elastic_time(scene)
     if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:

@@ -126,8 +126,8 @@ def continuous(turns: Rotation) -> Floats:
 def least_turn(first: Floats, second: Floats) -> Rotation:
     """Least turns that take directions into others, shape (..., 3); of opposite ones, about an axis across them."""
     a, b = (one / np.linalg.norm(one, axis=-1, keepdims=True) for one in (first, second))
-    alike = 1 + np.sum(a * b, axis=-1, keepdims=True)
+    one_plus_cosine = 1 + np.sum(a * b, axis=-1, keepdims=True)
     across = np.cross(a, np.eye(3)[np.argmin(np.abs(a), axis=-1)])
-    half_turn = np.concatenate([across, np.zeros_like(alike)], axis=-1)
-    turn = np.concatenate([np.cross(a, b), alike], axis=-1)
-    return Rotation.from_quat(np.where(alike < _OPPOSITE, half_turn, turn))
+    half_turn = np.concatenate([across, np.zeros_like(one_plus_cosine)], axis=-1)
+    turn = np.concatenate([np.cross(a, b), one_plus_cosine], axis=-1)
+    return Rotation.from_quat(np.where(one_plus_cosine < _OPPOSITE, half_turn, turn))

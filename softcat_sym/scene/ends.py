@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import lru_cache
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Literal
 
-from pydantic import ValidatorFunctionWrapHandler, field_validator
+from pydantic import field_validator
 
 from softcat_sym.scene.parts import Part, Rule
-from softcat_sym.scene.units import MOTION, TURNS, Choice, Flag, Quantity, refusal, shown
+from softcat_sym.scene.units import FLAG, MOTION, TURNS, Choice, Quantity, refusal
 
 
 class Hold(Enum):
@@ -110,10 +110,8 @@ Stiffness = Annotated[float | None, Quantity("stiffness", "200 N/m")]
 RotationalStiffness = Annotated[float | None, Quantity("rotational stiffness", "0.01 N*m/rad", "non-negative")]
 
 
-class Ends(Part):
+class Ends(Part, table="ends"):
     """Supports; lengths in m, angles in rad."""
-
-    table_name: ClassVar[str] = "ends"
 
     left: Annotated[End, _END] = "clamped"
     """How the left end is held."""
@@ -137,7 +135,7 @@ class Ends(Part):
     """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
     right_twist: Annotated[tuple[tuple[float, ...], ...], TURNS] = ()
     """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
-    right_slides: Annotated[bool, Flag()] = False
+    right_slides: Annotated[bool, FLAG] = False
     """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""
 
     @property
@@ -169,12 +167,12 @@ class Ends(Part):
         """Name, support and angle of either end."""
         return tuple(zip(("left", "right"), self.supports, (self.left_angle, self.right_angle), strict=True))
 
-    @field_validator("left_angle", "right_angle", mode="wrap")
+    @field_validator("left_angle", "right_angle")
     @classmethod
-    def _within_half_a_turn(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
-        angle = handler(value)
+    def _within_half_a_turn(cls, angle: float) -> float:
         if not -math.pi < angle < math.pi:
-            raise refusal(f"{shown(value)} is half a turn or more", "an angle between -180 deg and 180 deg")
+            found = f"{math.degrees(angle):g} deg is half a turn or more"
+            raise refusal(found, "an angle between -180 deg and 180 deg")
         return angle
 
 

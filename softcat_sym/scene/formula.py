@@ -119,18 +119,21 @@ class Formula:
             value = self.value_of({**known, name: where})
             return where, value if math.isfinite(value) else math.nan
 
+        def order(point: tuple[float, float]) -> float:
+            return -math.inf if math.isnan(point[1]) else sign * point[1]
+
         def part(begin: float, end: float) -> tuple[float, float, float]:
             low, high = self.bounds({**points, name: (begin, end)})
             return (-high if highest else low), begin, end
 
-        best = min((at(where) for where in between), key=lambda one: _worst_first(sign * one[1]))
+        best = min(map(at, between), key=order)
         parts, scale = [part(*between)], abs(best[1])
         for _ in range(_PARTS):
             low, begin, end = heappop(parts)
             if is_fine(sign * low) or low >= sign * best[1] - tolerance * scale:
                 break
             middle = at(begin + (end - begin) / 2)
-            best = min(best, middle, key=lambda one: _worst_first(sign * one[1]))
+            best = min(best, middle, key=order)
             scale = max(scale, abs(middle[1]))
             for half in (part(begin, middle[0]), part(middle[0], end)):
                 heappush(parts, half)
@@ -166,7 +169,11 @@ def _check(node: ast.expr, depth: int = 0) -> None:
     if isinstance(head, float) and not math.isfinite(head):
         raise refusal(f"{_piece(node)} is not finite", "a moderate number")
     if isinstance(node, ast.Call):
-        _check_call(str(head), operands)
+        if head not in FUNCTIONS:
+            raise refusal(f"unknown function {shown(head)}{did_you_mean(head, FUNCTIONS)}", ", ".join(FUNCTIONS))
+        if len(operands) != FUNCTIONS[head]:
+            count = "one argument" if FUNCTIONS[head] == 1 else "two arguments"
+            raise refusal(f"{head} of {len(operands)} arguments", f"{head} of {count}")
     elif not operands and head in FUNCTIONS:
         raise refusal(f"the function {head} has no argument", f"{head}(...)")
     for operand in operands:
@@ -197,27 +204,12 @@ def _piece(node: ast.expr) -> str:
     return shown(re.sub(r" ([*/]+) ", r"\1", ast.unparse(node)))
 
 
-def _check_call(name: str, arguments: list[ast.expr]) -> None:
-    if name not in FUNCTIONS:
-        raise refusal(f"unknown function {shown(name)}{did_you_mean(name, FUNCTIONS)}", ", ".join(FUNCTIONS))
-    if len(arguments) != FUNCTIONS[name]:
-        count = "one argument" if FUNCTIONS[name] == 1 else "two arguments"
-        raise refusal(f"{name} of {len(arguments)} arguments", f"{name} of {count}")
-
-
 _PARTS = 300
 """Parts of a range that are looked into: a dip of a billionth of it is found in thirty."""
 
 
-def _worst_first(value: float) -> float:
-    """Order values from the least on, what is none before all."""
-    return -math.inf if math.isnan(value) else value
-
-
 _ROUNDED = 4e-16
 """Relative error of one operation."""
-
-_EXACT = frozenset(("neg", "abs", "sign", "min", "max"))
 
 
 def _enclosed(operation: str, operands: tuple[Interval, ...]) -> Interval:
@@ -225,7 +217,7 @@ def _enclosed(operation: str, operands: tuple[Interval, ...]) -> Interval:
     found = _bounds(operation, *operands)
     if any(map(math.isnan, found)):
         return -math.inf, math.inf
-    if operation in _EXACT:
+    if operation in ("neg", "abs", "sign", "min", "max"):
         return found
     low, high = found
     low, high = low - _ROUNDED * abs(low), high + _ROUNDED * abs(high)
@@ -243,7 +235,16 @@ def _bounds(operation: str, one: Interval, other: Interval = (0.0, 0.0)) -> Inte
             least = 0.0 if a <= 0 <= b else min(abs(a), abs(b))
             return _compute(operation, (least,)), _compute(operation, (max(abs(a), abs(b)),))
         case "sin" | "cos":
-            return _of_wave(a, b, 0.5 * math.pi if operation == "sin" else 0.0, operation)
+            # Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them
+            crest = 0.5 * math.pi if operation == "sin" else 0.0
+            if not b - a < 2 * math.pi:
+                return -1.0, 1.0
+            ends = _compute(operation, (a,)), _compute(operation, (b,))
+            holds = [
+                math.floor((b - place) / (2 * math.pi)) != math.floor((a - place) / (2 * math.pi))
+                for place in (crest, crest + math.pi)
+            ]
+            return -1.0 if holds[1] else min(ends), 1.0 if holds[0] else max(ends)
         case "div" if c <= 0 <= d:
             return -math.inf, math.inf
         case "pow":
@@ -255,18 +256,6 @@ def _bounds(operation: str, one: Interval, other: Interval = (0.0, 0.0)) -> Inte
             return (math.nan, math.nan) if any(map(math.isnan, corners)) else (min(corners), max(corners))
     # All others grow; a logarithm or a root of what may be negative has no bounds.
     return _compute(operation, (a,)), _compute(operation, (b,))
-
-
-def _of_wave(a: float, b: float, crest: float, operation: str) -> Interval:
-    """Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them."""
-    if not b - a < 2 * math.pi:
-        return -1.0, 1.0
-    ends = _compute(operation, (a,)), _compute(operation, (b,))
-    holds = [
-        math.floor((b - place) / (2 * math.pi)) != math.floor((a - place) / (2 * math.pi))
-        for place in (crest, crest + math.pi)
-    ]
-    return -1.0 if holds[1] else min(ends), 1.0 if holds[0] else max(ends)
 
 
 def _of_power(a: float, b: float, c: float, d: float) -> Interval:
@@ -318,51 +307,39 @@ Sized = Dimension | None
 
 def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> None:
     """Refuse a formula that is not a rate."""
-    found = _dimension(formula.tree, {**of, STRESS_NAME: STRESS}, values)
+    found = formula_dimension(formula, {**of, STRESS_NAME: STRESS}, values)
     if found is not None and not same_dimension(found, RATE):
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
 
 
-def dimension_of(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
+def formula_dimension(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
     """Dimension of a formula of names of these dimensions; what has no value among `values` varies."""
-    return _dimension(formula.tree, of, values)
+
+    def found(node: ast.expr) -> Sized:
+        head, operands = _operation(node)
+        if not operands:
+            return of[head] if isinstance(head, str) else PURE if head else None
+        first, *others = map(found, operands)
+        if head in ("neg", "abs", "sign"):
+            return PURE if head == "sign" else first
+        if head == "sqrt":
+            return _sum(0.5, first)
+        if head in ("mul", "div"):
+            return _sum(1.0, first, 1.0 if head == "mul" else -1.0, others[0])
+        if head == "pow":
+            return _raised(node, operands[1], first, others[0], values)
+        if not others and not _is_pure(first):
+            what = f"the argument {_piece(operands[0])} of {head} is {_words(first)}"
+            raise refusal(what, "a pure number, such as sigma over a stress")
+        if first is not None and not all(one is None or same_dimension(first, one) for one in others):
+            (left, size), (right, other) = zip(map(_piece, operands), map(_words, (first, *others)), strict=True)
+            raise refusal(f"{_piece(node)} puts {left}, {size}, beside {right}, {other}", "two of the same unit")
+        return PURE if not others else others[0] if first is None else first
+
+    return found(formula.tree)
 
 
-def _dimension(node: ast.expr, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
-    head, operands = _operation(node)
-    if not operands:
-        return of[head] if isinstance(head, str) else PURE if head else None
-    first, *others = (_dimension(operand, of, values) for operand in operands)
-    match head:
-        case "neg" | "abs":
-            return first
-        case "sqrt":
-            return _times(first, 0.5)
-        case "mul":
-            return _plus(first, others[0], 1)
-        case "div":
-            return _plus(first, others[0], -1)
-        case "pow":
-            return _power(node, operands[1], first, others[0], values)
-        case "add" | "sub" | "min" | "max":
-            return _alike(node, operands, first, others[0])
-    if head != "sign" and not _is_pure(first):
-        found = f"the argument {_piece(operands[0])} of {head} is {_words(first)}"
-        raise refusal(found, "a pure number, such as sigma over a stress")
-    return PURE
-
-
-def _alike(node: ast.expr, operands: list[ast.expr], first: Sized, second: Sized) -> Sized:
-    if first is None or second is None:
-        return second if first is None else first
-    if not same_dimension(first, second):
-        left, right = map(_piece, operands)
-        found = f"{_piece(node)} puts {left}, {_words(first)}, beside {right}, {_words(second)}"
-        raise refusal(found, "two of the same unit")
-    return first
-
-
-def _power(node: ast.expr, exponent: ast.expr, base: Sized, power: Sized, values: Mapping[str, float]) -> Sized:
+def _raised(node: ast.expr, exponent: ast.expr, base: Sized, power: Sized, values: Mapping[str, float]) -> Sized:
     if not _is_pure(power):
         raise refusal(f"the exponent {_piece(exponent)} is {_words(power)}", "a pure number")
     if _is_pure(base):
@@ -370,7 +347,7 @@ def _power(node: ast.expr, exponent: ast.expr, base: Sized, power: Sized, values
     if varying := sorted(_names(exponent) - set(values)):
         found = f"{_piece(node)}: the exponent depends on {varying[0]}, but the base is {_words(base)}"
         raise refusal(found, "a base without a unit")
-    return _times(base, Formula("", exponent).value(0.0, values))
+    return _sum(Formula("", exponent).value(0.0, values), base)
 
 
 def _is_pure(dimension: Sized) -> bool:
@@ -378,20 +355,17 @@ def _is_pure(dimension: Sized) -> bool:
 
 
 def _names(node: ast.expr) -> frozenset[str]:
-    """Names in an expression, functions and constants apart."""
+    """Names in an expression but for functions and constants."""
     head, operands = _operation(node)
     own = {head} if isinstance(head, str) and not operands else set()
     return frozenset(own.union(*map(_names, operands)))
 
 
-def _times(dimension: Sized, factor: float) -> Sized:
-    return None if dimension is None else (dimension[0] * factor, dimension[1] * factor, dimension[2] * factor)
-
-
-def _plus(one: Sized, other: Sized, sign: int) -> Sized:
+def _sum(factor: float, one: Sized, other_factor: float = 0.0, other: Sized = PURE) -> Sized:
     if one is None or other is None:
         return None
-    return (one[0] + sign * other[0], one[1] + sign * other[1], one[2] + sign * other[2])
+    kg, m, s = (factor * x + other_factor * y for x, y in zip(one, other, strict=True))
+    return kg, m, s
 
 
 def _words(dimension: Sized) -> str:
@@ -411,11 +385,10 @@ _VANISHING = 1e-250
 def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[float]) -> None:
     """Refuse a rule that is not odd, not finite, decreases or creates energy, at many stresses."""
     stresses = _stresses(scales)
-    at_rest = formula.value(0.0, values)
     rates = _rates(formula, values, stresses)
     if not any(rates):
         raise refusal(f"nothing flows at any stress up to {stresses[-1]:.4g} Pa", "a rate that grows with stress")
-    tiny = 1e-12 * next(rate for rate in map(abs, rates) if rate)
+    at_rest, tiny = formula.value(0.0, values), 1e-12 * next(rate for rate in map(abs, rates) if rate)
     if not abs(at_rest) <= tiny:
         raise refusal(f"the rate without stress is {at_rest:.4g} 1/s", "a rate that is 0 at sigma = 0")
     for sigma, rate in zip(stresses, rates, strict=False):
@@ -424,13 +397,12 @@ def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[floa
             found = f"not odd: {rate:.4g} 1/s at {sigma:.4g} Pa, but {mirror:.4g} 1/s at {-sigma:.4g} Pa"
             raise refusal(found, "phi(-sigma) = -phi(sigma), such as sign(sigma)*abs(sigma)**2")
     sigma, rate = formula.least(STRESS_NAME, (0.0, stresses[len(rates) - 1]), values, lambda one: one >= -tiny)
-    if not rate >= -tiny:
-        found = f"negative dissipation: {rate:.4g} 1/s at {sigma:.6g} Pa"
-        raise refusal(found, "a rate that has the sign of the stress and never decreases")
+    found = "" if rate >= -tiny else f"{rate:.4g} 1/s at {sigma:.6g} Pa"
     for sigma, last, rate in zip(stresses, [0.0, *rates], rates, strict=False):
-        if rate < -tiny or rate < last - _ROUNDING * last - tiny:
-            found = f"negative dissipation: from {last:.4g} to {rate:.4g} 1/s the rate decreases at {sigma:.4g} Pa"
-            raise refusal(found, "a rate that has the sign of the stress and never decreases")
+        if not found and (rate < -tiny or rate < last - _ROUNDING * last - tiny):
+            found = f"from {last:.4g} to {rate:.4g} 1/s the rate decreases at {sigma:.4g} Pa"
+    if found:
+        raise refusal(f"negative dissipation: {found}", "a rate that has the sign of the stress and never decreases")
 
 
 @lru_cache(maxsize=256)
@@ -462,10 +434,10 @@ def _rates(formula: Formula, values: dict[str, float], stresses: list[float]) ->
         if math.isnan(rate):
             raise refusal(f"not a number at sigma = {sigma:.4g} Pa", "a rate that is finite at every stress")
         if abs(rate) > _FASTEST:
-            if not rates:
-                raise refusal(f"{rate:.4g} 1/s at sigma = {sigma:.4g} Pa", "a rate that is small at small stresses")
             break
         rates.append(rate)
+    if not rates:
+        raise refusal(f"{rate:.4g} 1/s at sigma = {sigma:.4g} Pa", "a rate that is small at small stresses")
     return rates
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
@@ -21,10 +21,8 @@ _GROUPED = [one.name for one in LAWS.values() if one.has_groups]
 Positive = Annotated[float | None, Number(above=0)]
 
 
-class GroupBlock(Part):
+class GroupBlock(Part, table="groups"):
     """The table ``[groups]``; dimensionless. It vanishes when the scene is resolved."""
-
-    table_name: ClassVar[str] = "groups"
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
@@ -255,10 +253,10 @@ def _of_law(
 
 def _fill_physical(rest: Table, block: GroupBlock, sizes: Mapping[str, float], unit: float, index: float) -> None:
     """Fill in thickness, times and the constants of the law; `unit` is that of times [s]."""
-    _fill(rest, "filament.thickness", with_unit(sizes["thickness"], "length"))
+    _fill(rest, "filament.thickness", with_unit(sizes["thickness"], "m"))
     for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if times is not None:
-            _fill(rest, path, with_unit(times * unit, "time"))
+            _fill(rest, path, with_unit(times * unit, "s"))
     for name in LAWS[block.law].constants:
         if not set(shear_names(name)) & set(_section(rest, "material")):
             _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(sizes[name]))

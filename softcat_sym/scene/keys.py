@@ -6,8 +6,6 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pydantic.fields import FieldInfo
-
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
 from softcat_sym.scene.laws import LAWS, spec_of
@@ -15,7 +13,7 @@ from softcat_sym.scene.material import tensile_name, twins
 from softcat_sym.scene.parts import Part, dotted, kinds_of, meanings_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
-from softcat_sym.scene.units import SI_UNITS, Kind, Quantity, consistency_unit
+from softcat_sym.scene.units import consistency_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,21 +30,15 @@ class SceneKey:
 def scene_keys(part: str = "") -> tuple[SceneKey, ...]:
     """List the keys of the scene file in its order."""
     parts: dict[str, type[Part]] = {"": Scene, **parts_of_scene(), "groups": GroupBlock}
-    keys = (
-        _key(dotted(table, name), part.model_fields[name], kind, meanings.get(name, ""))
-        for table, part in parts.items()
-        for meanings in (meanings_of(part),)
-        for name, kind in kinds_of(part).items()
-    )
+    keys = []
+    for table, one in parts.items():
+        for name, kind in kinds_of(one).items():
+            field, meaning = one.model_fields[name], meanings_of(one).get(name, "")
+            default = "required" if field.is_required() else ""
+            if not field.is_required() and field.default is not None:
+                default = toml_value(kind.write(field.default))
+            keys.append(SceneKey(dotted(table, name), kind.unit, default, meaning, kind.accepted))
     return tuple(key for key in keys if part in key.path)
-
-
-def _key(path: str, field: FieldInfo, kind: Kind, meaning: str) -> SceneKey:
-    unit = (kind.unit or SI_UNITS[kind.dimension]) if isinstance(kind, Quantity) else ""
-    default = "required" if field.is_required() else ""
-    if not field.is_required() and field.default is not None:
-        default = toml_value(kind.write(field.default))
-    return SceneKey(path, unit, default, meaning, kind.accepted)
 
 
 PAGE = """# Keys of a scene

@@ -9,14 +9,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from softcat_sym.scene.history import Timed
+from softcat_sym.scene.history import ChangingQuantity
 from softcat_sym.scene.units import Number, Quantity, consistency_unit
 
 LINEAR, POWER = "linear", "power"
-"""Flow rules whose means over a section, or whose slope at zero stress, ``physics.laws`` has by hand."""
+"""Flow rules whose means over a section, or whose slope at zero stress, ``physics.constitutive_laws`` has by hand."""
 
-_STRESS, _VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
-CONSTANTS: Mapping[str, Timed | Quantity | Number] = MappingProxyType(
+_STRESS, _VISCOSITY = ChangingQuantity("stress", "9.32 kPa"), ChangingQuantity("viscosity", "13.84 kPa*s")
+CONSTANTS: Mapping[str, ChangingQuantity | Quantity | Number] = MappingProxyType(
     {
         "youngs_modulus": _STRESS,
         "second_modulus": _STRESS,
@@ -244,9 +244,9 @@ def spec_of(law: str | None) -> LawSpec:
     return LAWS.get(law or "", _UNKNOWN)
 
 
-def kind_of_constant(name: str, law: str | None, index: float) -> Timed | Quantity | Number:
+def kind_of_constant(name: str, law: str | None, index: float) -> ChangingQuantity | Quantity | Number:
     """Return how a tensile constant or a shear datum is read and written: a consistency has a unit of its own."""
     if name in ("shear_consistency", "consistency") or (name == "viscosity" and spec_of(law).has_index):
         unit = consistency_unit(index)
-        return Timed("consistency", f"120 {unit}", unit=unit)
+        return ChangingQuantity("consistency", f"120 {unit}", unit=unit)
     return CONSTANTS[name] if name in CONSTANTS else _SHEAR[name]

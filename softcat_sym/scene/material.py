@@ -5,73 +5,61 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
 from keyword import iskeyword
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, cast
 
-from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from softcat_sym.scene.formula import (
-    FORMULA_CONSTANTS,
-    FUNCTIONS,
-    STRESS_NAME,
-    Formula,
-    check_rule,
-    check_units,
-    parse_formula,
-    threshold,
-)
-from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
+from softcat_sym.scene import formula as formulas
+from softcat_sym.scene.formula import Formula, parse_formula
+from softcat_sym.scene.history import Changing, ChangingNumber, ChangingQuantity, History, scaled, value_at
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec, kind_of_constant, laws_with, spec_of
 from softcat_sym.scene.parts import Part
-from softcat_sym.scene.thixotropy import Thixotropy, ThixotropyTable
+from softcat_sym.scene.thixotropy import STRUCTURE, Thixotropy
 from softcat_sym.scene.units import (
     STRESS,
+    TEXT,
     Choice,
     Dimension,
     Kind,
     NotAQuantity,
     Number,
     Quantity,
-    Text,
+    Record,
+    Refused,
     read_each,
-    read_fields,
     refusal,
     refusals,
     same_dimension,
     shown,
     si_unit,
     to_si_of_any,
+    with_unit,
 )
-
-# `scene.units.Kind` documents the methods once for all kinds.
-# ruff: noqa: D102
 
 # Names that already mean something where the parameters of a rule become numbers of the computation.
 RESERVED = frozenset(
     (
         *("span", "thickness", "density", "gravity", "ramp", "shake", "shake_frequency", "youngs_modulus"),
         *("viscosity", "yield_stress", "index", "poisson", "aspect", "time_scale", "second_modulus", "rest_length"),
-        *(STRESS_NAME, *FORMULA_CONSTANTS, *FUNCTIONS),
+        *(formulas.STRESS_NAME, *formulas.FORMULA_CONSTANTS, *formulas.FUNCTIONS),
     )
 )
 
-_MODE = {"youngs_modulus": Timed("stress", "1 MPa"), "viscosity": Timed("viscosity", "2 kPa*s")}
 _MOST = 50
-Refused = tuple[tuple[str, ...], PydanticCustomError]
 
 
 @dataclass(frozen=True, slots=True)
 class Mode:
     """A spring in line with a dashpot."""
 
-    youngs_modulus: float  # [Pa]
-    viscosity: float  # [Pa s], extensional
+    youngs_modulus: Annotated[float, ChangingQuantity("stress", "1 MPa")]  # [Pa]
+    viscosity: Annotated[float, ChangingQuantity("viscosity", "2 kPa*s")]  # [Pa s], extensional
 
 
 @dataclass(frozen=True, slots=True)
-class Parameter:
+class NamedConstant:
     """A named constant of a flow rule, SI."""
 
     name: str
@@ -79,94 +67,84 @@ class Parameter:
     dimension: Dimension
 
 
-class Modes(Kind):
+class _Modes(Kind):
     """A list of modes."""
 
     si = True
-    accepted = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
 
-    def read(self, value: object) -> tuple[Mode, ...]:
+    def check(self, value: object) -> tuple[Mode, ...]:
         items = self.listed(value, "a list")
         if len(items) > _MOST:
             raise refusal(f"{len(items)} modes", f"at most {_MOST} modes")
-        reads = {str(number): partial(self._mode, item) for number, item in enumerate(items, start=1)}
-        return tuple(read_each("modes", reads).values())
-
-    def _mode(self, item: object) -> Mode:
-        if isinstance(item, Mode):
-            return item
-        if not isinstance(item, Mapping):
-            raise self.refuse(f"{shown(item)} is not a mode")
-        return Mode(**read_fields("mode", item, _MODE, _MODE))
+        return tuple(read_each("modes", ((str(k), MODE.read, (item,)) for k, item in enumerate(items, 1))).values())
 
     def write(self, value: tuple[Mode, ...]) -> object:
-        return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
+        return [MODE.write(mode) for mode in value]
 
 
-class Parameters(Kind):
+MODES = _Modes('a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]')
+MODE = Record(Mode, MODES.accepted)
+
+
+class _Parameters(Kind):
     """A table of named constants of any unit."""
 
-    accepted = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
-
-    def read(self, value: object) -> tuple[Parameter, ...]:
-        if isinstance(value, tuple) and all(isinstance(item, Parameter) for item in value):
+    def check(self, value: Any) -> tuple[NamedConstant, ...]:
+        if isinstance(value, tuple) and all(isinstance(item, NamedConstant) for item in value):
             return value
-        if not isinstance(value, Mapping):
-            if isinstance(value, (str, list, tuple)) and not value:
-                return ()
-            raise self.refuse(f"{shown(value)} is not a table")
-        if len(value) > _MOST:
+        if value in ("", []):
+            return ()
+        if len(self.table(value)) > _MOST:
             raise refusal(f"{len(value)} parameters", f"at most {_MOST} parameters")
-        read = read_each("parameters", {str(name): partial(_parameter, name, one) for name, one in value.items()})
+        read = read_each("parameters", ((str(name), self._parameter, (name, one)) for name, one in value.items()))
         return tuple(sorted(read.values(), key=lambda parameter: parameter.name))
 
-    def write(self, value: tuple[Parameter, ...]) -> object:
-        return {
-            parameter.name: f"{parameter.value!r} {unit}" if (unit := si_unit(parameter.dimension)) else parameter.value
-            for parameter in value
-        }
+    def _parameter(self, name: object, given: object) -> NamedConstant:
+        if not isinstance(name, str) or not (name.isascii() and name.isidentifier()) or iskeyword(name):
+            raise refusal(f"{shown(name)} is no name", "letters, digits and _, not starting with a digit")
+        if name in RESERVED or name.startswith("_"):
+            raise refusal(f"the name {name!r} already means something", "another name")
+        try:
+            value, dimension = to_si_of_any(given)
+        except NotAQuantity as found:
+            raise refusal(str(found), 'a bare number, or text with a number and a unit, such as "1 kPa"') from None
+        return NamedConstant(name, value + 0.0, dimension)
+
+    def write(self, value: tuple[NamedConstant, ...]) -> object:
+        units = {one: si_unit(one.dimension) for one in value}
+        return {one.name: with_unit(one.value, unit) if unit else one.value for one, unit in units.items()}
 
 
-class EffectTables(Kind):
+PARAMETERS = _Parameters('a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}')
+
+
+class _EffectTables(Kind):
     """The tables ``[effects.NAME]``: named constants of effects that other packages register."""
 
-    accepted = 'tables of named constants, such as [effects.elastic-foundation] with stiffness = "1 kPa"'
-
-    def read(self, value: object) -> tuple[EffectTable, ...]:
+    def check(self, value: Any) -> tuple[EffectTable, ...]:
         if isinstance(value, tuple) and all(isinstance(item, tuple) for item in value):
             return value
-        if not isinstance(value, Mapping):
-            raise self.refuse(f"{shown(value)} is not a table")
-        return tuple(sorted(read_each("effects", {str(k): partial(self._table, v) for k, v in value.items()}).items()))
 
-    def _table(self, value: object) -> tuple[Parameter, ...]:
-        if not isinstance(value, Mapping):
-            raise self.refuse(f"{shown(value)} is not a table")
-        return Parameters().read(value)
+        def read(table: object) -> tuple[NamedConstant, ...]:
+            return tuple(PARAMETERS.read(self.table(table)))
+
+        reads = ((str(name), read, (one,)) for name, one in self.table(value).items())
+        return tuple(sorted(read_each("effects", reads).items()))
 
     def write(self, value: tuple[EffectTable, ...]) -> object:
-        return {name: Parameters().write(table) for name, table in value}
+        return {name: PARAMETERS.write(table) for name, table in value}
 
 
-EffectTable = tuple[str, tuple[Parameter, ...]]
+EFFECT_TABLES = _EffectTables(
+    'tables of named constants, such as [effects.elastic-foundation] with stiffness = "1 kPa"'
+)
+EffectTable = tuple[str, tuple[NamedConstant, ...]]
 """An effect's name and its constants."""
 
 
 def constant_in_c(path: str) -> str:
     """Name among the numbers of a run, as C has it, of a constant of a scene's own law or of an effect from outside."""
     return path.removeprefix("material.parameters.").removeprefix("effects.").replace("-", "_").replace(".", "_")
-
-
-def _parameter(name: object, given: object) -> Parameter:
-    if not isinstance(name, str) or not (name.isascii() and name.isidentifier()) or iskeyword(name):
-        raise refusal(f"{shown(name)} is no name", "letters, digits and _, not starting with a digit")
-    if name in RESERVED or name.startswith("_"):
-        raise refusal(f"the name {name!r} already means something", "another name")
-    try:
-        value, dimension = to_si_of_any(given)
-    except NotAQuantity as found:
-        raise refusal(str(found), 'a bare number, or text with a number and a unit, such as "1 kPa"') from None
-    return Parameter(name, value + 0.0, dimension)
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,13 +285,13 @@ def _ends_and_start(structure: Thixotropy, limit: float | None) -> Iterator[Refu
         yield ("destroyed_viscosity",), refusal(found, "structured_viscosity")
 
 
-def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
+def stress_scales(parameters: tuple[NamedConstant, ...], youngs_modulus: float | None) -> tuple[float, ...]:
     """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
     sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
     return tuple(size for size in (*sizes, youngs_modulus) if size)
 
 
-def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> None:
+def check_own_law(formula: Formula, parameters: tuple[NamedConstant, ...], youngs_modulus: float | None) -> None:
     """Refuse unknown symbols, unused parameters, units that do not fit, and rules that no material has."""
     known = {parameter.name: parameter for parameter in parameters}
     faults: list[Refused] = [
@@ -328,8 +306,8 @@ def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_mo
     if not formula.names - set(known):
         values = {name: parameter.value for name, parameter in known.items()}
         try:
-            check_units(formula, {name: parameter.dimension for name, parameter in known.items()}, values)
-            check_rule(formula, values, stress_scales(parameters, youngs_modulus))
+            formulas.check_units(formula, {name: one.dimension for name, one in known.items()}, values)
+            formulas.check_rule(formula, values, stress_scales(parameters, youngs_modulus))
         except PydanticCustomError as error:
             faults.append((("flow",), error))
     if faults:
@@ -338,17 +316,18 @@ def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_mo
 
 Viscosity = Annotated[float | None, CONSTANTS["viscosity"]]
 Stress = Annotated[float | None, CONSTANTS["yield_stress"]]
+Solvent = Annotated[float | None, Quantity("viscosity", "1 mPa*s", "non-negative")]
+_AS_THE_LAW_NEEDS = Field(default=None, validate_default=True)
+_IN_SHEAR = Field(default=None, exclude=True, repr=False)
 POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
 
 
-class Material(Part):
+class Material(Part, table="material"):
     """A law and its constants, all tensile; SI.
 
     A constant that the law does not use is None.
     """
-
-    table_name: ClassVar[str] = "material"
 
     law: Annotated[str, Choice(tuple(LAWS))]
     """Constitutive law: how the material answers to stress."""
@@ -357,51 +336,43 @@ class Material(Part):
     """n of a law with an index: stress grows as the n-th power of the strain rate."""
     poisson: Annotated[float, Number(above=-1, below=0.5)] = POISSON
     """Poisson's ratio, used by shear, by sheets and by storage_modulus."""
-    storage_modulus: Stress = Field(default=None, exclude=True, repr=False)
+    storage_modulus: Stress = _IN_SHEAR
     """G' as a rheometer measures it below yield; youngs_modulus is 2 (1 + poisson) times it."""
-    youngs_modulus: Stress = Field(default=None, validate_default=True)
+    youngs_modulus: Stress = _AS_THE_LAW_NEEDS
     """Young's modulus E, three times an ink's storage modulus; of standard-linear the spring that always acts."""
-    second_modulus: Stress = Field(default=None, validate_default=True)
+    second_modulus: Stress = _AS_THE_LAW_NEEDS
     """Spring in line with the dashpot of standard-linear."""
-    shear_viscosity: Viscosity = Field(default=None, exclude=True, repr=False)
+    shear_viscosity: Viscosity = _IN_SHEAR
     """Viscosity as a rheometer measures it, three times as much in tension; instead of viscosity."""
-    shear_consistency: Viscosity = Field(default=None, exclude=True, repr=False)
+    shear_consistency: Viscosity = _IN_SHEAR
     """K of a law with an index from a rheometer, 3^((n+1)/2) times as much in tension; instead of viscosity."""
-    consistency: Viscosity = Field(default=None, exclude=True, repr=False)
+    consistency: Viscosity = _IN_SHEAR
     """The same as shear_consistency."""
-    viscosity: Viscosity = Field(default=None, validate_default=True)
+    viscosity: Viscosity = _AS_THE_LAW_NEEDS
     """Extensional viscosity eta; of a law with an index the tensile consistency K, in Pa*s^n."""
-    shear_yield_stress: Stress = Field(default=None, exclude=True, repr=False)
+    shear_yield_stress: Stress = _IN_SHEAR
     """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
-    yield_stress: Stress = Field(default=None, validate_default=True)
+    yield_stress: Stress = _AS_THE_LAW_NEEDS
     """Tensile stress below which nothing flows, sY."""
-    relaxation_time: Annotated[float | None, CONSTANTS["relaxation_time"]] = Field(default=None, validate_default=True)
+    relaxation_time: Annotated[float | None, CONSTANTS["relaxation_time"]] = _AS_THE_LAW_NEEDS
     """Time in which the polymer chains of a law of them forget a strain; their tensile viscosity is E times it."""
-    shear_solvent_viscosity: Annotated[float | None, Quantity("viscosity", "1 mPa*s", "non-negative")] = Field(
-        default=None, exclude=True, repr=False
-    )
+    shear_solvent_viscosity: Solvent = _IN_SHEAR
     """Viscosity of the solvent as a rheometer measures it, three times as much in tension."""
-    solvent_viscosity: Annotated[float | None, CONSTANTS["solvent_viscosity"]] = Field(
-        default=None, validate_default=True
-    )
+    solvent_viscosity: Annotated[float | None, CONSTANTS["solvent_viscosity"]] = _AS_THE_LAW_NEEDS
     """Extensional viscosity of the solvent beside the chains; 0 for chains alone (upper-convected Maxwell)."""
-    finite_extensibility: Annotated[float | None, CONSTANTS["finite_extensibility"]] = Field(
-        default=None, validate_default=True
-    )
+    finite_extensibility: Annotated[float | None, CONSTANTS["finite_extensibility"]] = _AS_THE_LAW_NEEDS
     """L^2 of fene-p: trace of the conformation, 3 at rest, of chains drawn out straight."""
-    mobility: Annotated[float | None, CONSTANTS["mobility"]] = Field(default=None, validate_default=True)
+    mobility: Annotated[float | None, CONSTANTS["mobility"]] = _AS_THE_LAW_NEEDS
     """Mobility factor alpha of giesekus: how much less drag there is along stretched chains."""
-    ptt_epsilon: Annotated[float | None, CONSTANTS["ptt_epsilon"]] = Field(default=None, validate_default=True)
+    ptt_epsilon: Annotated[float | None, CONSTANTS["ptt_epsilon"]] = _AS_THE_LAW_NEEDS
     """Factor epsilon of ptt, linear: chains relax 1 + epsilon (tr A - 3) times as fast."""
-    loss_modulus: Annotated[float | None, Quantity("stress", "9.32 kPa")] = Field(
-        default=None, exclude=True, repr=False
-    )
+    loss_modulus: Annotated[float | None, Quantity("stress", "9.32 kPa")] = _IN_SHEAR
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
     solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
-    structure: Annotated[Thixotropy | None, ThixotropyTable()] = None
+    structure: Annotated[Thixotropy | None, STRUCTURE] = None
     """How the material builds up at rest and breaks down in flow: a table [material.structure]."""
     hardening_modulus: Annotated[float | None, Quantity("stress", "2 kPa")] = None
     """C of a backstress C A (kinematic hardening), tensile: three times that of a rheometer in shear."""
@@ -411,35 +382,27 @@ class Material(Part):
     """True (Hencky) strain, log of its stretch, at which the outer fibre breaks in tension; the run ends there."""
     breaking_stress: Annotated[float | None, Quantity("stress", "20 kPa")] = None
     """True stress at which the outer fibre breaks in tension; the run ends there."""
-    modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
+    modes: Annotated[tuple[Mode, ...], MODES] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
-    natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    natural_strain: Annotated[float, ChangingNumber(-1.0, 1.0)] = 0.0
     """Strain without stress, mean over the thickness, negative where it shrinks; or a history that starts from 0."""
-    natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    natural_strain_difference: Annotated[float, ChangingNumber(-1.0, 1.0)] = 0.0
     """Natural strain at the top less that at the bottom: negative where the top shrinks more; or a history of it."""
-    flow: Annotated[str, Text()] = Field(default="", validate_default=True)
+    flow: Annotated[str, TEXT] = Field(default="", validate_default=True)
     """Rate of strain phi(sigma) of a custom law, of the stress sigma and of material.parameters."""
-    parameters: Annotated[tuple[Parameter, ...], Parameters()] = Field(default=(), validate_default=True)
+    parameters: Annotated[tuple[NamedConstant, ...], PARAMETERS] = Field(default=(), validate_default=True)
     """Named constants of a custom law."""
 
-    @field_validator("index", mode="wrap")
+    @field_validator("index", "poisson")
     @classmethod
-    def _of_laws_with_an_index(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        index, law = handler(value), info.data.get("law")
-        if index != 1 and law is not None and not spec_of(law).has_index:
+    def _of_laws_that_use_it(cls, value: float, info: ValidationInfo) -> float:
+        law, is_index = info.data.get("law"), info.field_name == "index"
+        if law is not None and is_index and value != 1 and not spec_of(law).has_index:
             accepted = f"leaving it out, or one of {_named('has_index')}"
-            raise refusal(f"{shown(value)}, but the law '{law}' has no index", accepted)
-        return index
-
-    @field_validator("poisson", mode="wrap")
-    @classmethod
-    def _of_laws_that_may_change_volume(
-        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
-    ) -> Any:
-        poisson, law = handler(value), info.data.get("law")
-        if poisson != POISSON and spec_of(law).has_chains:
-            raise refusal(f"{shown(value)}, but the chains of the law '{law}' keep their volume", "leaving it out")
-        return poisson
+            raise refusal(f"{value:g}, but the law '{law}' has no index", accepted)
+        if not is_index and value != POISSON and spec_of(law).has_chains:
+            raise refusal(f"{value:g}, but the chains of the law '{law}' keep their volume", "leaving it out")
+        return value
 
     @field_validator("shear_viscosity", "shear_consistency", "consistency", mode="plain")
     @classmethod
@@ -476,24 +439,22 @@ class Material(Part):
         check_against_law(name, law, result, kind_of_constant(name, law, info.data.get("index", 1.0)).accepted)
         return result
 
-    @field_validator("loss_modulus", mode="wrap")
+    @field_validator("loss_modulus")
     @classmethod
-    def _beside_a_storage_modulus(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+    def _beside_a_storage_modulus(cls, value: float | None, info: ValidationInfo) -> float | None:
         if value is not None and not (_is_given("storage_modulus", info) or _is_given("youngs_modulus", info)):
-            raise refusal(
-                "given without material.storage_modulus: their ratio is the loss tangent",
-                "both moduli in shear, or material.loss_tangent",
-            )
-        return handler(value)
+            found = "given without material.storage_modulus: their ratio is the loss tangent"
+            raise refusal(found, "both moduli in shear, or material.loss_tangent")
+        return value
 
-    @field_validator("loss_tangent", "solid_viscosity", mode="wrap")
+    @field_validator("loss_tangent", "solid_viscosity")
     @classmethod
-    def _loss_of_a_spring(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        loss, modulus, data = handler(value), info.data.get("loss_modulus", math.nan), info.data
-        other = "loss_tangent" if modulus is None else "loss_modulus"
-        if loss and (data.get("loss_tangent") or (info.field_name == "loss_tangent" and modulus is not None)):
-            raise _given_twice(other)
-        if info.field_name == "loss_tangent" and modulus is not None:
+    def _loss_of_a_spring(cls, loss: float | None, info: ValidationInfo) -> float | None:
+        data, is_tangent = info.data, info.field_name == "loss_tangent"
+        modulus = data.get("loss_modulus", math.nan)
+        if loss and (data.get("loss_tangent") or (is_tangent and modulus is not None)):
+            raise _given_twice("loss_tangent" if modulus is None else "loss_modulus")
+        if is_tangent and modulus is not None:
             # G' of a Young's modulus that was given itself.
             own = (data.get("youngs_modulus") or math.nan) / (2 * (1 + data.get("poisson", math.nan)))
             loss = modulus / (data.get("storage_modulus") or own)
@@ -502,46 +463,39 @@ class Material(Part):
             raise refusal(f"given, but the law '{law}' {why}", f"leaving it out, or one of the laws {others}")
         return loss
 
-    @field_validator("natural_strain", "natural_strain_difference", mode="wrap")
+    @field_validator("natural_strain", "natural_strain_difference")
     @classmethod
-    def _none_at_the_start(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> float:
-        strain: float = handler(value)
+    def _none_at_the_start(cls, strain: float) -> float:
         if float(strain) != 0:
             found = f"{float(strain):g} at t = 0, at which the material is without stress as it stands"
             constant = "filament.rest_length or filament.curvature for what never changes"
             raise refusal(found, f'a history from 0, such as "-0.05*(1 - exp(-t/60 s))"; {constant}')
         return strain
 
-    @field_validator("modes", "flow", "parameters", mode="wrap")
+    @field_validator("modes", "flow", "parameters")
     @classmethod
-    def _of_the_law_made_of_it(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        result, name = handler(value), str(info.field_name)
-        example = {"modes": Modes().accepted, "flow": 'a formula, such as "sinh(sigma/s0)/t0"'}.get(name, "")
-        check_against_law(name, info.data.get("law"), result, example)
-        if name == "flow" and result:
-            parse_formula(result)
-        return result
+    def _of_the_law_made_of_it(cls, value: Any, info: ValidationInfo) -> Any:
+        name = str(info.field_name)
+        example = {"modes": MODES.accepted, "flow": 'a formula, such as "sinh(sigma/s0)/t0"'}.get(name, "")
+        check_against_law(name, info.data.get("law"), value, example)
+        if name == "flow" and value:
+            parse_formula(value)
+        return value
 
-    @field_validator("structure", mode="wrap")
+    @field_validator("structure")
     @classmethod
-    def _of_a_law_that_flows(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        structure: Thixotropy | None = handler(value)
-        if structure is None or "law" not in info.data:
-            return structure
-        faults = list(structure_faults(structure, info.data))
-        if faults:
+    def _of_a_law_that_flows(cls, value: Thixotropy | None, info: ValidationInfo) -> Thixotropy | None:
+        if value is not None and "law" in info.data and (faults := list(structure_faults(value, info.data))):
             raise refusals("structure", faults)
-        return structure
+        return value
 
-    @field_validator("hardening_modulus", "hardening_recovery", mode="wrap")
+    @field_validator("hardening_modulus", "hardening_recovery")
     @classmethod
-    def _of_a_law_that_hardens(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        number, law = handler(value), info.data.get("law")
-        if not number or law is None:
-            return number
-        if info.field_name == "hardening_recovery" and info.data.get("hardening_modulus", math.nan) is None:
+    def _of_a_law_that_hardens(cls, number: float | None, info: ValidationInfo) -> float | None:
+        law, is_modulus = info.data.get("law"), info.field_name == "hardening_modulus"
+        if number and law and not is_modulus and info.data.get("hardening_modulus", math.nan) is None:
             raise refusal("given without material.hardening_modulus: no backstress recovers", "both, or neither")
-        if info.field_name == "hardening_modulus" and not LAWS[law].yields:
+        if number and law and is_modulus and not LAWS[law].yields:
             found = f"given, but the law '{law}' has no yield stress of its own that would harden"
             raise refusal(found, f"leaving it out, or one of the laws {_named('yields')}")
         return number
@@ -579,7 +533,7 @@ class Material(Part):
         if not self.flow:
             return self.yield_stress or 0.0
         values = tuple((parameter.name, parameter.value) for parameter in self.parameters)
-        return threshold(self.flow, values, stress_scales(self.parameters, self.youngs_modulus))
+        return formulas.threshold(self.flow, values, stress_scales(self.parameters, self.youngs_modulus))
 
     def values(self) -> dict[str, float]:
         """Return every constant that the law has by its leaf name, SI.
@@ -614,18 +568,12 @@ class Material(Part):
 
     def faults_of_histories(self, duration: float) -> Iterator[tuple[str, str, str]]:
         """List what histories are at some time of a run, and what this constant must not be: path, found, accepted."""
-        kinds = self.kinds()
-        given = [
-            (name, getattr(self, name), kind) for name, kind in kinds.items() if isinstance(kind, (Timed, TimedNumber))
-        ]
-        given += [
-            (f"modes.{number}.{name}", getattr(mode, name), kind)
-            for number, mode in enumerate(self.modes, start=1)
-            for name, kind in _MODE.items()
-        ]
+        given = [(name, getattr(self, name), kind) for name, kind in self.kinds().items()]
+        for number, mode in enumerate(self.modes, start=1):
+            given += [(f"modes.{number}.{name}", getattr(mode, name), kind) for name, kind in MODE.kinds.items()]
         for path, value, kind in given:
-            if isinstance(value, History) and (found := value.refused(kind.constant, duration)):
-                yield f"{self.table_name}.{path}", found, f"{kind.constant.accepted}, at every time of the run"
+            if isinstance(kind, Changing) and isinstance(value, History) and (found := value.refused(kind, duration)):
+                yield f"{self.table_name}.{path}", found, f"{kind.accepted}, at every time of the run"
 
     def at(self, time: float) -> Material:
         """Return the material as it is at a time [s], and stays: of constants only."""
@@ -658,14 +606,13 @@ class Material(Part):
             if shear is None:
                 continue
             kind = kind_of_constant(rule.constant, self.law, self.index)
-            unit = (kind.unit if isinstance(kind, Quantity) and kind.unit else "Pa s").replace("*", " ")
+            unit = kind.unit.replace("*", " ")
             poisson = poisson_in_shear(self.law, self.poisson)
             words = rule.words.replace("n+1", f"{self.index:g}+1").replace("poisson", f"{poisson:g}")
             words += " at the start, and so at all times" if isinstance(shear, History) else ""
             if rule.constant == "youngs_modulus":
                 notes.append(f"storage modulus {shear:.6g} Pa = Young's modulus {tensile:.6g} Pa, {words}")
             else:
-                unit = unit if rule.constant.endswith("viscosity") else "Pa"
                 what = rule.shear.removeprefix("shear_").replace("_", " ")
                 notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
         if self.loss_modulus is not None:
@@ -690,4 +637,4 @@ def _read(name: str, value: object, info: ValidationInfo) -> float:
     if of_the_index and (law is None or spec_of(law).has_index) and "index" not in info.data:
         # There is a fault already, and without an index no unit to compare with.
         return math.nan
-    return kind_of_constant(name, law, info.data.get("index", 1.0)).read(value)
+    return cast(float, kind_of_constant(name, law, info.data.get("index", 1.0)).read(value))

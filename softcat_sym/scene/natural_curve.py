@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.parts import if_given
 from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
 from softcat_sym.scene.tables import Tables
 
@@ -46,7 +47,17 @@ def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_len
     if isinstance(shape, tuple):
         return curves.SplineCurve(np.array(shape) - shape[0])
     if shape == HELIX:
-        length = _of_helix(distance, curvature, twist)
+        # Longest helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2
+        omega = math.hypot(curvature, twist)
+        radius, climb = abs(curvature) / omega**2, abs(twist) / omega
+
+        def beyond(length: float) -> float:
+            return (2 * radius * math.sin(omega * length / 2)) ** 2 + (climb * length) ** 2 - distance**2
+
+        longest, low = distance / climb, distance / climb
+        while beyond(low) >= 0:
+            low -= _STEP * min(longest, 1 / omega)
+        length = _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
     elif rest_length is not None:
         half = _root(lambda x: math.sin(x) / x - distance / rest_length, 1e-9, math.pi)
         length, curvature = rest_length, 2 * half / rest_length
@@ -57,20 +68,6 @@ def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_len
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
     return float(optimize.brentq(function, low, high, xtol=1e-15 * high))
-
-
-def _of_helix(distance: float, curvature: float, twist: float) -> float:
-    """Longest helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2."""
-    omega = math.hypot(curvature, twist)
-    radius, climb = abs(curvature) / omega**2, abs(twist) / omega
-
-    def beyond(length: float) -> float:
-        return (2 * radius * math.sin(omega * length / 2)) ** 2 + (climb * length) ** 2 - distance**2
-
-    longest, low = distance / climb, distance / climb
-    while beyond(low) >= 0:
-        low -= _STEP * min(longest, 1 / omega)
-    return _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
 
 
 def natural_curve(scene: Tables) -> curves.SpaceCurve:
@@ -87,38 +84,32 @@ def shape_rules(scene: Tables) -> Iterator[Rule]:
         return
     shape = "through points" if isinstance(filament.shape, tuple) else filament.shape
     given = f"given, but filament.shape is {shape!r}"
-    yield scene.initial.stretch != 1, "initial.stretch", given, out
-    yield scene.initial.surface != "fresh", "initial.surface", given, out
-    yield scene.initial.centreline, "initial.centreline", f"{given}: it begins there", out
-    yield ends.left_angle, "ends.left_angle", f"{given}: a clamp holds its end as it is", out
-    yield ends.right_angle, "ends.right_angle", f"{given}: a clamp holds its end as it is", out
-    yield ends.right_slides, "ends.right_slides", given, out
+    yield from if_given(scene, given, out, "initial.stretch", "initial.surface", "initial.centreline")
+    yield from if_given(scene, f"{given}: a clamp holds its end as it is", out, "ends.left_angle", "ends.right_angle")
+    yield from if_given(scene, given, out, "ends.right_slides")
     fluid = f"{shape!r}, but a fluid has no shape of its own: the law is '{scene.material.law}'"
     yield not scene.material.spec.is_elastic, "filament.shape", fluid, "another law"
+    distance = math.hypot(filament.span, ends.drop)
     if shape == ARC:
-        yield from _of_arc(filament, math.hypot(filament.span, ends.drop))
+        yield filament.twist, "filament.twist", "given, but filament.shape is 'arc'", "leaving it out, or 'helix'"
+        both = filament.rest_length is not None and filament.curvature != 0
+        none = filament.rest_length is None and filament.curvature == 0
+        how = "filament.curvature, or filament.rest_length, one of them"
+        yield both, "filament.shape", "'arc', with a curvature and a rest length, which need not agree", how
+        yield none, "filament.shape", "'arc', but nothing says how much it is bent", how
+        long = filament.rest_length is not None and filament.rest_length <= distance
+        found = f"{filament.rest_length} m, no longer than the chord"
+        yield long, "filament.rest_length", found, f"more than {distance} m"
+        most = 2 / distance
+        bent = abs(filament.curvature) > most
+        yield bent, "filament.curvature", f"{filament.curvature} 1/m, of a circle smaller than the chord", f"{most} 1/m"
         return
     yield filament.rest_length is not None, "filament.rest_length", f"{given}, which has a length", out
     if shape == HELIX:
-        yield from _of_turns(filament, math.hypot(filament.span, ends.drop))
+        yield from _of_turns(filament, distance)
         return
-    yield filament.curvature, "filament.curvature", given, out
-    yield filament.twist, "filament.twist", given, out
+    yield from if_given(scene, given, out, "filament.curvature", "filament.twist")
     yield from misses_supports(scene, filament.shape, "filament.shape")  # type: ignore[arg-type]
-
-
-def _of_arc(filament: Filament, distance: float) -> Iterator[Rule]:
-    yield filament.twist, "filament.twist", "given, but filament.shape is 'arc'", "leaving it out, or 'helix'"
-    both = filament.rest_length is not None and filament.curvature != 0
-    none = filament.rest_length is None and filament.curvature == 0
-    how = "filament.curvature, or filament.rest_length, one of them"
-    yield both, "filament.shape", "'arc', with a curvature and a rest length, which need not agree", how
-    yield none, "filament.shape", "'arc', but nothing says how much it is bent", how
-    long = filament.rest_length is not None and filament.rest_length <= distance
-    yield long, "filament.rest_length", f"{filament.rest_length} m, no longer than the chord", f"more than {distance} m"
-    most = 2 / distance
-    bent = abs(filament.curvature) > most
-    yield bent, "filament.curvature", f"{filament.curvature} 1/m, of a circle smaller than the chord", f"{most} 1/m"
 
 
 def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:

@@ -5,38 +5,29 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Field,
-    ValidationInfo,
-    ValidatorFunctionWrapHandler,
-    field_validator,
-    model_validator,
-)
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 
-from softcat_sym.scene.shapes import Shape
+from softcat_sym.scene.shapes import SHAPE
 from softcat_sym.scene.units import (
+    FLAG,
     NUMBERS,
     POINTS,
+    UNIT_VECTOR,
     Choice,
-    Flag,
     Kind,
     Names,
     Number,
     Quantity,
-    UnitVector,
     Values,
     Whole,
     refusal,
     shown,
-    three,
 )
 
 
@@ -48,7 +39,11 @@ class Part(BaseModel):
 
     # Built when first used: parts are read as fields of a scene, whose build has them all.
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
-    table_name: ClassVar[str] = ""
+    table_name: ClassVar[str]
+
+    def __init_subclass__(cls, table: str = "", **settings: Any) -> None:
+        cls.table_name = table
+        super().__init_subclass__(**settings)
 
     def kinds(self) -> Mapping[str, Kind]:
         """Return how each value is written, by field name."""
@@ -113,12 +108,11 @@ Point = tuple[float, ...]
 Section = Literal["rectangle", "circle", "sheet"]
 _THICKNESS = Quantity("length", "6 mm")
 Length = Annotated[float, _THICKNESS]
+_PROFILE = Values(Number(above=0), "a list of positive numbers without units, at least 2", 2, optional=True)
 
 
-class Filament(Part):
+class Filament(Part, table="filament"):
     """Geometry and density; lengths in m, density in kg/m^3."""
-
-    table_name: ClassVar[str] = "filament"
 
     span: Annotated[float, Quantity("length", "0.2 m")]
     """Horizontal distance between the supports, L."""
@@ -134,11 +128,9 @@ class Filament(Part):
     """Width D0 across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
-    profile: Annotated[
-        tuple[float, ...], Values(Number(above=0), "a list of positive numbers without units, at least 2", 2)
-    ] = ()
+    profile: Annotated[tuple[float, ...], _PROFILE] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
-    shape: Annotated[str | tuple[Point, ...], Shape()] = "straight"
+    shape: Annotated[str | tuple[Point, ...], SHAPE] = "straight"
     """Natural curve between the supports: straight, arc, helix, or through points of a CSV file; in space."""
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
     """Natural curvature, in the plane."""
@@ -150,45 +142,37 @@ class Filament(Part):
     def _round_if_it_has_a_diameter(cls, data: Any) -> Any:
         return {"section": "circle", **data} if isinstance(data, dict) and data.get("diameter") is not None else data
 
-    @field_validator("thickness", mode="wrap")
+    @field_validator("thickness", mode="plain")
     @classmethod
-    def _thinner_than_long(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        diameter = info.data.get("diameter", math.nan)
+    def _thinner_than_long(cls, value: Any, info: ValidationInfo) -> float:
+        diameter, span = info.data.get("diameter", math.nan), info.data.get("span", math.inf)
         if value is None and diameter is None:
             raise refusal("missing", f"{_THICKNESS.accepted}, or filament.diameter")
         if value is not None and diameter is not None:
             raise refusal("given twice, here and as filament.diameter", "one of the two")
-        thickness = diameter if value is None else handler(value)
-        span = info.data.get("span")
-        if span is not None and thickness >= span:
+        thickness = diameter if value is None else _THICKNESS.read(value)
+        if thickness >= span:
             found = shown(value) if diameter is None else f"the diameter, {diameter:g} m,"
             raise refusal(f"{found} is not less than the span", f"a thickness below the span, {span:g} m")
-        return thickness
+        return float(thickness)
 
-    @field_validator("section", mode="wrap")
+    @field_validator("section")
     @classmethod
-    def _round_where_it_has_a_diameter(
-        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
-    ) -> Any:
-        section = handler(value)
+    def _round_where_it_has_a_diameter(cls, section: Section, info: ValidationInfo) -> Section:
         if section != "circle" and info.data.get("diameter") is not None:
-            raise refusal(
-                f"{shown(value)}, but filament.diameter is given",
-                "circle, or filament.thickness instead of filament.diameter",
-            )
+            accepted = "circle, or filament.thickness instead of filament.diameter"
+            raise refusal(f"{section!r}, but filament.diameter is given", accepted)
         return section
 
-    @field_validator("width", mode="wrap")
+    @field_validator("width", mode="plain")
     @classmethod
-    def _follow_thickness(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+    def _follow_thickness(cls, value: Any, info: ValidationInfo) -> float:
         # NaN never escapes: without a thickness there is a fault, and with a fault there is no filament.
         thickness = info.data.get("thickness", math.nan)
-        if value is None:
-            return thickness
-        width = handler(value)
+        width = thickness if value is None else _THICKNESS.read(value)
         if info.data.get("section") == "circle" and math.isfinite(thickness) and width != thickness:
             raise refusal("a circle has no width of its own", "leaving it out; the diameter is filament.thickness")
-        return width
+        return float(width)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -204,22 +188,30 @@ Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
 
+def if_given(scene: Any, found: str, accepted: str, *paths: str) -> Iterator[Rule]:
+    """List the rules that keys by their dotted paths say nothing but their defaults."""
+    for path in paths:
+        table, _, key = path.partition(".")
+        part = getattr(scene, table)
+        yield getattr(part, key) != type(part).model_fields[key].default, path, found, accepted
+
+
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
+_TIP_FORCE = Values(Quantity("force", "1 N", "any"), _FORCES, 3, 3)
 _TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
+_TIP_TORQUE = Values(Quantity("torque", "1 N*m", "any"), _TORQUES, 3, 3)
 
 
 DOWN = (0.0, -1.0, 0.0)
 """Direction of gravity unless a scene states another."""
 
 
-class Load(Part):
+class Load(Part, table="load"):
     """Gravity, its ramp and its shaking, and what hangs or pulls at a right end that is free or slides; SI."""
-
-    table_name: ClassVar[str] = "load"
 
     gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
     """Acceleration g, downwards unless load.direction says otherwise."""
-    direction: Annotated[tuple[float, ...], UnitVector()] = DOWN
+    direction: Annotated[tuple[float, ...], UNIT_VECTOR] = DOWN
     """Where gravity points: right, up and towards the viewer; of any length."""
     ramp: Annotated[float, Quantity("time", "0.1 s", "non-negative")] = 0.0
     """Time in which gravity grows from nothing, by a quintic smooth step; 0: at once."""
@@ -227,9 +219,9 @@ class Load(Part):
     """Mass at midspan."""
     tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at a free right end; in three dimensions."""
-    tip_force: Annotated[tuple[float, ...], three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
+    tip_force: Annotated[tuple[float, ...], _TIP_FORCE] = (0.0, 0.0, 0.0)
     """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
-    tip_torque: Annotated[tuple[float, ...], three(Quantity("torque", "1 N*m", "any"), _TORQUES)] = (0.0, 0.0, 0.0)
+    tip_torque: Annotated[tuple[float, ...], _TIP_TORQUE] = (0.0, 0.0, 0.0)
     """Dead torque on a free right end, about axes that point right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
@@ -240,14 +232,12 @@ class Load(Part):
 SurfaceAge = Literal["fresh", "relaxed"]
 
 
-class Initial(Part):
+class Initial(Part, table="initial"):
     """State at the first instant; dimensionless."""
-
-    table_name: ClassVar[str] = "initial"
 
     stretch: Annotated[float, Number(above=0)] = 1.0
     """Stretch before the load acts, s0."""
-    relaxed: Annotated[bool, Flag()] = True
+    relaxed: Annotated[bool, FLAG] = True
     """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
     P: Annotated[tuple[float, ...], NUMBERS] = ()
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
@@ -259,10 +249,8 @@ class Initial(Part):
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""
 
 
-class Surroundings(Part):
+class Surroundings(Part, table="surroundings"):
     """The medium around the filament; SI."""
-
-    table_name: ClassVar[str] = "surroundings"
 
     surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
     """Surface tension Gamma between the filament and what surrounds it."""
@@ -277,10 +265,8 @@ Closure = Literal["material", "printed"]
 Dimensions = Literal["auto", 2, 3]
 
 
-class RunSettings(Part):
+class RunSettings(Part, table="run"):
     """What is asked of the run; times in s."""
-
-    table_name: ClassVar[str] = "run"
 
     duration: Annotated[float, Quantity("time", "2 s")]
     """Simulated time; the longest one where the run may settle before."""
@@ -300,12 +286,11 @@ class RunSettings(Part):
 
 Solver = Literal["cvodes", "idas", "rosenbrock"]
 Backend = Literal["auto", "interpreted", "compiled"]
+Tail = Literal["auto", "integrate"]
 
 
-class Numerics(Part):
+class Numerics(Part, table="numerics"):
     """Overrules; None means that the program chooses."""
-
-    table_name: ClassVar[str] = "numerics"
 
     cells: Annotated[int | None, Whole(4, 100_000)] = None
     """N, cells per half span; chosen by the program unless given."""
@@ -321,5 +306,7 @@ class Numerics(Part):
     """Relative tolerance of the integrator; chosen by the program unless given."""
     backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
-    estimate: Annotated[bool, Flag()] = True
+    tail: Annotated[Tail, Choice(Tail)] = "auto"
+    """A long undamped ringing that no longer yields: by its modes of vibration where they serve, or step by step."""
+    estimate: Annotated[bool, FLAG] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

@@ -84,7 +84,11 @@ def load_scene(name_or_path: str | os.PathLike[str], overrides: Changes = ()) ->
     """
     source = str(name_or_path)
     table = _table_of(_text_of(name_or_path, source), source)
-    _beside_the_scene(table, Path(source).parent)
+    # A file that a scene names lies beside it
+    filament = table.get("filament")
+    shape = filament.get("shape") if isinstance(filament, dict) else None
+    if isinstance(shape, str) and shape.lower().endswith(CSV):
+        table["filament"]["shape"] = str(Path(source).parent / shape)
     changes, faults = read_overrides(overrides)
     faults += apply([change for change in changes if _is_group(change)], table)
     determined = determined_by_groups(table)
@@ -124,14 +128,6 @@ def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
         raise _refuse(source, f"not UTF-8 text (line {line})", "TOML in UTF-8") from None
-
-
-def _beside_the_scene(table: dict[str, Any], folder: Path) -> None:
-    """A file that a scene names lies beside it."""
-    filament = table.get("filament")
-    shape = filament.get("shape") if isinstance(filament, dict) else None
-    if isinstance(shape, str) and shape.lower().endswith(CSV):
-        table["filament"]["shape"] = str(folder / shape)
 
 
 def _table_of(text: str, source: str) -> dict[str, Any]:

@@ -16,12 +16,20 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.dimensions import dimension_rules, is_spatial
 from softcat_sym.scene.ends import Hold, end_rules
-from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
+from softcat_sym.scene.groups import GroupBlock, resolve_groups
 from softcat_sym.scene.laws import LAWS
-from softcat_sym.scene.material import Parameter, power
+from softcat_sym.scene.material import NamedConstant, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
-from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
+from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, if_given, kinds_of
+from softcat_sym.scene.tables import (
+    Tables,
+    bodies_of,
+    body_rules,
+    farthest,
+    frozen_note,
+    motion_rules,
+    temperature_rules,
+)
 from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
 
@@ -82,6 +90,11 @@ def carries_moment(scene: Scene) -> bool:
     return any(support.carries_moment for support in scene.ends.supports)
 
 
+def loaded_from(scene: Scene) -> float:
+    """Time from which neither the load nor a support changes [s]."""
+    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
+
+
 def is_slack(scene: Scene) -> bool:
     """Tell whether both ends are held and the filament is longer without stress than they are apart.
 
@@ -93,7 +106,7 @@ def is_slack(scene: Scene) -> bool:
 
 def is_symmetric(scene: Scene) -> bool:
     """Tell whether left and right mirror each other at all times; in three dimensions the whole span is followed."""
-    ends = scene.ends
+    ends, heated = scene.ends, scene.temperature.heated
     mirrored = math.isclose(ends.left_angle, -ends.right_angle, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
     along = (scene.filament.profile, scene.initial.P, scene.initial.C)
     return (
@@ -104,15 +117,10 @@ def is_symmetric(scene: Scene) -> bool:
         and mirrored
         and ends.drop == 0
         and not ends.motion
-        and _is_even(scene)
+        and not any(body.speed_along for body in bodies_of(scene))
+        and (not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=_ROUNDING))
         and all(values == values[::-1] for values in along)
     )
-
-
-def _is_even(scene: Scene) -> bool:
-    """Tell whether the furnace leaves left and right alike."""
-    heated = scene.temperature.heated
-    return not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=1e-12)
 
 
 def chord_angle(scene: Scene) -> float:
@@ -152,8 +160,8 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
-    checks = (_of_springs, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
-    others = (_of_heated, _of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
+    checks = (motion_rules, _of_lengths, _of_slack, _of_initial_state, _of_surface, temperature_rules)
+    others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules, body_rules)
     rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
@@ -163,13 +171,6 @@ def refuse_settled(scene: Scene, why: str) -> None:
     """Refuse a run that ends when it has settled, where several answers are compared at the same times."""
     if scene.run.until == "settled":
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
-
-
-def _of_springs(scene: Scene) -> Iterator[Rule]:
-    """The printed closure has no section angles, which a rotational spring turns."""
-    for side, support, _ in scene.ends.sides:
-        found = f"'printed', but a rotational spring holds the {side} end"
-        yield scene.run.closure == "printed" and support.angle is Hold.SPRING, "run.closure", found, "material"
 
 
 def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
@@ -189,11 +190,15 @@ def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
         yield scene.model == "small-deflection", path, found, accepted
         found = "given with run.closure = 'printed', whose section has no viscous stress beside its flow"
         yield scene.run.closure == "printed", path, found, f'{out}, or run.closure = "material"'
+    for side, support, _ in scene.ends.sides:
+        # The printed closure has no section angles, which a rotational spring turns.
+        found = f"'printed', but a rotational spring holds the {side} end"
+        yield scene.run.closure == "printed" and support.angle is Hold.SPRING, "run.closure", found, "material"
     found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
     yield None not in (numerics.order, numerics.fibres), "numerics.order", found, "one of the two"
 
 
-def _of_reach(scene: Scene) -> Iterator[Rule]:
+def _of_lengths(scene: Scene) -> Iterator[Rule]:
     """The force A0 E log(s)/s of a true-strain bar is greatest at s = e: beyond it no weight is carried stably."""
     length, reach = rest_length(scene), farthest(scene)
     limit = math.e * length * (1 + _ROUNDING)
@@ -207,11 +212,7 @@ def _of_reach(scene: Scene) -> Iterator[Rule]:
     held = all(support.holds_x and support.holds_height for support in scene.ends.supports)
     broken = scene.material.spec.is_solid and held and reach > limit
     yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
-
-
-def _of_heated(scene: Scene) -> Iterator[Rule]:
-    heat, length = scene.temperature, rest_length(scene)
-    end = heat.heated[1] if heat.present and heat.heated else 0.0
+    end = max(scene.temperature.heated, default=0.0) if scene.temperature.present else 0.0
     found = f"to {end:.4g} m, but the filament is {length:.4g} m long"
     yield end > length * (1 + 1e-9), "temperature.heated", found, f"places from 0 to {length:.4g} m"
 
@@ -231,10 +232,8 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
     yield load.gravity == 0, "load.gravity", found, "a positive acceleration"
     found = f"{list(load.direction)}, {slack}: it begins hanging straight down"
     yield load.direction != DOWN, "load.direction", found, "leaving it out"
-    yield scene.filament.twist, "filament.twist", f"given, {slack}: it begins in its plane", "leaving it out"
-    for name in ("P", "C"):
-        found, accepted = f"given, {slack}", "leaving it out, or a taut filament"
-        yield getattr(scene.initial, name), f"initial.{name}", found, accepted
+    yield from if_given(scene, f"given, {slack}: it begins in its plane", "leaving it out", "filament.twist")
+    yield from if_given(scene, f"given, {slack}", "leaving it out, or a taut filament", "initial.P", "initial.C")
 
 
 def _of_initial_state(scene: Scene) -> Iterator[Rule]:
@@ -247,9 +246,9 @@ def _of_initial_state(scene: Scene) -> Iterator[Rule]:
     differs = given is not None and not math.isclose(given, follows, rel_tol=_ROUNDING)
     found, accepted = f"{initial.stretch:g}, but filament.rest_length is {given} m", f"one of the two, or {follows!r} m"
     yield differs and not initial.relaxed and initial.stretch != 1, "initial.stretch", found, accepted
-    for name in ("P", "C"):
-        broken, found = getattr(initial, name), f"given, but the law '{law}' has no plastic strain"
-        yield broken and (spec.is_solid or not spec.flows), f"initial.{name}", found, "leaving it out"
+    if spec.is_solid or not spec.flows:
+        found = f"given, but the law '{law}' has no plastic strain"
+        yield from if_given(scene, found, "leaving it out", "initial.P", "initial.C")
 
 
 def _of_surface(scene: Scene) -> Iterator[Rule]:
@@ -278,21 +277,12 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
         return
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
-    for name in ("curvature", "twist"):
-        yield getattr(scene.filament, name), f"filament.{name}", f"given, but {no_shape}", accepted
+    yield from if_given(scene, f"given, but {no_shape}", accepted, "filament.curvature", "filament.twist")
     for side, support, angle in scene.ends.sides:
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
         broken = is_held(scene) and support.carries_moment and abs(angle - chord) > _ANGLE_ROUNDING
         yield broken, f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'"
-
-
-_NOT_SMALL = {
-    "filament": ("rest_length", "profile", "curvature"),
-    "ends": ("drop", "left_angle", "right_angle", "motion"),
-    "initial": ("stretch", "P", "C", "surface"),
-}
-"""Keys that the small-deflection model has at their defaults only."""
 
 
 def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
@@ -301,11 +291,10 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     small, laws = "with model 'small-deflection'", [one.name for one in LAWS.values() if one.suits_small_deflections]
     law = scene.material.law
     yield law not in laws, "material.law", f"{law!r} {small}", " or ".join(laws)
-    for table, keys in _NOT_SMALL.items():
-        part = getattr(scene, table)
-        for key in keys:
-            broken = getattr(part, key) != type(part).model_fields[key].default
-            yield broken, f"{table}.{key}", f"given {small}", 'leaving it out, or model = "filament"'
+    keys = [f"filament.{key}" for key in ("rest_length", "profile", "curvature")]
+    keys += [f"ends.{key}" for key in ("drop", "left_angle", "right_angle", "motion")]
+    keys += [f"initial.{key}" for key in ("stretch", "P", "C", "surface")]
+    yield from if_given(scene, f"given {small}", 'leaving it out, or model = "filament"', *keys)
     sheet = scene.filament.section == "sheet"
     yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
     for side, support, _ in scene.ends.sides:
@@ -334,7 +323,7 @@ class Scene(Tables):
         Title for pictures and tables.
     model : str
         ``"filament"``.
-    filament, material, ends, load, initial, surroundings, temperature, run, numerics : Part
+    filament, material, ends, load, initial, surroundings, temperature, floor, pillars, run, numerics : Part
         The tables of the scene file, under the file's own names.
 
     Raises
@@ -371,7 +360,12 @@ class Scene(Tables):
     def _list_every_fault(cls, data: Any, handler: ModelWrapValidatorHandler[Scene], info: ValidationInfo) -> Scene:
         if isinstance(data, Scene):
             return data
-        resolved = resolve_groups(_as_table(data))
+        if not isinstance(data, Mapping):
+            raise SceneError([Fault("", f"{shown(data)} is not a table", "a mapping of tables, as in a scene file")])
+        parts = {key: value.given() if isinstance(value, Part) else value for key, value in data.items()}
+        resolved = resolve_groups(
+            {key: dict(part) if isinstance(part, Mapping) else part for key, part in parts.items()}
+        )
         late: tuple[Override, ...] = (info.context or {}).get(LATE, ())
         faults = [*resolved.faults, *apply(late, resolved.table)]
         for required in ("filament", "material", "run"):
@@ -394,14 +388,14 @@ class Scene(Tables):
         """What was converted from other names or data, in all tables."""
         return (*self.filament.notes, *self.material.notes, *filter(None, [frozen_note(self)]))
 
-    def named_constants(self) -> dict[str, Parameter]:
+    def named_constants(self) -> dict[str, NamedConstant]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
         own = {f"material.parameters.{one.name}": one for one in self.material.parameters}
         if (structure := self.material.structure) is not None:
-            own |= {f"material.structure.{name}": Parameter(name, *one) for name, one in structure.numbers.items()}
+            own |= {f"material.structure.{name}": NamedConstant(name, *one) for name, one in structure.numbers.items()}
         if (modulus := self.material.hardening_modulus) is not None:
-            own["material.hardening_modulus"] = Parameter("hardening_modulus", modulus, (1, -1, -2))
-            own["material.hardening_recovery"] = Parameter(
+            own["material.hardening_modulus"] = NamedConstant("hardening_modulus", modulus, (1, -1, -2))
+            own["material.hardening_recovery"] = NamedConstant(
                 "hardening_recovery", self.material.hardening_recovery, (0, 0, 0)
             )
         return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}
@@ -480,15 +474,6 @@ class Scene(Tables):
     def to_toml(self) -> str:
         """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""
         return toml_of(self)
-
-
-def _as_table(data: object) -> Table:
-    if not isinstance(data, Mapping):
-        raise SceneError([Fault("", f"{shown(data)} is not a table", "a mapping of tables, as in a scene file")])
-    return {
-        key: value.given() if isinstance(value, Part) else dict(value) if isinstance(value, Mapping) else value
-        for key, value in data.items()
-    }
 
 
 def _from_python(tables: Any) -> Any:

@@ -3,56 +3,50 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic_core import PydanticCustomError
-
-from softcat_sym.scene.units import Choice, Kind, Number, Quantity, read_fields, refusal, refusals, shown
+from softcat_sym.scene.units import (
+    Choice,
+    Dimension,
+    Number,
+    Quantity,
+    Record,
+    Refused,
+    dimension_of,
+    refusal,
+    refusals,
+)
 
 Growth = Literal["saturating", "linear"]
 Rheometer = Literal["tension", "shear"]
-
-# `scene.units.Kind` documents the methods once for all kinds.
-# ruff: noqa: D102
-
-_TIME = ("build_up_time", "breakdown_time", "rest")
+_NO_STRESS = Quantity("stress", "200 Pa", "non-negative")
+_CHOICES = ("growth", "measured")
 _ENDS = ("structured_yield_stress", "destroyed_yield_stress", "structured_viscosity", "destroyed_viscosity")
-
-_KINDS: dict[str, Kind] = {
-    "build_up_time": Quantity("time", "60 s"),
-    "breakdown_time": Quantity("time", "2 s", "non-negative"),
-    "exponent": Number(above=0),
-    "structured_yield_stress": Quantity("stress", "900 Pa"),
-    "destroyed_yield_stress": Quantity("stress", "200 Pa", "non-negative"),
-    "structured_viscosity": Quantity("viscosity", "5 kPa*s"),
-    "destroyed_viscosity": Quantity("viscosity", "500 Pa*s"),
-    "initial": Number(above=0, closed=True),
-    "rest": Quantity("time", "30 s", "non-negative"),
-    "growth": Choice(Growth),
-    "measured": Choice(Rheometer),
-}
-
-_UNITS = dict.fromkeys(_TIME, (0, 0, 1)) | {name: (1, -1, -2 if "stress" in name else -1) for name in _ENDS}
 
 
 @dataclass(frozen=True, slots=True)
 class Thixotropy:
     """How a structure parameter lambda, 0 destroyed to 1 built up, grows and is destroyed; SI, in tension."""
 
-    build_up_time: float  # t_b of d lambda/dt = (1 - lambda - lambda (tau |rate|)^c)/t_b
-    breakdown_time: float = 0.0  # tau, of the plastic strain rate
-    exponent: float = 1.0  # c
+    # t_b of d lambda/dt = (1 - lambda - lambda (tau |rate|)^c)/t_b
+    build_up_time: Annotated[float, Quantity("time", "60 s")]
+    # tau, of the plastic strain rate
+    breakdown_time: Annotated[float, Quantity("time", "2 s", "non-negative")] = 0.0
+    exponent: Annotated[float, Number(above=0)] = 1.0  # c
     # At lambda = 1 and 0; None of what is as the material is at the beginning, or follows from it.
-    structured_yield_stress: float | None = None
-    destroyed_yield_stress: float | None = None
-    structured_viscosity: float | None = None
-    destroyed_viscosity: float | None = None
-    initial: float | None = None  # lambda where the material's constants are measured, unless the yield stresses say it
-    rest: float = 0.0  # For which it is held up before it is let go
-    growth: Growth = "saturating"  # linear: d lambda/dt = (1 - lambda (tau |rate|)^c)/t_b, without a limit
-    measured: Rheometer = "tension"
+    structured_yield_stress: Annotated[float | None, Quantity("stress", "900 Pa")] = None
+    destroyed_yield_stress: Annotated[float | None, _NO_STRESS] = None
+    structured_viscosity: Annotated[float | None, Quantity("viscosity", "5 kPa*s")] = None
+    destroyed_viscosity: Annotated[float | None, Quantity("viscosity", "500 Pa*s")] = None
+    # lambda where the material's constants are measured, unless the yield stresses say it
+    initial: Annotated[float | None, Number(above=0, closed=True)] = None
+    rest: Annotated[float, Quantity("time", "30 s", "non-negative")] = (
+        0.0  # For which it is held up before it is let go
+    )
+    # linear: d lambda/dt = (1 - lambda (tau |rate|)^c)/t_b, without a limit
+    growth: Annotated[Growth, Choice(Growth)] = "saturating"
+    measured: Annotated[Rheometer, Choice(Rheometer)] = "tension"
 
     @property
     def in_tension(self) -> Thixotropy:
@@ -65,10 +59,14 @@ class Thixotropy:
         return replace(self, measured="tension", **changed)
 
     @property
-    def numbers(self) -> dict[str, tuple[float, tuple[int, int, int]]]:
+    def numbers(self) -> dict[str, tuple[float, Dimension]]:
         """Its numbers with the exponents of kg, m and s, by name."""
-        values = {name: getattr(self, name) for name in _KINDS if name not in ("growth", "measured")}
-        return {name: (value, _UNITS.get(name, (0, 0, 0))) for name, value in values.items() if value is not None}
+        given = ((name, getattr(self, name), kind.unit) for name, kind in STRUCTURE.kinds.items())
+        return {
+            name: (value, dimension_of(unit))
+            for name, value, unit in given
+            if value is not None and name not in _CHOICES
+        }
 
     def start(self, yield_stress: float | None) -> float:
         """The structure parameter of the material as its constants state it."""
@@ -85,47 +83,25 @@ class Thixotropy:
         return 1 - (1 - start) * math.exp(-time / self.build_up_time)
 
 
-class ThixotropyTable(Kind):
-    """The table of a structure, or nothing."""
+class _Structure(Record):
+    """The table of a structure, whose numbers can be together, in tension."""
 
-    accepted = 'a table such as {build_up_time = "60 s", structured_yield_stress = "900 Pa"}'
-
-    def read(self, value: object) -> Thixotropy | None:
-        if value is None or isinstance(value, Thixotropy):
-            return None if value is None else value.in_tension
-        if not isinstance(value, Mapping):
-            raise self.refuse(f"{shown(value)} is not a table")
-        structure = Thixotropy(**read_fields("structure", value, _KINDS, ("build_up_time",)))
-        if faults := _contradictions(structure):
+    def check(self, value: Any) -> Thixotropy | None:
+        one: Thixotropy | None = super().check(value)
+        if one is None or one is value:
+            return one and one.in_tension
+        faults = list[Refused]()
+        if one.initial is not None and any(getattr(one, name) is not None for name in _ENDS[:2]):
+            found = "given, but the yield stresses say how far the material is built up at the beginning"
+            faults.append((("initial",), refusal(found, "leaving it out")))
+        if one.structured_viscosity is not None and one.destroyed_viscosity is not None:
+            found = "given beside structured_viscosity: with the viscosity at the beginning it would be given twice"
+            faults.append((("destroyed_viscosity",), refusal(found, "one of the two")))
+        if all(getattr(one, name) is None for name in _ENDS):
+            faults.append(((), refusal("no constant of the material depends on it", f"one of {', '.join(_ENDS)}")))
+        if faults:
             raise refusals("structure", faults)
-        return structure.in_tension
-
-    def write(self, value: Thixotropy | None) -> object:
-        if value is None:
-            return None
-        given = {name: getattr(value, name) for name in _KINDS}
-        return {
-            name: _KINDS[name].write(one)
-            for name, one in given.items()
-            if one is not None and (name == "build_up_time" or one != getattr(Thixotropy(1.0), name))
-        }
+        return one.in_tension
 
 
-def _contradictions(one: Thixotropy) -> list[tuple[tuple[str, ...], PydanticCustomError]]:
-    """What its numbers cannot be together."""
-    faults = list[tuple[tuple[str, ...], PydanticCustomError]]()
-    of_yield = one.structured_yield_stress is not None or one.destroyed_yield_stress is not None
-    if of_yield and one.initial is not None:
-        found = "given, but the yield stresses say how far the material is built up at the beginning"
-        faults.append((("initial",), refusal(found, "leaving it out")))
-    if one.structured_viscosity is not None and one.destroyed_viscosity is not None:
-        found = "given beside structured_viscosity: with the viscosity at the beginning it would be given twice"
-        faults.append((("destroyed_viscosity",), refusal(found, "one of the two")))
-    if not of_yield and one.structured_viscosity is None and one.destroyed_viscosity is None:
-        accepted = ", ".join(_ENDS)
-        faults.append(((), refusal("no constant of the material depends on it", f"one of {accepted}")))
-    return faults
-
-
-KEYS = tuple(_KINDS)
-"""Keys of the table."""
+STRUCTURE = _Structure(Thixotropy, 'a table such as {build_up_time = "60 s", structured_yield_stress = "900 Pa"}')

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from softcat_sym.errors import Fault
+from softcat_sym.scene.bodies import Body
 from softcat_sym.scene.material import Material, twins
 from softcat_sym.scene.parts import Filament, Part, meanings_of
-from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.scene.units import shown
 
 _FORM = "dotted.key=value, such as material.yield_stress=5 kPa"
@@ -125,9 +126,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return not part.spec.has_index
-    if name in _IDLE.get(part.table_name, ()) or isinstance(part, Temperature):
-        return bool(value == type(part).model_fields[name].default)
-    return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
+    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, Body)) or value in ((), "")
+    return bool(part.table_name) and says_nothing and bool(value == type(part).model_fields[name].default)
 
 
 def toml_value(value: object) -> str:

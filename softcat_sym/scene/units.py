@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from abc import ABC, abstractmethod
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import MISSING, fields
 from decimal import Decimal
 from difflib import get_close_matches
-from functools import cache, lru_cache, partial
+from functools import cache, lru_cache
 from numbers import Integral, Real
 from tokenize import TokenError
-from typing import Any, get_args
+from typing import Any, TypeGuard, get_args, get_type_hints
 from unicodedata import category
 
 from pydantic import GetCoreSchemaHandler
@@ -42,6 +41,7 @@ _FACTORS: Mapping[Dimension, Mapping[str, float]] = {
     _VISCOSITY: {"Pa*s": 1.0, "mPa*s": 0.001, "kPa*s": 1000.0, "MPa*s": 1e6, "GPa*s": 1e9},
     (1.0, -3.0, 0.0): {"kg/m^3": 1.0, "g/cm^3": 1000.0},
     (0.0, 1.0, -2.0): {"m/s^2": 1.0},
+    (0.0, 1.0, -1.0): {"m/s": 1.0, "mm/s": 0.001},
     (1.0, 1.0, -2.0): {"N": 1.0, "mN": 0.001},
     (1.0, 0.0, -2.0): {"N/m": 1.0, "mN/m": 0.001},
     (1.0, 2.0, -2.0): {"N*m": 1.0, "mN*m": 0.001},
@@ -67,6 +67,7 @@ SI_UNITS = {
     "curvature": "1/m",
     "angle": "rad",
     "frequency": "Hz",
+    "velocity": "m/s",
 }
 _SHORT: dict[Dimension, str] = {
     STRESS: "Pa",
@@ -113,7 +114,7 @@ def in_si(value: Any) -> Any:
     return SI(_float(value)) if _is_number(value) else value
 
 
-def _is_number(value: object) -> bool:
+def _is_number(value: object) -> TypeGuard[Real]:
     return isinstance(value, Real) and not isinstance(value, bool)
 
 
@@ -130,6 +131,20 @@ def registry() -> pint.UnitRegistry[float]:
     return pint.UnitRegistry()
 
 
+def one_of(unit: str) -> pint.Quantity[float]:
+    """One of a unit as pint knows it; raises `NotAQuantity`."""
+    try:
+        return registry().Quantity(1.0, registry().parse_units(unit))
+    except (pint_errors.PintError, *_LEAKED):
+        raise NotAQuantity(f"unknown unit '{unit}'") from None
+
+
+def without_rounding(factor: float) -> float:
+    """A factor without the last bits of pint's own arithmetic: 1 g/cm^3 is 1000 kg/m^3 exactly."""
+    short = float(f"{factor:.12g}")
+    return short if math.isclose(short, factor, rel_tol=1e-15) else factor
+
+
 @lru_cache(maxsize=1024)
 def _measured(unit: str, wanted: str = _ANY_DIMENSION) -> tuple[float, Dimension]:
     """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension."""
@@ -138,19 +153,21 @@ def _measured(unit: str, wanted: str = _ANY_DIMENSION) -> tuple[float, Dimension
 
 def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:
     """SI value and dimension of any unit."""
-    ureg = registry()
+    one = one_of(unit)
     try:
-        quantity = ureg.Quantity(1.0, ureg.parse_units(unit))
-        exponents = {str(name): float(str(power)) for name, power in quantity.dimensionality.items()}
-        factor = float(quantity.to_base_units().magnitude)
+        exponents = {str(name): float(str(power)) for name, power in one.dimensionality.items()}
+        factor = float(one.to_base_units().magnitude)
     except (pint_errors.PintError, *_LEAKED):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     dimension = (exponents.pop("[mass]", 0.0), exponents.pop("[length]", 0.0), exponents.pop("[time]", 0.0))
     if exponents:
-        raise NotAQuantity(f"'{unit}' is of dimension {quantity.dimensionality}, not {wanted}")
-    # Without the last bits of pint's own arithmetic: 1 g/cm^3 is 1000 kg/m^3 exactly.
-    short = float(f"{factor:.12g}")
-    return (short if math.isclose(short, factor, rel_tol=1e-15) else factor), dimension
+        raise NotAQuantity(f"'{unit}' is of dimension {one.dimensionality}, not {wanted}")
+    return without_rounding(factor), dimension
+
+
+def dimension_of(unit: str) -> Dimension:
+    """Exponents of kg, m and s of a unit; of an empty one, those of a pure number."""
+    return _measured(unit)[1] if unit else PURE
 
 
 def same_dimension(a: Dimension, b: Dimension) -> bool:
@@ -160,19 +177,17 @@ def same_dimension(a: Dimension, b: Dimension) -> bool:
 
 def si_unit(dimension: Dimension) -> str:
     """Write the SI unit of a dimension, so that a quantity in it can be read back; empty for a pure number."""
-    if dimension in _SHORT:
-        return _SHORT[dimension]
-    steps = [(name, power) for name, power in zip(("kg", "m", "s"), dimension, strict=True) if power]
-    return "*".join(name if power == 1 else f"{name}^{_written(power)}" for name, power in steps)
-
-
-def _written(exponent: float) -> str:
-    return str(int(exponent)) if exponent.is_integer() else repr(exponent)
+    steps = (_power(name, power) for name, power in zip(("kg", "m", "s"), dimension, strict=True) if power)
+    return _SHORT.get(dimension) or "*".join(steps)
 
 
 def consistency_unit(index: float) -> str:
     """Return the SI unit of a consistency, Pa s^n."""
-    return "Pa*s" if index == 1 else f"Pa*s^{_written(index)}"
+    return f"Pa*{_power('s', float(index))}"
+
+
+def _power(unit: str, exponent: float) -> str:
+    return unit if exponent == 1 else f"{unit}^{int(exponent) if exponent.is_integer() else repr(exponent)}"
 
 
 def _article(noun: str) -> str:
@@ -183,17 +198,16 @@ def to_si(value: object, dimension: str, unit: str = "") -> float:
     """Turn a quantity into its SI value."""
     if isinstance(value, SI):
         return _finite(float(value), value)
-    wanted = _article(dimension) + (f" in {unit}" if unit else "")
+    wanted = _article(dimension) + (f" in {unit}" if unit != SI_UNITS.get(dimension, "") else "")
     si, found, name = _read(value, wanted)
-    if not same_dimension(found, _measured(unit or SI_UNITS[dimension])[1]):
-        known = (noun for noun, si_name in SI_UNITS.items() if same_dimension(_measured(si_name)[1], found))
+    if not same_dimension(found, dimension_of(unit or SI_UNITS[dimension])):
+        known = (noun for noun, si_name in SI_UNITS.items() if same_dimension(dimension_of(si_name), found))
         is_a = next(map(_article, known), f"of unit {si_unit(found)}")
         raise NotAQuantity(f"'{name}' is {is_a}, not {wanted}")
     # Pint takes radians for pure numbers: 1 rad/s would be read as 1 Hz.
-    if dimension == "frequency" and name not in COMMON:
-        ureg = registry()
-        if "radian" in str(ureg.get_root_units(ureg.parse_units(name))[1]):
-            raise NotAQuantity(f"'{name}' measures an angle, not cycles: a frequency is in Hz, 2 pi rad/s each")
+    pure = dimension != "frequency" or name in COMMON
+    if not pure and "radian" in str(registry().get_root_units(one_of(name).units)[1]):
+        raise NotAQuantity(f"'{name}' measures an angle, not cycles: a frequency is in Hz, 2 pi rad/s each")
     return _finite(si, value)
 
 
@@ -219,55 +233,46 @@ def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
 
 def split_quantity(value: object) -> tuple[float, str]:
     """Number and unit of a quantity as it is given: text, or a pint quantity."""
-    if isinstance(value, str):
-        return _split(value)
     if hasattr(value, "magnitude") and hasattr(value, "units"):
         if not isinstance(value.magnitude, Real):
             raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
         # By name, because a quantity of another registry cannot be converted by ours.
         return _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
-    raise NotAQuantity(f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity")
-
-
-def _split(text: str) -> tuple[float, str]:
-    match = _NUMBER_AND_UNIT.fullmatch(text)
+    if not isinstance(value, str):
+        raise NotAQuantity(f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity")
+    match = _NUMBER_AND_UNIT.fullmatch(value)
     if match is None:
-        raise NotAQuantity(f"{shown(text)} is not a number with a unit")
-    magnitude = _finite(float(match["number"]), text)
+        raise NotAQuantity(f"{shown(value)} is not a number with a unit")
+    magnitude = _finite(float(match["number"]), value)
     if not match["unit"]:
-        raise NotAQuantity(f"{shown(text)} has no unit")
+        raise NotAQuantity(f"{shown(value)} has no unit")
     if not _UNIT.fullmatch(match["unit"]) or _TOWER.search(match["unit"]):
         raise NotAQuantity(f"unknown unit {shown(match['unit'])}")
     return magnitude, match["unit"]
 
 
-def with_unit(value: float, dimension: str, unit: str = "") -> str:
-    """Write an SI value so that `to_si` returns it exactly."""
-    return f"{float(value)!r} {unit or SI_UNITS[dimension]}"
+def with_unit(value: float, unit: str) -> str:
+    """Write an SI value with its unit, if it has one, so that it is read back exactly."""
+    return f"{float(value)!r} {unit}".rstrip()
 
 
 def length_text(value: float, digits: int = 3) -> str:
     """A length [m] with a few digits and the unit that suits it."""
-    factor, unit = next((pair for pair in _LENGTHS if abs(value) >= pair[0]), _LENGTHS[-1])
+    factor, unit = next((pair for pair in ((1.0, "m"), (1e-3, "mm")) if abs(value) >= pair[0]), (1e-6, "um"))
     return f"{float(f'{value / factor:.{digits}g}'):g} {unit}"
-
-
-_LENGTHS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "um"))
 
 
 def shown(value: object, longest: int = 60) -> str:
     """Describe a value from a file in a fault, on one line and not too long."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, dict):
-        return "a table"
+    if isinstance(value, (bool, dict)):
+        return str(value).lower() if isinstance(value, bool) else "a table"
     text = repr(value)
     return text if len(text) <= longest else f"{text[:longest]}..."
 
 
-def did_you_mean(found: str, known: Iterable[str]) -> str:
+def did_you_mean(found: object, known: Iterable[str]) -> str:
     """Name the nearest known word, or nothing when none is near."""
-    nearest = get_close_matches(found, list(known), n=1, cutoff=0.5)
+    nearest = get_close_matches(found, list(known), n=1, cutoff=0.5) if isinstance(found, str) else []
     return f" (did you mean '{nearest[0]}'?)" if nearest else ""
 
 
@@ -276,9 +281,8 @@ def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
     table, _, key = path.rpartition(".")
     here = tables.get(table, ())
     if table and tables.get(key):
-        return Fault(
-            path, f"unknown key (did you mean the table [{key}]?)", ", ".join(f"{key}.{one}" for one in tables[key])
-        )
+        accepted = ", ".join(f"{key}.{one}" for one in tables[key])
+        return Fault(path, f"unknown key (did you mean the table [{key}]?)", accepted)
     elsewhere = [f"{other}.{key}".lstrip(".") for other, keys in tables.items() if key in keys]
     hint = f" (did you mean '{elsewhere[0]}'?)" if elsewhere else did_you_mean(key, here)
     return Fault(path, f"unknown key{hint}", ", ".join(here))
@@ -300,71 +304,61 @@ def fault_of(error: ErrorDetails, tables: Mapping[str, Sequence[str]], accepted:
 SMALLEST, LARGEST = 1e-30, 1e30
 """No quantity of a filament lies beyond in SI units, and products of a few of them neither vanish nor overflow."""
 
+Refused = tuple[tuple[str, ...], PydanticCustomError]
+"""Place below a field, and what is wrong there."""
+
 
 def refusal(found: str, accepted: str, code: str = "scene") -> PydanticCustomError:
     """Build the error by which a validator hands ``Fault(found, accepted)`` through pydantic."""
     return PydanticCustomError(code, "{found}; accepted: {accepted}", {"found": found, "accepted": accepted})
 
 
-def refusals(title: str, faults: Iterable[tuple[tuple[str, ...], PydanticCustomError]]) -> ValidationError:
+def refusals(title: str, faults: Iterable[Refused]) -> ValidationError:
     """Build the error by which a validator hands several refusals through, each at its own place below the field."""
     details = [InitErrorDetails(type=error, loc=steps, input=None) for steps, error in faults]
     return ValidationError.from_exception_data(title, details)
 
 
-def each_refusal(
-    error: PydanticCustomError | ValidationError,
-) -> list[tuple[tuple[str, ...], PydanticCustomError]]:
-    """List the refusals that an error hands through, each with its place below the field."""
-    if isinstance(error, PydanticCustomError):
-        return [((), error)]
-    return [
-        (tuple(map(str, one["loc"])), refusal(str(one["ctx"]["found"]), str(one["ctx"]["accepted"])))
-        for one in error.errors()
-    ]
-
-
-def read_each(title: str, reads: Mapping[str, Callable[[], Any]]) -> dict[str, Any]:
-    """Read several values by their keys; raises the refusals of all at once, each at its place."""
-    found, faults = dict[str, Any](), list[tuple[tuple[str, ...], PydanticCustomError]]()
-    for key, read in reads.items():
+def read_each(title: str, reads: Iterable[tuple[str, Callable[..., Any], tuple[Any, ...]]]) -> dict[str, Any]:
+    """Read several values by key, function and arguments; raises the refusals of all at once, each at its place."""
+    found, faults = dict[str, Any](), list[Refused]()
+    for key, read, arguments in reads:
         try:
-            found[key] = read()
-        except (PydanticCustomError, ValidationError) as error:
-            faults += [((key, *steps), one) for steps, one in each_refusal(error)]
+            found[key] = read(*arguments)
+        except PydanticCustomError as error:
+            faults.append(((key,), error))
+        except ValidationError as error:
+            inner = ((tuple(map(str, one["loc"])), one["ctx"]) for one in error.errors())
+            faults += [((key, *steps), refusal(context["found"], context["accepted"])) for steps, context in inner]
     if faults:
         raise refusals(title, faults)
     return found
-
-
-def read_fields(title: str, value: Mapping[Any, object], kinds: Mapping[str, Kind], needed: Iterable[str]) -> Any:
-    """Read a table of known keys, some of which it needs, as `read_each` does."""
-
-    def unknown() -> None:
-        raise refusal("unknown key", ", ".join(kinds))
-
-    def read(key: str) -> Any:
-        if key not in value:
-            raise kinds[key].refuse("missing")
-        return kinds[key].read(value[key])
-
-    known = {key: partial(read, key) for key in kinds if key in value or key in needed}
-    return read_each(title, {**{str(key): unknown for key in value if key not in kinds}, **known})
 
 
 _LONGEST = 20_000
 """Items of a list: twenty thousand rows take half a second to read."""
 
 
-class Kind(ABC):
+class Kind:
     """How one sort of value is read, described and written; stands in ``Annotated[float, kind]``."""
 
-    accepted: str  # What is accepted, in words for a fault
     si = False  # Whether Python may give it as bare numbers in SI
+    unit = ""  # In SI; empty for what has none
 
-    @abstractmethod
+    def __init__(self, accepted: str, check: Callable[[Any], Any] | None = None) -> None:
+        self.accepted = accepted  # In words for a fault
+        self.check = check or self.check  # type: ignore[assignment, method-assign]
+
+    def check(self, value: Any) -> Any:
+        """Return the value as it is kept; raises `NotAQuantity` or `refusal`."""
+        raise NotImplementedError
+
     def read(self, value: object) -> Any:
         """Return the validated value; raises `refusal`."""
+        try:
+            return self.check(value)
+        except NotAQuantity as found:
+            raise self.refuse(str(found)) from None
 
     def write(self, value: Any) -> object:
         """Return what TOML holds; ``read(write(value)) == value``."""
@@ -382,6 +376,12 @@ class Kind(ABC):
             raise refusal(f"a list of {len(value)}", f"at most {_LONGEST}: {self.accepted}")
         return value
 
+    def table(self, value: object) -> Mapping[Any, Any]:
+        """Return a table; raises `refusal`."""
+        if not isinstance(value, Mapping):
+            raise self.refuse(f"{shown(value)} is not a table")
+        return value
+
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.read)
 
@@ -396,49 +396,43 @@ class Quantity(Kind):
     si = True
 
     def __init__(self, dimension: str, example: str, sign: str = "positive", unit: str = "") -> None:
-        self.dimension, self.example, self.sign, self.unit = dimension, example, sign, unit
         what = dimension if sign == "any" else f"{sign} {dimension}"
-        self.accepted = f'{_article(what)} with its unit, such as "{example}"'
+        super().__init__(f'{_article(what)} with its unit, such as "{example}"')
+        self.dimension, self.example, self.sign, self.unit = dimension, example, sign, unit or SI_UNITS[dimension]
 
     def measured(self, value: object) -> float:
         """Return the value in its SI unit; raises `NotAQuantity`."""
         return to_si(value, self.dimension, self.unit)
 
-    def read(self, value: object) -> float:
-        try:
-            si = self.measured(value)
-        except NotAQuantity as found:
-            raise self.refuse(str(found)) from None
+    def check(self, value: object) -> float:
+        si = self.measured(value)
         if si < 0 and self.sign != "any":
-            raise self.refuse(f"{shown(value)} is negative")
+            raise NotAQuantity(f"{shown(value)} is negative")
         if si == 0 and self.sign == "positive":
-            raise self.refuse(f"{shown(value)} is zero")
+            raise NotAQuantity(f"{shown(value)} is zero")
         if si != 0 and not SMALLEST <= abs(si) <= LARGEST:
-            raise self.refuse(f"{shown(value)} is beyond {SMALLEST:g} to {LARGEST:g} in SI units")
+            raise NotAQuantity(f"{shown(value)} is beyond {SMALLEST:g} to {LARGEST:g} in SI units")
         return si + 0.0  # -0.0 would make equal scenes print differently
 
     def write(self, value: float) -> object:
-        return with_unit(value, self.dimension, self.unit)
+        return with_unit(value, self.unit)
 
 
 class Number(Kind):
     """A dimensionless number strictly between two bounds, or equal to the lower one if that is `closed`."""
 
     def __init__(self, above: float = -math.inf, below: float = math.inf, *, closed: bool = False) -> None:
-        self.above, self.below, self.closed = above, below, closed
         sign = "" if above < 0 else "non-negative " if closed else "positive "
-        self.accepted = f"a {sign}number without a unit"
-        if below < math.inf:
-            self.accepted = f"a number between {above:g} and {below:g}, both excluded"
+        between = f"a number between {above:g} and {below:g}, both excluded"
+        super().__init__(between if below < math.inf else f"a {sign}number without a unit")
+        self.above, self.below, self.closed = above, below, closed
 
-    def read(self, value: object) -> float:
+    def check(self, value: object) -> float:
         if not _is_number(value):
-            raise self.refuse(f"{shown(value)} is not a number")
-        number = _float(value)
-        if not math.isfinite(number):
-            raise self.refuse(f"{shown(value)} is not finite")
+            raise NotAQuantity(f"{shown(value)} is not a number")
+        number = _finite(_float(value), value)
         if not self.above < number < self.below and not (self.closed and number == self.above):
-            raise self.refuse(f"{shown(value)} is out of range")
+            raise NotAQuantity(f"{shown(value)} is out of range")
         return number
 
 
@@ -446,14 +440,14 @@ class Whole(Kind):
     """A whole number between two bounds, both included."""
 
     def __init__(self, least: int, most: int) -> None:
+        super().__init__(f"a whole number from {least} to {most}")
         self.least, self.most = least, most
-        self.accepted = f"a whole number from {least} to {most}"
 
-    def read(self, value: object) -> int:
+    def check(self, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, Integral):
-            raise self.refuse(f"{shown(value)} is not a whole number")
+            raise NotAQuantity(f"{shown(value)} is not a whole number")
         if not self.least <= int(value) <= self.most:
-            raise self.refuse(f"{shown(value)} is out of range")
+            raise NotAQuantity(f"{shown(value)} is out of range")
         return int(value)
 
 
@@ -462,116 +456,135 @@ class Choice(Kind):
 
     def __init__(self, options: Any) -> None:
         self.options: tuple[str | int, ...] = get_args(options) or options
-        self.accepted = ", ".join(map(str, self.options))
+        super().__init__(", ".join(map(str, self.options)))
 
-    def read(self, value: object) -> str | int:
+    def check(self, value: object) -> str | int:
         for option in self.options:
             if isinstance(value, type(option)) and not isinstance(value, bool) and value == option:
                 return option
         names = [option for option in self.options if isinstance(option, str)]
         if len(names) < len(self.options) and not isinstance(value, str):
-            raise self.refuse(f"{shown(value)} is none of these")
-        raise self.refuse(_unknown_name(value, names))
+            raise NotAQuantity(f"{shown(value)} is none of these")
+        raise NotAQuantity(f"{shown(value)} is not a name known here{did_you_mean(value, names)}")
 
 
-def _unknown_name(value: object, names: Sequence[str]) -> str:
-    hint = did_you_mean(value, names) if isinstance(value, str) else ""
-    return f"{shown(value)} is not a name known here{hint}"
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise NotAQuantity(f"{shown(value)} is not text")
+    # Half a letter has no bytes, NUL ends a text in a netCDF file, and the others would move a terminal's cursor.
+    if any(category(letter) in ("Cc", "Cs") and letter not in "\t\n" for letter in value):
+        raise refusal(f"{shown(value)} holds a control character", f"{TEXT.accepted}, of letters and signs")
+    return value
 
 
-class Text(Kind):
-    """Any text."""
-
-    accepted = "text in quotes"
-
-    def read(self, value: object) -> str:
-        if not isinstance(value, str):
-            raise self.refuse(f"{shown(value)} is not text")
-        # Half a letter has no bytes, NUL ends a text in a netCDF file, and the others would move a terminal's cursor.
-        if any(category(letter) in ("Cc", "Cs") and letter not in "\t\n" for letter in value):
-            raise refusal(f"{shown(value)} holds a control character", f"{self.accepted}, of letters and signs")
-        return value
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise NotAQuantity(f"{shown(value)} is neither true nor false")
+    return value
 
 
-class Flag(Kind):
-    """True or false."""
-
-    accepted = "true or false"
-
-    def read(self, value: object) -> bool:
-        if isinstance(value, bool):
-            return value
-        raise self.refuse(f"{shown(value)} is neither true nor false")
+TEXT, FLAG = Kind("text in quotes", _text), Kind("true or false", _flag)
 
 
 class Values(Kind):
-    """A list of values of one kind: exactly so many, or, if it is not empty, at least so many."""
+    """A list of values of one kind, of which there may be none if it is `optional`; ``then`` changes what was read."""
 
-    def __init__(self, item: Kind, accepted: str, least: int = 1, *, exactly: bool = False) -> None:
-        self.item, self.si, self.accepted, self.least, self.exactly = item, item.si, accepted, least, exactly
+    def __init__(
+        self,
+        item: Kind,
+        accepted: str,
+        least: int = 0,
+        most: int = _LONGEST,
+        *,
+        optional: bool = False,
+        then: Callable[[Any, tuple[Any, ...]], Any] = lambda given, values: values,
+    ) -> None:
+        super().__init__(accepted)
+        self.item, self.si, self.least, self.most, self.optional, self.then = item, item.si, least, most, optional, then
 
-    def read(self, value: object) -> tuple[Any, ...]:
+    def check(self, value: object) -> Any:
         items = self.listed(value, "a list")
-        if (len(items) < self.least and (items or self.exactly)) or (self.exactly and len(items) > self.least):
-            raise self.refuse(f"a list of {len(items)}")
-        return tuple(self.item.read(item) for item in items)
+        if not self.least <= len(items) <= self.most and (items or not self.optional):
+            raise NotAQuantity(f"a list of {len(items)}")
+        return self.then(value, tuple(self.item.read(item) for item in items))
 
     def write(self, value: tuple[Any, ...]) -> object:
         return [self.item.write(item) for item in value]
 
 
-def three(item: Kind, accepted: str) -> Values:
-    """Three values of one kind: right, up and towards the viewer."""
-    return Values(item, accepted, 3, exactly=True)
+def _of_length_one(value: object, given: tuple[float, ...]) -> tuple[float, ...]:
+    largest = max(map(abs, given))
+    if largest == 0:
+        raise NotAQuantity(f"{shown(value)} points nowhere")
+    # What has length one already stays as it is, so that a direction written is read back to the last bit.
+    if not math.isclose(math.hypot(*given), 1, rel_tol=1e-12):
+        given = tuple(one / largest for one in given)
+        given = tuple(one / math.hypot(*given) for one in given)
+    return tuple(one + 0.0 for one in given)
 
 
+_THREE = "three numbers without units, right, up and towards the viewer, such as [0, -1, 0]"
+UNIT_VECTOR = Values(Number(), _THREE, 3, 3, then=_of_length_one)
+"""A direction: three numbers of any size, stored with length one."""
 NUMBERS = Values(Number(), "a list of numbers without units")
-_OF_LENGTH_ONE = 1e-12
-
-
-class UnitVector(Values):
-    """A direction: three numbers of any size, stored with length one."""
-
-    def __init__(self) -> None:
-        accepted = "three numbers without units, right, up and towards the viewer, such as [0, -1, 0]"
-        super().__init__(Number(), accepted, 3, exactly=True)
-
-    def read(self, value: object) -> tuple[float, ...]:
-        given = super().read(value)
-        largest = max(map(abs, given))
-        if largest == 0:
-            raise self.refuse(f"{shown(value)} points nowhere")
-        # What has length one already stays as it is, so that a direction written is read back to the last bit.
-        if not math.isclose(math.hypot(*given), 1, rel_tol=_OF_LENGTH_ONE):
-            given = tuple(one / largest for one in given)
-            given = tuple(one / math.hypot(*given) for one in given)
-        return tuple(one + 0.0 for one in given)
 
 
 class Names(Kind):
     """A list of names, or one of a few words that stand for a list."""
 
     def __init__(self, *words: str) -> None:
+        super().__init__(f"{', '.join(words)}, or a list of names")
         self.words = words
-        self.accepted = f"{', '.join(words)}, or a list of names"
 
-    def read(self, value: object) -> str | tuple[str, ...]:
+    def check(self, value: Any) -> str | tuple[str, ...]:
         if isinstance(value, str):
             if value in self.words:
                 return value
             if value.strip().startswith("["):
-                raise self.refuse(f"{shown(value)} is not a list: its brackets or quotes do not match")
-            list_of_one = f', or a list, even of one: ["{value}"]'
-            raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
+                raise NotAQuantity(f"{shown(value)} is not a list: its brackets or quotes do not match")
+            accepted = f'{", ".join(self.words)}, or a list, even of one: ["{value}"]'
+            raise refusal(f"{shown(value)} is not a name known here{did_you_mean(value, self.words)}", accepted)
         names = self.listed(value, "a list of names")
         if not all(isinstance(item, str) for item in names):
-            raise self.refuse(f"{shown(value)} is not a list of names")
+            raise NotAQuantity(f"{shown(value)} is not a list of names")
         if not names:
-            raise self.refuse(f"{shown(value)} names nothing")
-        repeated = sorted(item for item, count in Counter(names).items() if count > 1)
-        if repeated:
+            raise NotAQuantity(f"{shown(value)} names nothing")
+        if repeated := sorted({item for item in names if names.count(item) > 1}):
             raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")
         return tuple(names)
+
+
+class Record(Kind):
+    """A table whose keys are the fields of a dataclass, each ``Annotated[type, kind]``; None stays None."""
+
+    si = True
+
+    def __init__(self, made: type[Any], accepted: str) -> None:
+        super().__init__(accepted)
+        self.made, self.defaults = made, {one.name: one.default for one in fields(made)}
+        self.kinds: dict[str, Kind] = {
+            name: hint.__metadata__[0] for name, hint in get_type_hints(made, include_extras=True).items()
+        }
+
+    def check(self, value: Any) -> Any:
+        if value is None or isinstance(value, self.made):
+            return value
+        unknown = [key for key in self.table(value) if key not in self.kinds]
+        known = [key for key in self.kinds if key in value or self.defaults[key] is MISSING]
+
+        def read(key: Any) -> Any:
+            if key not in self.kinds:
+                raise refusal("unknown key", ", ".join(self.kinds))
+            if key not in value:
+                raise self.kinds[key].refuse("missing")
+            return self.kinds[key].read(value[key])
+
+        return self.made(**read_each(self.made.__name__, ((str(key), read, (key,)) for key in (*unknown, *known))))
+
+    def write(self, value: Any) -> object:
+        given = {name: getattr(value, name, None) for name in self.kinds}
+        kept = {name: one for name, one in given.items() if one is not None and one != self.defaults[name]}
+        return value and {name: self.kinds[name].write(one) for name, one in kept.items()}
 
 
 _TIME = Quantity("time", "1 s", "any")
@@ -585,19 +598,19 @@ class Rows(Kind):
     si = True
 
     def __init__(self, columns: Sequence[Quantity], named: str, accepted: str, least: int, min_rows: int = 0) -> None:
-        self.columns, self.named, self.accepted = columns, named, accepted
-        self.least, self.min_rows = least, min_rows
+        super().__init__(accepted)
+        self.columns, self.named, self.least, self.min_rows = columns, named, least, min_rows
 
-    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
+    def check(self, value: object) -> tuple[tuple[float, ...], ...]:
         if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
             return ()
         given = self.listed(value, "a list of rows")
         for row in given:
             if not isinstance(row, (list, tuple)) or not self.least <= len(row) <= len(self.columns):
-                raise self.refuse(f"{shown(row)} is not a row {self.named}")
+                raise NotAQuantity(f"{shown(row)} is not a row {self.named}")
         rows = [tuple(column.read(item) for column, item in zip(self.columns, row, strict=False)) for row in given]
         if len(rows) < self.min_rows:
-            raise self.refuse(f"a list of {len(rows)}")
+            raise NotAQuantity(f"a list of {len(rows)}")
         if any(any(row[self.least :]) for row in rows):
             return tuple((*row, *(0.0,) * (len(self.columns) - len(row))) for row in rows)
         return tuple(row[: self.least] for row in rows)

@@ -20,7 +20,7 @@ from softcat_sym.solvers.compiled import (
     Answer,
     CModel,
     Doubles,
-    Filament,
+    FilamentStruct,
     Options,
     RunInput,
     Status,
@@ -35,11 +35,11 @@ _RUNTIME = (*STEADY, *_NATIVE)
 _INTEGRATE = "softcat_lanes_integrate"
 
 
-class Member(ct.Structure):
+class MemberStruct(ct.Structure):
     """softcat_member."""
 
     _fields_ = (
-        ("filament", Filament),
+        ("filament", FilamentStruct),
         ("options", Options),
         ("state", Doubles),
         ("times", Doubles),
@@ -86,13 +86,13 @@ class LanesModel:
 
     def integrate(self, runs: Sequence[RunInput], rooms: Sequence[Answer], stop: ct.c_int | None = None) -> None:
         """Integrate runs with the same number of sites and the same method, as :meth:`CModel.integrate` does."""
-        members, kept = (Member * len(runs))(), list[object]()
+        members, kept = (MemberStruct * len(runs))(), list[object]()
         for member, run, room in zip(members, runs, rooms, strict=True):
             arrays = [np.ascontiguousarray(array) for array in (run.parameters, run.places, run.state, run.times)]
             options = run.options(stop, room.turns)
             kept += [options, *arrays]
             parameters, places, state, times = (doubles(array) for array in arrays)
-            member.filament = Filament(len(run.state), parameters, places)
+            member.filament = FilamentStruct(len(run.state), parameters, places)
             member.options = options
             member.state, member.times, member.count = state, times, len(run.times)
             member.states = doubles(room.states)
@@ -117,5 +117,5 @@ def lanes_of(model: CModel) -> LanesModel:
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     library = load(compile_library(runtime_sources() | lanes_sources(), flags=_RUNTIME), _INTEGRATE)
-    library.softcat_lanes_integrate.argtypes = [ct.c_void_p, ct.POINTER(Member), ct.c_int]
+    library.softcat_lanes_integrate.argtypes = [ct.c_void_p, ct.POINTER(MemberStruct), ct.c_int]
     return library

@@ -13,7 +13,7 @@ from softcat_sym.batch.plan import read_range
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.material import twins
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.units import COMMON, PURE, SI_UNITS, Quantity, si_unit
+from softcat_sym.scene.units import COMMON, PURE, Quantity, si_unit
 from softcat_sym.web.fixed import (
     NEEDED,
     Fixed,
@@ -229,7 +229,7 @@ def _unit(scene: Scene, key: str, value: float) -> tuple[str, float, str]:
     kind, known = kind_of(scene, {}, key), scene.named_constants().get(key)
     written = si_unit(known.dimension) if known is not None else ""
     if isinstance(kind, Quantity):
-        written = kind.unit or SI_UNITS[kind.dimension]
+        written = kind.unit
     if written not in COMMON:
         return written, 1.0, written
     alike = {unit: size for unit, (size, of) in COMMON.items() if of == COMMON[written][1] and unit not in _UNUSUAL}

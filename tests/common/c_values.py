@@ -9,12 +9,12 @@ import numpy as np
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library, load
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.solvers.compiled import SOLVED, Filament, doubles
+from softcat_sym.solvers.compiled import SOLVED, FilamentStruct, doubles
 from tests.common.rosenbrock import RUNTIME, Model
 
 STRICT = ("-Wall", "-Wextra", "-Werror", "-pedantic")
 _Doubles = c.POINTER(c.c_double)
-_Function = c.CFUNCTYPE(c.c_int, c.POINTER(Filament), c.c_double, _Doubles, _Doubles, _Doubles)
+_Function = c.CFUNCTYPE(c.c_int, c.POINTER(FilamentStruct), c.c_double, _Doubles, _Doubles, _Doubles)
 _BEYOND = 64
 """Doubles behind each array, so that a stray index is found."""
 
@@ -41,7 +41,7 @@ class CModel:
         """Every function at a state (sites, slots), of all unknowns, site by site."""
         of, sites = self.table, len(state)
         p, g, y = (np.ascontiguousarray(array, dtype=float) for array in (parameters, places, state))
-        filament = Filament(sites, doubles(p), doubles(g))
+        filament = FilamentStruct(sites, doubles(p), doubles(g))
         scratch = np.full(sites * of.scratch + _BEYOND, np.nan)
 
         def call(name: str, size: int) -> Floats:

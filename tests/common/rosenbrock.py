@@ -12,7 +12,7 @@ import numpy as np
 
 import softcat_sym.codegen
 from softcat_sym.codegen.library import compile_library, load
-from softcat_sym.solvers.compiled import CDirections, CTurns, Filament, Integers, Options, Status
+from softcat_sym.solvers.compiled import CDirections, CTurns, FilamentStruct, Integers, Options, Status
 
 RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"
@@ -90,9 +90,9 @@ class Problem:
     parameters: np.ndarray | Sequence[float] = ()
     places: np.ndarray | Sequence[float] = ()
 
-    def filament(self) -> Filament:
+    def filament(self) -> FilamentStruct:
         """The filament as C sees it."""
-        return Filament(self.sites, doubles(self.parameters), doubles(self.places))
+        return FilamentStruct(self.sites, doubles(self.parameters), doubles(self.places))
 
 
 def problem(name: str, *parameters: float) -> Problem:

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.reference.element_loop import Clamp, ElementLoop, Mesh, Strip, Supports, half_span_supports
+from softcat_sym.reference.element_loop import Clamp, ElementLoop, HalfFilament, Mesh, Restraints, half_span_supports
 from softcat_sym.reference.material_point import PointCode, point_code
 from softcat_sym.scene.scene import Scene
 
@@ -23,21 +23,21 @@ def code_of(law: str) -> PointCode:
     return point_code(law)
 
 
-def unheld(strip: Strip) -> Supports:
-    return Supports(np.zeros(strip.position.shape, dtype=bool), strip.face[:0])
+def unheld(strip: HalfFilament) -> Restraints:
+    return Restraints(np.zeros(strip.position.shape, dtype=bool), strip.face[:0])
 
 
 def free_loop(
     mesh: Mesh, thickness: float, law: str = "elastic", gravity: float = 0.0, pull: float = 0.0, ramp: float = 0.0
 ) -> ElementLoop:
-    strip = Strip(mesh, thickness)
+    strip = HalfFilament(mesh, thickness)
     material = ELASTIC if law == "elastic" else BINGHAM
     return ElementLoop(strip, unheld(strip), code_of(law), material, gravity=gravity, pull=pull, ramp=ramp)
 
 
 def clamped_loop(mesh: Mesh, thickness: float, gravity: float, poisson: float) -> ElementLoop:
     """An elastic half strip under sudden gravity."""
-    strip = Strip(mesh, thickness)
+    strip = HalfFilament(mesh, thickness)
     material = {"youngs_modulus": 1.0, "poisson": poisson}
     return ElementLoop(strip, half_span_supports(strip, Clamp.THINNING), code_of("elastic"), material, gravity=gravity)
 
@@ -48,7 +48,7 @@ def internal_force(loop: ElementLoop) -> Floats:
     return -loop.strip.mass[:, None] * loop.acceleration
 
 
-def deformed(strip: Strip, gradient: npt.ArrayLike) -> Floats:
+def deformed(strip: HalfFilament, gradient: npt.ArrayLike) -> Floats:
     """Displacements of a uniform deformation gradient; shape (nodes, 2)."""
     return strip.position @ (np.asarray(gradient, dtype=float) - np.eye(2)).T
 

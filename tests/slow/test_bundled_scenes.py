@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.estimates.forecast import expected_sag
 from softcat_sym.results.motion import period_of
 from softcat_sym.scene.bundled import bundled_lesson
 from tests.common import curves
@@ -200,15 +199,7 @@ def test_a_scene_shows_its_lesson_keeps_its_energy_and_is_saved_as_it_was_read(n
     assert sc.open_run(tmp_path / name).scene == sc.load_scene(tmp_path / name / "scene.toml") == scene
 
 
-OF_EACH_KIND = (
-    *("stretched-rubber-band", "cooked-spaghetti", "coil-spring", "hot-glue-string", "polyethylene-melt", "cold-honey"),
-    *("bread-dough", "ink-bridge", "toothpaste", "transient-gel", "polymer-thread", "thermoforming-sheet", "glass-rod"),
-    *("beam-viscometer", "slack-taffy", "embedded-strand"),
-)
-"""Of each law, section, end, start and surroundings."""
-
-
-@pytest.mark.parametrize("name", OF_EACH_KIND)
+@pytest.mark.parametrize("name", sorted({*sc.bundled_names()} - {RUPTURES}))
 def test_time_error_is_a_tenth_of_the_accuracy(name: str) -> None:
     """Against CasADi's Rosenbrock method on the interpreted graph, with a tolerance far below the default's.
 
@@ -255,34 +246,3 @@ def test_steps_keep_a_ringing_of_hundreds_of_periods() -> None:
     assert exact["midpoint_settled_m"]["amplitude"] > 3 * accuracy * largest
     for name, value in exact["midpoint_settled_m"].items():
         assert found["midpoint_settled_m"][name] == pytest.approx(value, abs=0.1 * accuracy * largest), name
-
-
-@pytest.mark.filterwarnings("ignore:it rings at")
-def test_the_regime_does_not_depend_on_the_frames() -> None:
-    """21 and 2001 of them; the rebound, of the sag, to 1 %."""
-    for name in OF_EACH_KIND:
-        changes = {"numerics.estimate": False, "run.until": "duration"}
-        few, many = (sc.simulate(sc.load_scene(name, {**changes, "run.frames": n})).summary for n in (21, 2001))
-        assert (few["outcome"], few["regime"]) == (many["outcome"], many["regime"]), name
-        assert few["rebound"] == pytest.approx(many["rebound"], abs=0.01), name
-
-
-@pytest.mark.parametrize(
-    ("name", "within"),
-    # How far the swing by the whole sag may be from a small one.
-    [("rubber-strand", 0.02), ("printed-lintel", 0.03), ("embedded-strand", 0.03), ("cooked-spaghetti", 0.05)],
-)
-def test_scenes_ring_as_was_foreseen(name: str, within: float) -> None:
-    scene = sc.load_scene(name)
-    ramp, foreseen = scene.load.ramp, ringing(scene).frequency / (2 * np.pi)
-    length = {"run.duration": f"{ramp + 6 / foreseen} s", "run.frames": 401, "numerics.estimate": False}
-    # A solid creeps on after the ramp, as it does in a longer one: until the middle of the run that is looked at.
-    foreseen = ringing(scene.replace({"load.ramp": f"{ramp + 2 * 3 / foreseen} s"})).frequency / (2 * np.pi)
-    loaded = sc.simulate(scene.replace(length)).data.sel(time=slice(ramp, None))
-    time, heights = loaded.time.values, loaded.midpoint.values
-    swing = (heights - np.polyval(np.polyfit(time, heights, 1), time)) * np.hanning(len(time))
-    spectrum = np.abs(np.fft.rfft(swing, 64 * len(time)))
-    frequency = np.fft.rfftfreq(64 * len(time), time[1] - time[0])
-    found = float(frequency[np.argmax(np.where(frequency > foreseen / 3, spectrum, 0.0))])
-    show(name, ("rings at [Hz]", "foreseen"), [[f"{found:.4g}", f"{foreseen:.4g}"]])
-    assert found == pytest.approx(foreseen, rel=within)

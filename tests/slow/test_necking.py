@@ -8,16 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
-from softcat_sym.effects.scaling_estimates import neck_length
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.estimates.scaling import neck_length
 from softcat_sym.results.verdict import neck_strain
 from tests.common.elements import PUBLISHED, filament, mean, plane
 from tests.common.random_scenes import NUMBER, SEED, random_scenes
@@ -25,7 +24,6 @@ from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
-CASES = Path(__file__).parents[1] / "cases"
 NAME, CELLS = "arrested-underdamped", (40, 80)
 TIGHT: Mapping[str, object] = {"numerics.rtol": 1e-4, "numerics.grading": 10.0}
 """The error of the integrator must not show beside a tenth of a percent; the ratio of the cells is fixed."""
@@ -106,27 +104,3 @@ def test_where_it_is_left_out_it_changes_little() -> None:
         rows.append([name, f"{worth:.1e}", f"{scene.run.accuracy:g}"])
         assert worth < scene.run.accuracy / 3, rows
     show("necking gradient left out", ["scene", "changes the midpoint by", "accuracy"], rows)
-
-
-def test_a_thread_of_chains_that_converges_is_no_neck() -> None:
-    """Its strain gathers at its pins: -0.29048 m, from 320 cells at tolerances of 1e-9; a mobility of 0.9 cuts it."""
-    rows, shares = [], {0.3: list[float](), 0.9: list[float]()}
-    for mobility, found in shares.items():
-        for cells in (20, 40, 80, 160):
-            changes = {"numerics.cells": cells, "numerics.estimate": False, "material.mobility": mobility}
-            thread = sc.simulate(sc.load_scene(CASES / "giesekus-thread.toml", changes))
-            elongation = (thread.fields["stretch"][-1] - 1) * np.diff(thread.fields["X_node"])
-            found.append(float(elongation[0] / np.sum(elongation[: len(elongation) // 2])))
-            sag = thread.summary["midpoint_final_m"]
-            rows.append([mobility, cells, f"{sag:.5f}", f"{found[-1]:.2f}", thread.outcome.name])
-            assert thread.outcome is (sc.Outcome.solved if mobility == 0.3 else sc.Outcome.localised)
-            assert mobility == 0.9 or sag == pytest.approx(-0.29048, rel=1e-4 if cells == 160 else 0.01)
-    show("a Giesekus thread", ("mobility", "cells", "midpoint [m]", "share of the last cell of a half", ""), rows)
-    assert shares[0.3][-1] < 0.75 * shares[0.3][0] and shares[0.9][-1] > 0.95 * shares[0.9][0]
-
-
-def test_a_neck_that_goes_on_for_ever_ends() -> None:
-    """G = 0.83: a catenary would bear it, but its clamps are drawn out."""
-    changes = {"material.shear_yield_stress": "3 kPa", "numerics.cells": 10, "numerics.estimate": False}
-    found = sc.simulate(sc.load_scene(CASES / "runaway-concrete.toml", changes))
-    assert found.outcome in (sc.Outcome.localised, sc.Outcome.ruptured)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -63,12 +62,3 @@ def test_slow_heating_is_followed() -> None:
         assert lag == pytest.approx(rate * tau, rel=1e-4)
     show("Lag behind a furnace that warms", ("b [K/s]", "lag [K]", "b tau [K]"), rows)
     assert _orders(errors, 4) == pytest.approx([1, 1], abs=1e-3)
-
-
-def test_pla_cools_from_the_nozzle_to_the_room() -> None:
-    """Below its WLF: what it sags by has stopped long before the end."""
-    pla = sc.simulate(Path(__file__).parents[1] / "cases" / "pla-from-the-nozzle.toml")
-    heights, T = pla.fields["midpoint"], pla.fields["temperature"]
-    assert any("frozen" in text for text in pla.scene.notes)
-    assert pla.outcome is sc.Outcome.solved and np.ptp(heights[len(heights) // 2 :]) < 1e-6 * abs(heights[-1])
-    assert T[0].min() == pytest.approx(483.15) and T[-1].max() < 300

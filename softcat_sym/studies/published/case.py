@@ -23,7 +23,7 @@ from softcat_sym.simulate import simulated
 Floats = npt.NDArray[np.float64]
 
 
-class Kind(StrEnum):
+class DataKind(StrEnum):
     """Kind of data with which a case is compared."""
 
     MEASURED = "measured"
@@ -32,7 +32,7 @@ class Kind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Row:
+class PublishedValue:
     """One number that others have published, and ours."""
 
     quantity: str
@@ -56,7 +56,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Curve:
+class CaseCurve:
     """A line, or points where it `is_published`, of a case's picture."""
 
     label: str
@@ -66,12 +66,12 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Picture:
+class CasePicture:
     """Content of a case's picture."""
 
     x: str
     y: str
-    curves: tuple[Curve, ...]
+    curves: tuple[CaseCurve, ...]
     is_log_x: bool = False
     is_log_y: bool = False
     published_x: float | None = None  # Published values, drawn as a vertical or a horizontal line
@@ -82,8 +82,8 @@ class Picture:
 class Finding:
     """Results of the runs of a case."""
 
-    rows: tuple[Row, ...]
-    picture: Picture | None = None
+    rows: tuple[PublishedValue, ...]
+    picture: CasePicture | None = None
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ class Case:
     name: str  # Name of the case for the command
     title: str  # Subject
     source: str  # Publication
-    kind: Kind  # Kind of the published data
+    kind: DataKind  # Kind of the published data
     stated: str  # Statement of the source, and where it was read
     independent: str = ""  # Parts of the comparison that are independent of this package
     explains: str = ""  # Possible explanation of a difference
