@@ -103,7 +103,7 @@ class Memory:
     def update(self, done, members, left):
         if done % 1000 == 0:
             self.peaks[done] = peak_memory()
-changes = {"run.effects": "paper", "numerics.cells": 10, "run.accuracy": 0.01, "run.frames": 41}
+changes = {"run.effects": "paper", "numerics.cells": 6, "run.accuracy": 0.01, "run.frames": 41}
 vary, members, begun = ("groups.G=0.05:1.5:log", "groups.V=10:100:log"), int(sys.argv[2]), time.monotonic()
 scene, memory = sc.load_scene("continual-descent", changes), Memory()
 done = sc.sweep(scene, vary, sys.argv[1], mode="lhs", samples=members, seed=1, progress=memory)
@@ -122,7 +122,7 @@ def test_thousands_of_filaments_in_constant_memory(tmp_path: Path) -> None:
     record: dict[str, Any] = json.loads(done.stdout)
     peaks = {int(members): peak for members, peak in record["peaks"].items()}
     title = (
-        f"{count} filaments (continual-descent, paper's physics, N = 10, 41 frames), {record['place']}: "
+        f"{count} filaments (continual-descent, paper's physics, N = 6, 41 frames), {record['place']}: "
         f"{record['wall']:.0f} s, {count / record['wall']:.0f}/s; {record['outcomes']}; "
         f"store {record['bytes'] / 1e6:.1f} MB"
     )
