@@ -115,7 +115,7 @@ print(json.dumps(record | {"place": done.place, "bytes": done.path.stat().st_siz
 
 def test_thousands_of_filaments_in_constant_memory(tmp_path: Path) -> None:
     """In a process of its own, whose peak memory is that of the sweep."""
-    count = 4000
+    count = 3000
     command = [sys.executable, "-c", STREAMING, str(tmp_path), str(count)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
