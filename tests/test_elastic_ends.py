@@ -205,7 +205,6 @@ left_stiffness = "20 N/m"
 [run]
 duration = "1 s"
 """
-SLIDING = {"ends.right": "elastic", "ends.right_stiffness": "1 N/m", "ends.right_slides": True}
 FAULTS: dict[str, tuple[dict[str, Any], str]] = {
     "negative": ({"ends.left_stiffness": "-2 N/m"}, "ends.left_stiffness"),
     "zero in displacement": ({"ends.left_stiffness": "0 N/m"}, "ends.left_stiffness"),

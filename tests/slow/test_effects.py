@@ -307,8 +307,7 @@ def test_a_linear_profile_of_fibres_is_the_run_without_them() -> None:
 
 # Every registered effect has a bundled scene in which it matters, a limit test and a derivation.
 NAMES = [effect.name for effect in REGISTRY]
-WHOLE = REGISTRY[0]
-COARSE = {"numerics.cells": 10, "numerics.fibres": 6}
+COARSE = {"numerics.cells": 10, "numerics.estimate": False}
 
 
 def test_every_effect_has_its_scene_its_limit_and_its_derivation() -> None:
@@ -324,7 +323,8 @@ def test_no_limit_is_of_an_unknown_effect() -> None:
 @pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
 def test_it_matters_in_its_scene(effect: Effect) -> None:
     """Leaving it out changes the midpoint by more than the accuracy asked, or the run cannot be finished."""
-    scene = sc.load_scene(effect.example, COARSE if "fibres" in lists(effect)[1] else {"numerics.cells": 10})
+    fibres = {"numerics.fibres": 6} if "fibres" in lists(effect)[1] else {}
+    scene = sc.load_scene(effect.example, COARSE | fibres)
     runs = [sc.simulate(with_effects(scene, names)) for names in lists(effect)]
     assert runs[0].outcome is sc.Outcome.solved
     change = float("inf")

@@ -21,7 +21,7 @@ BODY = ["--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm", "--
 OIL = ["--law", "newtonian", "--viscosity", "1 MPa*s", "--sag", "0.1 mm"]
 FREE = ["--free", "yield_stress", "--free", "viscosity", "--starts", "0"]
 COMMANDS = {
-    "sweep": ["sweep", "arrested-overdamped", "--vary", "groups.G=0.1:0.5:25", "--workers", "1", *QUICK],
+    "sweep": ["sweep", "arrested-overdamped", "--vary", "groups.G=0.1:0.5:9", "--workers", "1", *QUICK],
     "phase": ["phase", "--plane", "G-V", "--resolution", "4", "--workers", "1", *QUICK],
     "fit": ["fit", "FILM", "--scene", "continual-descent", *SETS, *FREE],
     "card": ["card", *BODY, *OIL, *QUICK],

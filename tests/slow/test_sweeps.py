@@ -103,7 +103,7 @@ class Memory:
     def update(self, done, members, left):
         if done % 1000 == 0:
             self.peaks[done] = peak_memory()
-changes = {"run.effects": "paper", "numerics.cells": 10, "run.accuracy": 0.01, "run.frames": 41}
+changes = {"run.effects": "paper", "numerics.cells": 6, "run.accuracy": 0.01, "run.frames": 41}
 vary, members, begun = ("groups.G=0.05:1.5:log", "groups.V=10:100:log"), int(sys.argv[2]), time.monotonic()
 scene, memory = sc.load_scene("continual-descent", changes), Memory()
 done = sc.sweep(scene, vary, sys.argv[1], mode="lhs", samples=members, seed=1, progress=memory)
@@ -115,14 +115,14 @@ print(json.dumps(record | {"place": done.place, "bytes": done.path.stat().st_siz
 
 def test_thousands_of_filaments_in_constant_memory(tmp_path: Path) -> None:
     """In a process of its own, whose peak memory is that of the sweep."""
-    count = 4000
+    count = 3000
     command = [sys.executable, "-c", STREAMING, str(tmp_path), str(count)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     record: dict[str, Any] = json.loads(done.stdout)
     peaks = {int(members): peak for members, peak in record["peaks"].items()}
     title = (
-        f"{count} filaments (continual-descent, paper's physics, N = 10, 41 frames), {record['place']}: "
+        f"{count} filaments (continual-descent, paper's physics, N = 6, 41 frames), {record['place']}: "
         f"{record['wall']:.0f} s, {count / record['wall']:.0f}/s; {record['outcomes']}; "
         f"store {record['bytes'] / 1e6:.1f} MB"
     )
