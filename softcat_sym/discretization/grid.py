@@ -59,13 +59,7 @@ def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: boo
 
 
 def whole_span(
-    cells_per_half: int,
-    left: Support,
-    right: Support,
-    grading: float = 1.0,
-    *,
-    middle: bool = False,
-    edge: float = 0.5,
+    cells_per_half: int, left: Support, right: Support, grading: float = 1.0, *, middle: bool = False, edge: float = 0.5
 ) -> Grid:
     """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal."""
     half = _edged(cells_per_half, grading, middle=middle, edge=edge)

@@ -46,25 +46,31 @@ def penetration_of(scene: Scene, body: Body) -> float:
     """Penetration under the filament's own weight [m]."""
     if not isinstance(body.penetration, str):
         return body.penetration
-    least, share = _smallest(scene, body), _SHARE * scene.run.accuracy
-    if body.edge_place is None:
-        return share * least
-    # An edge carries half of the load over the gap on about a thickness.
-    narrow = scene.filament.thickness / (2 * body.edge_place * load_factor(scene))
-    return min(share, _OF_SAG) * least * min(1.0, narrow)
+    least, accuracy, speed = _smallest(scene, body), scene.run.accuracy, forecast(scene).speed
+    share = _SHARE * accuracy
+    if body.edge_place is not None:
+        # An edge carries half of the load over the gap on about a thickness.
+        narrow = scene.filament.thickness / (2 * body.edge_place * load_factor(scene))
+        return min(share, _OF_SAG) * least * min(1.0, narrow)
+    # What lands with a velocity v sinks in by v sqrt(d_p/g)/e, critically damped.
+    landing = scene.load.gravity * (math.e * accuracy * least / speed) ** 2 if speed else math.inf
+    return max(_LEAST * scene.filament.thickness, min(share * least, landing))
 
 
 def _bond_of(scene: Scene, body: Body) -> float:
     """Viscous bond [Pa s]: what sticks slips in the run by no more than changes the sag by the accuracy.
 
-    A slip s on either side deepens a parabola by 3 s L/(8 H); the bond takes part where half the free span presses.
+    A slip s on either side adds 2 s to the length, which is longer than the span by 8 H^2/(3 L), and stretched by
+    T L/(E A). The bond takes part where half the free span presses.
     """
     if not isinstance(body.bond, str):
         return body.bond
     span, sag = unsupported(scene).filament.span, forecast(scene).sag * scene.filament.span
     depth = max(_LEAST * scene.filament.thickness, min(sag, body.room() or math.inf))
     tension = _weight(scene) * span**2 / (8 * depth)
-    slip = scene.run.accuracy * 8 / 3 * depth**2 / span
+    modulus = instant_modulus(scene)
+    stretched = tension * span / (modulus * undeformed_area(scene)) if modulus else 0.0
+    slip = scene.run.accuracy * (8 / 3 * depth**2 / span + stretched) / 2
     return tension * scene.run.duration / (span / 2 * slip) if body.bond == "stick" else 0.0
 
 
