@@ -83,7 +83,7 @@ class Picture:
     dust: tuple[tuple[float, float, float], ...] = ()  # row, column and radius
     light_strand: bool = False
     seed: int = 0
-    times: Array = field(default_factory=lambda: np.arange(12) / 10.0)
+    times: Array = field(default_factory=lambda: np.arange(9) / 7.2)
 
     def to_picture(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Columns and rows of points: x from the middle to the right, y above the supports' level."""
