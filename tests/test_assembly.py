@@ -329,6 +329,7 @@ def test_rigid_in_shear_it_is_the_filament_of_the_paper() -> None:
         assert abs(4 * gaps[2] - gaps[1]) / 3 < 1e-5
 
 
+@pytest.mark.slow
 def test_a_stubby_beam_sags_by_shear_as_timoshenko_says() -> None:
     """Small sag: q L^4/(384 E I) + q L^2/(8 kappa_s mu A) (Timoshenko 1921)."""
     delta, weight = 0.1, 1e-5  # thickness over span, weight per area and span over E

@@ -275,7 +275,6 @@ def test_what_has_settled_shows_nothing_of_it() -> None:
         zip(LAWS, cycle(("shear", "kirchhoff")), strict=False),
         ("elastic", "shear"),
         ("maxwell", "kirchhoff"),
-        ("bingham", "shear"),
     ),
 )
 def test_every_law_has_it_in_one_theory_or_the_other_and_in_both_backends(law: str, theory: str) -> None:

@@ -45,7 +45,6 @@ from softcat_sym.physics.sections import (
 from softcat_sym.physics.symbols import E, c, eta, sigma_0, sigma_1, sigma_Y, zeta
 from tests.common.filaments import Array, scene
 from tests.common.one_cell import bend_slowly, one_cell
-from tests.marks import few as quick
 
 # Means of the Bingham rule over a section: the package's closed forms, and a reference that knows none of them.
 MODULUS, VISCOSITY, YIELD = 4e6, 13.84e3, 9.32e3
@@ -459,7 +458,8 @@ def test_closed_forms_are_integrals_over_the_section(section: str) -> None:
     assert exact(section, np.array([1e6]))[0] == pytest.approx(ultimate, abs=1e-9)
 
 
-@pytest.mark.parametrize("section", quick(["rectangle", "circle"], "circle"))
+@pytest.mark.slow
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
 def test_moment_follows_curvature(section: str) -> None:
     wanted = exact(section, CURVATURE)
     curve: dict[str, list[float]] = {"fibres": [], "order": []}

@@ -65,6 +65,7 @@ def test_jacobian_is_that_of_differences(short: sc.Scene) -> None:
     np.testing.assert_allclose(rates.jacobian(t, state).toarray(), expected, **scale)
 
 
+@pytest.mark.slow
 @compiled
 def test_methods_solve_the_same_equations(short: sc.Scene) -> None:
     exact = ready(short, Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
@@ -128,8 +128,9 @@ def print_explanation(
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
     for title, heads, rows, whole in tables:
-        styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
-        out.print(terminal.text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+        table = terminal.TextTable(heads, rows, kinds=[row[1] if rows is effects else "" for row in rows])
+        looks: dict[str, Any] = {"whole": range(whole), "padding": (0, 1)}
+        out.print(table.printed(title, title_style="none", styles={"off": "dim"}, **looks))
     for what, note in notes:
         out.print(rich_text.Text(f"{what}: {note}"))
     for warning in explanation.warnings:

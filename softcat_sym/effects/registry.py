@@ -26,7 +26,7 @@ from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.solid_damping import SOLID_DAMPING
-from softcat_sym.effects.structure import STRUCTURE
+from softcat_sym.effects.structural_build_up import STRUCTURE
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.temperature import TEMPERATURE
 from softcat_sym.effects.thinning import THINNING

@@ -57,7 +57,8 @@ def refine_to_accuracy(first: Run, effects: Effects, clock: Stopwatch, progress:
     start = replace(guess, rtol=first.summary["rtol"])
 
     def judged(seen: Series) -> Judge:
-        return Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        judge = Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        return replace(judge, of_modes=runs.last.summary["tail_error"])
 
     found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")

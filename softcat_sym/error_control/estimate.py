@@ -85,6 +85,7 @@ class Judge:
     scale: Mapping[str, float]  # Largest value of each quantity
     # Stretches over which height and amplitude are taken; none where it is compared instant by instant.
     windows: tuple[slice, ...]
+    of_modes: float = 0.0  # Error of an answer that ends by its modes of vibration, as companions do that share it
 
     @classmethod
     def of(cls, answer: Series, watched: Watched, periods: float, accuracy: float) -> Judge:
@@ -259,6 +260,8 @@ def differences(
     if section is None and (other := _other_fibres(coarser, before)) != coarser:
         ratio = (other.fibres or 1) / (coarser.fibres or 1) if other.order is None else MORE
         section = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
+    if time is not None:
+        time = replace(time, sizes={**time.sizes, DISPLACEMENT: time.size + judge.of_modes})
     phases = [part.phase for part in (space, time) if part is not None and part.phase is not None]
     own = {name: part.sizes for name, part in zip(PARTS, (space, time, section), strict=True) if part is not None}
     a, b, c = (None if part is None else part.size for part in (space, time, section))

@@ -146,6 +146,12 @@ class Terms:
         return self.law.spec.has_springs and any(one.name.endswith("modulus") for one in self.curing)
 
     @property
+    def changes_in_time(self) -> bool:
+        """Whether load or material go on changing by themselves, after a ramp and the motion of a support."""
+        forces = bool(self.densities) or self.heat is not None
+        return self.shaken or forces or bool(self.curing or self.structure or self.natural_strain)
+
+    @property
     def shrinks(self) -> bool:
         """Whether the material is without stress at another strain as time goes on."""
         return bool(self.natural_strain) or (self.heat is not None and self.heat.expands)

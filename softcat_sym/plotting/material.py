@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +14,7 @@ from softcat_sym.drawing import Report
 from softcat_sym.fitting.flow_curve import FlowCurveFit
 from softcat_sym.fitting.rheometer import Constant, RheometerMaterial, RheometerTest
 from softcat_sym.plotting import style
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import significant, typeset
 
 if TYPE_CHECKING:
@@ -83,9 +82,9 @@ def _rows(constants: tuple[Constant, ...]) -> list[tuple[str, str, str, str]]:
 def material_table(material: RheometerMaterial) -> Table:
     """A row for each constant with its 95 % interval and source: those of the scene first, then what is told."""
     rows = [*_rows(material.constants), *_rows(material.told)]
-    styles = ["", *chain([""] * len(material.constants), ["dim"] * len(material.told))][1:]
-    heads = ("constant, in shear", "value", "95 % interval", "from")
-    return text_table(heads, rows, title="Material", styles=styles, whole=[0, 1], caption="dim: not in material.toml")
+    kinds = ["scene"] * len(material.constants) + ["told"] * len(material.told)
+    table = TextTable(("constant, in shear", "value", "95 % interval", "from"), rows, kinds=kinds)
+    return table.printed("Material", "dim: not in material.toml", whole=[0, 1], styles={"told": "dim"})
 
 
 @drawing.report.register(RheometerMaterial)

@@ -17,7 +17,7 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.edges import UnreadableFrameError
@@ -124,7 +124,7 @@ def _texts(track: Track) -> list[Any]:
     ]  # fmt: skip
     reasons = pd.Series([one.reason for one in track.refused], dtype=str).value_counts()
     rows += [("refused", f"{count}: {reason}") for reason, count in reasons.items()]
-    table = text_table(("", ""), rows, title=track.film.path.name)
+    table = TextTable(("", ""), rows).printed(track.film.path.name)
     return [table, *(Text(f"warning: {text}", style="yellow") for text in track.warnings)]
 
 

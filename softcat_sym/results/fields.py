@@ -170,10 +170,7 @@ def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Flo
     places = np.concatenate([graph.x_where, graph.z_where])[rows]
     order = np.argsort(places)
     near, weights = cubic_weights(places[order], where)
-    states = (
-        solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
-        for row in rows[order][near]
-    )
+    states = (solution.row(row) for row in rows[order][near])
     return np.asarray(sum(weight * state for weight, state in zip(weights, states, strict=True) if weight), dtype=float)
 
 
@@ -238,7 +235,7 @@ def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution, *, along: bool = True) -> dict[str, Floats]:
     """Every variable of the trajectory that this theory has, whole span, whole filament; or none `along` it."""
-    graph, span = prepared.graph, rest_length(scene)
+    graph, span, solution = prepared.graph, rest_length(scene), solution.whole
     observed = prepared.observe(solution)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     plastic, load, gradient, *lost = solution.quad * unit

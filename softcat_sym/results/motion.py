@@ -36,7 +36,7 @@ from softcat_sym.estimates.scaling import (
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
-from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
+from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, loaded_from, rest_length, undeformed_area
 from softcat_sym.solvers.solution import Extremes, Progress, Solution
 from softcat_sym.solvers.solve import Prepared
 from softcat_sym.solvers.start import Start
@@ -317,11 +317,6 @@ def _limit(scene: Scene, time: Floats, midpoint: Floats) -> float | None:
 def last_fifth(time: Floats, midpoint: Floats) -> float:
     """What the midpoint has moved by in the last fifth of a run [m]."""
     return float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint))
-
-
-def loaded_from(scene: Scene) -> float:
-    """Time from which neither the load nor a support changes [s]."""
-    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
 
 
 def rings_on(scene: Scene, rings: Ringing | None, largest: float) -> bool:

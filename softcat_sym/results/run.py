@@ -319,6 +319,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "solver_reason": settings.reason,
         "rtol": settings.rtol,
         "steps": solution.steps,
+        "tail_from_s": None if solution.tail_from is None else solution.tail_from * prepared.scale,
+        "tail_error": solution.tail_error,
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],

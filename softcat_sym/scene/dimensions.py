@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
-from softcat_sym.scene.parts import DOWN, Rule
+from softcat_sym.scene.parts import DOWN, Rule, if_given
 from softcat_sym.scene.tables import Tables, bodies_of
 
 _IN_THE_PLANE = 3
@@ -97,34 +97,23 @@ def _of_centreline(scene: Tables) -> Iterator[Rule]:
     double = any(a == b for a, b in pairwise(points))
     yield double, "initial.centreline", "two neighbouring points in one place", "a curve with a length"
     given, out = "given, but initial.centreline says where the filament begins", "leaving it out"
-    yield scene.initial.stretch != 1, "initial.stretch", given, out
-    yield scene.initial.surface != "fresh", "initial.surface", given, out
+    yield from if_given(scene, given, out, "initial.stretch", "initial.surface")
     newtonian = f"given, but a fluid has no strain to begin with: the law is '{scene.material.law}'"
     yield not scene.material.spec.is_elastic, "initial.centreline", newtonian, "another law"
 
 
 def _of_space(scene: Tables) -> Iterator[Rule]:
     """List what only a filament in its plane has so far."""
-    filament, material, surroundings, out = scene.filament, scene.material, scene.surroundings, "leaving it out"
+    filament, material, out = scene.filament, scene.material, "leaving it out"
     asked = needed_in_space(scene)
     only = f"only in the plane so far ({asked})"
     yield filament.section == "sheet", "filament.section", f"'sheet', whose torsion is a plate's ({asked})", "rectangle"
     yield scene.model == "small-deflection", "model", f"'small-deflection', {only}", "filament"
     yield scene.run.closure == "printed", "run.closure", f"'printed', {only}", "material"
     yield material.spec.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
-    histories = (*material.histories(), *material.natural_strains())
-    given = (
-        *((f"material.{name}", True) for name in histories),
-        ("material.structure", material.structure is not None),
-        ("material.hardening_modulus", material.hardening_modulus is not None),
-        ("surroundings.density", surroundings.density > 0),
-        ("surroundings.viscosity", surroundings.viscosity > 0),
-        ("temperature", scene.temperature.present),
-        ("load.point_mass", scene.load.point_mass > 0),
-        ("initial.C", bool(scene.initial.C)),
-        ("numerics.order", scene.numerics.order is not None),
-        *((f"effects.{name}", True) for name, _ in scene.effects),
-        *((body.table_name, True) for body in bodies_of(scene)),
-    )
-    for path, broken in given:
-        yield broken, path, f"given, {only}", out
+    tables = [f"effects.{name}" for name, _ in scene.effects] + ["temperature"] * scene.temperature.present
+    tables += [body.table_name for body in bodies_of(scene)]
+    for path in (*(f"material.{name}" for name in (*material.histories(), *material.natural_strains())), *tables):
+        yield True, path, f"given, {only}", out
+    keys = ("material.structure", "material.hardening_modulus", "surroundings.density", "surroundings.viscosity")
+    yield from if_given(scene, f"given, {only}", out, *keys, "load.point_mass", "initial.C", "numerics.order")

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from softcat_sym.lazy import lazy_imports
+from softcat_sym.scene.parts import if_given
 from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
 from softcat_sym.scene.tables import Tables
 
@@ -83,12 +84,9 @@ def shape_rules(scene: Tables) -> Iterator[Rule]:
         return
     shape = "through points" if isinstance(filament.shape, tuple) else filament.shape
     given = f"given, but filament.shape is {shape!r}"
-    yield scene.initial.stretch != 1, "initial.stretch", given, out
-    yield scene.initial.surface != "fresh", "initial.surface", given, out
-    yield scene.initial.centreline, "initial.centreline", f"{given}: it begins there", out
-    yield ends.left_angle, "ends.left_angle", f"{given}: a clamp holds its end as it is", out
-    yield ends.right_angle, "ends.right_angle", f"{given}: a clamp holds its end as it is", out
-    yield ends.right_slides, "ends.right_slides", given, out
+    yield from if_given(scene, given, out, "initial.stretch", "initial.surface", "initial.centreline")
+    yield from if_given(scene, f"{given}: a clamp holds its end as it is", out, "ends.left_angle", "ends.right_angle")
+    yield from if_given(scene, given, out, "ends.right_slides")
     fluid = f"{shape!r}, but a fluid has no shape of its own: the law is '{scene.material.law}'"
     yield not scene.material.spec.is_elastic, "filament.shape", fluid, "another law"
     distance = math.hypot(filament.span, ends.drop)
@@ -110,8 +108,7 @@ def shape_rules(scene: Tables) -> Iterator[Rule]:
     if shape == HELIX:
         yield from _of_turns(filament, distance)
         return
-    yield filament.curvature, "filament.curvature", given, out
-    yield filament.twist, "filament.twist", given, out
+    yield from if_given(scene, given, out, "filament.curvature", "filament.twist")
     yield from misses_supports(scene, filament.shape, "filament.shape")  # type: ignore[arg-type]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
@@ -188,6 +188,14 @@ Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
 
+def if_given(scene: Any, found: str, accepted: str, *paths: str) -> Iterator[Rule]:
+    """List the rules that keys by their dotted paths say nothing but their defaults."""
+    for path in paths:
+        table, _, key = path.partition(".")
+        part = getattr(scene, table)
+        yield getattr(part, key) != type(part).model_fields[key].default, path, found, accepted
+
+
 _FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
 _TIP_FORCE = Values(Quantity("force", "1 N", "any"), _FORCES, 3, 3)
 _TORQUES = _FORCES.replace("forces", "torques").replace(" N", " N*m")
@@ -278,6 +286,7 @@ class RunSettings(Part, table="run"):
 
 Solver = Literal["cvodes", "idas", "rosenbrock"]
 Backend = Literal["auto", "interpreted", "compiled"]
+Tail = Literal["auto", "integrate"]
 
 
 class Numerics(Part, table="numerics"):
@@ -297,5 +306,7 @@ class Numerics(Part, table="numerics"):
     """Relative tolerance of the integrator; chosen by the program unless given."""
     backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
+    tail: Annotated[Tail, Choice(Tail)] = "auto"
+    """A long undamped ringing that no longer yields: by its modes of vibration where they serve, or step by step."""
     estimate: Annotated[bool, FLAG] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

@@ -20,7 +20,7 @@ from softcat_sym.scene.groups import GroupBlock, resolve_groups
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import NamedConstant, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
-from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, kinds_of
+from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, if_given, kinds_of
 from softcat_sym.scene.tables import (
     Tables,
     bodies_of,
@@ -88,6 +88,11 @@ def is_held(scene: Scene) -> bool:
 def carries_moment(scene: Scene) -> bool:
     """Tell whether an end resists a turn of its section."""
     return any(support.carries_moment for support in scene.ends.supports)
+
+
+def loaded_from(scene: Scene) -> float:
+    """Time from which neither the load nor a support changes [s]."""
+    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
 
 
 def is_slack(scene: Scene) -> bool:
@@ -227,10 +232,8 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
     yield load.gravity == 0, "load.gravity", found, "a positive acceleration"
     found = f"{list(load.direction)}, {slack}: it begins hanging straight down"
     yield load.direction != DOWN, "load.direction", found, "leaving it out"
-    yield scene.filament.twist, "filament.twist", f"given, {slack}: it begins in its plane", "leaving it out"
-    for name in ("P", "C"):
-        found, accepted = f"given, {slack}", "leaving it out, or a taut filament"
-        yield getattr(scene.initial, name), f"initial.{name}", found, accepted
+    yield from if_given(scene, f"given, {slack}: it begins in its plane", "leaving it out", "filament.twist")
+    yield from if_given(scene, f"given, {slack}", "leaving it out, or a taut filament", "initial.P", "initial.C")
 
 
 def _of_initial_state(scene: Scene) -> Iterator[Rule]:
@@ -243,9 +246,9 @@ def _of_initial_state(scene: Scene) -> Iterator[Rule]:
     differs = given is not None and not math.isclose(given, follows, rel_tol=_ROUNDING)
     found, accepted = f"{initial.stretch:g}, but filament.rest_length is {given} m", f"one of the two, or {follows!r} m"
     yield differs and not initial.relaxed and initial.stretch != 1, "initial.stretch", found, accepted
-    for name in ("P", "C"):
-        broken, found = getattr(initial, name), f"given, but the law '{law}' has no plastic strain"
-        yield broken and (spec.is_solid or not spec.flows), f"initial.{name}", found, "leaving it out"
+    if spec.is_solid or not spec.flows:
+        found = f"given, but the law '{law}' has no plastic strain"
+        yield from if_given(scene, found, "leaving it out", "initial.P", "initial.C")
 
 
 def _of_surface(scene: Scene) -> Iterator[Rule]:
@@ -274,21 +277,12 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
         return
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
-    for name in ("curvature", "twist"):
-        yield getattr(scene.filament, name), f"filament.{name}", f"given, but {no_shape}", accepted
+    yield from if_given(scene, f"given, but {no_shape}", accepted, "filament.curvature", "filament.twist")
     for side, support, angle in scene.ends.sides:
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
         broken = is_held(scene) and support.carries_moment and abs(angle - chord) > _ANGLE_ROUNDING
         yield broken, f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'"
-
-
-_NOT_SMALL = {
-    "filament": ("rest_length", "profile", "curvature"),
-    "ends": ("drop", "left_angle", "right_angle", "motion"),
-    "initial": ("stretch", "P", "C", "surface"),
-}
-"""Keys that the small-deflection model has at their defaults only."""
 
 
 def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
@@ -297,11 +291,10 @@ def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     small, laws = "with model 'small-deflection'", [one.name for one in LAWS.values() if one.suits_small_deflections]
     law = scene.material.law
     yield law not in laws, "material.law", f"{law!r} {small}", " or ".join(laws)
-    for table, keys in _NOT_SMALL.items():
-        part = getattr(scene, table)
-        for key in keys:
-            broken = getattr(part, key) != type(part).model_fields[key].default
-            yield broken, f"{table}.{key}", f"given {small}", 'leaving it out, or model = "filament"'
+    keys = [f"filament.{key}" for key in ("rest_length", "profile", "curvature")]
+    keys += [f"ends.{key}" for key in ("drop", "left_angle", "right_angle", "motion")]
+    keys += [f"initial.{key}" for key in ("stretch", "P", "C", "surface")]
+    yield from if_given(scene, f"given {small}", 'leaving it out, or model = "filament"', *keys)
     sheet = scene.filament.section == "sheet"
     yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
     for side, support, _ in scene.ends.sides:

@@ -126,9 +126,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return not part.spec.has_index
-    if name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, Body)):
-        return bool(value == type(part).model_fields[name].default)
-    return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
+    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, Body)) or value in ((), "")
+    return bool(part.table_name) and says_nothing and bool(value == type(part).model_fields[name].default)
 
 
 def toml_value(value: object) -> str:

@@ -129,6 +129,7 @@ class Settings:
     velocity: float = 0.0  # Absolute tolerance of velocities, if it is looser than those
     max_step: float | None = None  # [s]; None if only the tolerances limit the steps
     method: int = RODAS5P  # Of the compiled solver
+    lasting: float | None = None  # Period of an undamped ringing [s]
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
@@ -191,7 +192,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     across = max(rtol * smallest, noise * slope)
     longest = None if lasting is None else _longest_step(scene, lasting, rtol)
     atol, velocity = max(rtol * smallest, noise), choice.per_velocity * rtol * smallest
-    return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method)
+    return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method, lasting)
 
 
 def _lasting_period(scene: Scene, effects: Effects) -> float | None:

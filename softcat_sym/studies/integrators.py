@@ -110,6 +110,7 @@ def scene_of(scene: Scene, task: Task) -> Scene:
             "numerics.backend": method.backend if method else scene.numerics.backend,
             "numerics.solver": method.solver if method else scene.numerics.solver,
             "numerics.rtol": task.rtol,
+            "numerics.tail": "integrate",
         }
     )
 

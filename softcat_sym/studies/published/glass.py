@@ -101,7 +101,7 @@ def _softens(name: str) -> Finding:
         CaseCurve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
         CaseCurve("softening point by the run", (found.at,), (1.0,), is_published=True),
     )
-    picture = CasePicture("furnace [C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
+    picture = CasePicture("furnace [°C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
     return Finding(rows, picture)
 
 
@@ -130,7 +130,7 @@ def _beam() -> Finding:
         CaseCurve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
         CaseCurve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
     )
-    return Finding(rows, CasePicture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
+    return Finding(rows, CasePicture("weight at midspan [g]", "speed of the midpoint [µm/min]", curves))
 
 
 RUNS = {
