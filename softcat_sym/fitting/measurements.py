@@ -363,7 +363,8 @@ def comments_in(text: str) -> tuple[dict[str, str], Values, list[Fault]]:
         table, key, path, rest = match["table"], match["key"], f"{match['table']}.{match['key']}", match["rest"]
         # A spreadsheet ends a short line with the separators of its empty cells.
         value = rest[1:].split(" #")[0].rstrip(",;\t ").lstrip() if rest.startswith("=") else None
-        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ())
+        # The gaps of a photograph are not the one that the scene's table [pillars] states.
+        where, is_of_scene = f"line {number}, {path}", key in tables.get(table, ()) and path not in known("comments")
         if value is None and not is_of_scene:
             continue
         if is_of_scene and value and path not in overrides:
