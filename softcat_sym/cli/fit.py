@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from softcat_sym.tracking.result import Track
 
 with lazy_imports():
-    from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
+    from softcat_sym.fitting import closed_form, collapse_test, likelihood, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
     from softcat_sym.tracking import calibration
@@ -257,11 +257,11 @@ def _fitted(
     return compared.best, compared, None
 
 
-def _loss(kind: str, scale: float | None) -> least_squares.Loss:
+def _loss(kind: str, scale: float | None) -> likelihood.Loss:
 
     if scale is not None and kind == "linear":
         raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
-    return least_squares.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
+    return likelihood.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 
 def _priors(texts: list[str]) -> dict[str, str]:

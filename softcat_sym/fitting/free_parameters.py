@@ -65,7 +65,6 @@ class FreeParameter:
     logarithmic: bool  # Whether it is positive by nature: q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
-    prior: float = math.inf  # Prior standard deviation of q about the typical one; infinite without a prior
     film: int | None = None  # Number of the only film that has it, from 1; None if all films share it
     limits: tuple[float, float] = (-math.inf, math.inf)  # The widest bounds that make sense; SI
     constant: str = ""  # The constant that it determines: the same for shear data and for the tensile constant

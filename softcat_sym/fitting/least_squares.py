@@ -47,46 +47,6 @@ class LeastSquares(Protocol):
         """Residuals, shape (m,), and their derivatives with respect to q, shape (m, k)."""
 
 
-@dataclass(frozen=True)
-class Loss:
-    """Loss rho in the sum 1/2 sum rho(r^2) that is minimised, with z = (r/scale)^2.
-
-    ``"linear"``: rho = r^2. ``"soft-l1"``: rho = 2 scale^2 (sqrt(1 + z) - 1). ``"cauchy"``: rho = scale^2 log(1 + z).
-    Outliers beyond `scale` weigh less (Triggs et al. 2000, section 3; the forms are those of SciPy).
-    """
-
-    kind: Literal["linear", "soft-l1", "cauchy"] = "linear"
-    scale: float = 1.0  # Residual from which on a point counts as an outlier, in the unit of the residuals
-
-    def __post_init__(self) -> None:
-        if self.kind not in ("linear", "soft-l1", "cauchy"):
-            raise SoftcatError(f"no loss {self.kind!r}; accepted: linear, soft-l1, cauchy")
-        if not 0 < self.scale < math.inf:
-            raise SoftcatError(f"the scale of a loss is {self.scale!r}; accepted: a positive number")
-
-    def value(self, residuals: Floats) -> float:
-        """1/2 sum rho(r^2)."""
-        if self.kind == "linear":
-            return 0.5 * float(residuals @ residuals)
-        z = (residuals / self.scale) ** 2
-        # This form avoids cancellation for small residuals.
-        rho = 2 * z / (np.sqrt(1 + z) + 1) if self.kind == "soft-l1" else np.log1p(z)
-        return 0.5 * self.scale**2 * float(rho.sum())
-
-    def weights(self, residuals: Floats) -> Floats:
-        """Weight rho'(r^2) of each squared residual in the gradient, shape (m,), at most one."""
-        z = (residuals / self.scale) ** 2
-        return {"linear": np.ones_like(z), "soft-l1": 1 / np.sqrt(1 + z), "cauchy": 1 / (1 + z)}[self.kind]
-
-    def slopes(self, residuals: Floats) -> Floats:
-        """Derivative rho' + 2 r^2 rho'' of psi(r) = rho'(r^2) r, shape (m,); negative for Cauchy's outliers."""
-        z = (residuals / self.scale) ** 2
-        return {"linear": np.ones_like(z), "soft-l1": (1 + z) ** -1.5, "cauchy": (1 - z) / (1 + z) ** 2}[self.kind]
-
-
-LINEAR = Loss()
-
-
 class Fixed:
     """A problem with one unknown held at a value of q."""
 
@@ -133,8 +93,8 @@ class Optimum:
     """Result of one optimisation."""
 
     q: Floats  # shape (k,); The unknowns
-    value: float  # 1/2 sum rho(r^2)
-    residuals: Floats  # shape (m,); At `q`, without the loss
+    value: float  # 1/2 |r|^2
+    residuals: Floats  # shape (m,); At `q`
     jacobian: Floats  # shape (m, k); Their derivatives
     iterations: int  # Steps of the method, and evaluations of the model with or without derivatives
     evaluations: int
@@ -159,12 +119,10 @@ class _Point:
 
 
 class _Model:
-    """A problem with its loss; it counts evaluations, keeps the best point, and knows when a search is over."""
+    """A problem; it counts evaluations, keeps the best point, and knows when a search is over."""
 
-    def __init__(
-        self, problem: LeastSquares, loss: Loss, start: Floats, gain: float | None, max_evaluations: int
-    ) -> None:
-        self.problem, self.loss, self.gain, self.evaluations = problem, loss, gain, 0
+    def __init__(self, problem: LeastSquares, start: Floats, gain: float | None, max_evaluations: int) -> None:
+        self.problem, self.gain, self.evaluations = problem, gain, 0
         self.max_evaluations, self._accepted = max_evaluations, list[float]()
         self.last = self.first = self.best = self._evaluated(check_in_box(problem, start))
         if not math.isfinite(self.first.value):
@@ -183,7 +141,7 @@ class _Model:
         self.evaluations += 1
         residuals, jacobian = self.problem.linearised(q.copy())
         finite = np.isfinite(residuals).all() and np.isfinite(jacobian).all()
-        return _Point(q, self.loss.value(residuals) if finite else math.nan, residuals, jacobian)
+        return _Point(q, 0.5 * float(residuals @ residuals) if finite else math.nan, residuals, jacobian)
 
     def accepts(self) -> bool:
         """Count the best point as a step; whether it is the last one, as the next would gain too little."""
@@ -201,7 +159,7 @@ class _Model:
         return self.gain is not None and self._predicted_decrease() < REACHED**2 * self.variance(self.best)
 
     def _predicted_decrease(self) -> float:
-        return _gauss_newton_step(self.problem, self.loss, self.best, self.variance(self.best))[1]
+        return _gauss_newton_step(self.problem, self.best, self.variance(self.best))[1]
 
     def variance(self, point: _Point) -> float:
         """Mean square of the residuals, at least that of rounding errors."""
@@ -212,7 +170,7 @@ class _Model:
         """Return the result of a search that has ended."""
         point = self.best
         variance = self.variance(point)
-        fall = max(_gauss_newton_step(self.problem, self.loss, point, variance)[1], 0.0)
+        fall = max(_gauss_newton_step(self.problem, point, variance)[1], 0.0)
         offset = math.sqrt(fall / variance)
         # A point is an optimum, too, where the next step gains too little, or where the residuals are rounding errors.
         met = offset < REACHED or fall <= (self.gain or 0.0) or point.value <= 1e4 * _ROUNDING * self.first.value
@@ -235,19 +193,18 @@ def minimise(
     problem: LeastSquares,
     start: Floats,
     *,
-    loss: Loss = LINEAR,
     method: Method = "least-squares",
     gain: float | None = None,
     max_evaluations: int = 100,
 ) -> Optimum:
-    """Minimise 1/2 sum rho(r^2) in the box of the problem, from one start.
+    """Minimise 1/2 |r|^2 in the box of the problem, from one start.
 
     The method is SciPy's ``least_squares`` (dogbox: Gauss-Newton steps in a rectangular trust region), or IPOPT
     (``method="ipopt"``), which takes three times as many evaluations. The search ends where the next step would lower
     twice the loss by less than `gain`, by default 1e-12 of the residuals' variance, so that it does not follow
     undetermined unknowns to their bounds.
     """
-    model = _Model(problem, loss, start, gain, max_evaluations)
+    model = _Model(problem, start, gain, max_evaluations)
     try:
         status = (_by_ipopt if method == "ipopt" else _by_scipy)(model)
     except _EndOfSearchError:
@@ -257,13 +214,13 @@ def minimise(
     return model.optimum(status)
 
 
-def polished(problem: LeastSquares, optimum: Optimum, loss: Loss) -> Optimum:
+def polished(problem: LeastSquares, optimum: Optimum) -> Optimum:
     """The point to which the last linearisation leads from a converged optimum, without an evaluation of the model.
 
     A search ends where its next step, of a few hundredths of a standard error, would gain too little.
     """
     point = _Point(optimum.q, optimum.value, optimum.residuals, optimum.jacobian)
-    step, fall = _gauss_newton_step(problem, loss, point, 2 * optimum.value / optimum.residuals.size)
+    step, fall = _gauss_newton_step(problem, point, 2 * optimum.value / optimum.residuals.size)
     if not optimum.converged or optimum.status != SOLVED or fall <= 0:
         return optimum
     q = np.clip(optimum.q + step, problem.lower, problem.upper)
@@ -297,29 +254,24 @@ def _by_scipy(model: _Model) -> str:
             raise _EndOfSearchError
         return model.best.jacobian
 
-    how: dict[str, Any] = {"loss": model.loss.kind.replace("-", "_"), "f_scale": model.loss.scale, "method": "dogbox"}
-    how |= {"ftol": _FTOL, "xtol": _XTOL, "gtol": None, "max_nfev": model.max_evaluations}
+    how: dict[str, Any] = {"method": "dogbox"} | {
+        "ftol": _FTOL,
+        "xtol": _XTOL,
+        "gtol": None,
+        "max_nfev": model.max_evaluations,
+    }
     bounds = model.problem.lower, model.problem.upper
     return SOLVED if least_squares(residuals, model.first.q, jacobian, bounds, **how).success else _CUT_SHORT
 
 
-def _system(loss: Loss, point: _Point) -> tuple[Floats, Floats]:
-    """Matrix A and vector b; 1/2 |A s + b|^2 is the loss after a step s, to second order and up to a constant."""
-    weights = loss.weights(point.residuals)
-    # Where the loss of an outlier curves downwards its Hessian would be indefinite.
-    roots = np.sqrt(np.maximum(loss.slopes(point.residuals), 0.01 * weights))
-    return roots[:, None] * point.jacobian, weights * point.residuals / roots
-
-
-def _gauss_newton_step(problem: LeastSquares, loss: Loss, point: _Point, variance: float) -> tuple[Floats, float]:
+def _gauss_newton_step(problem: LeastSquares, point: _Point, variance: float) -> tuple[Floats, float]:
     """Step inside the box, of at most one, and the decrease of twice the loss that it predicts to second order."""
-    columns, values = _system(loss, point)
-    damped = np.vstack([columns, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
+    damped = np.vstack([point.jacobian, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
     low = np.maximum(problem.lower - point.q, -1.0)
     high = np.minimum(problem.upper - point.q, 1.0)
-    step = lsq_linear(damped, np.append(-values, np.zeros(point.q.size)), (low, high), method="bvls").x
-    moved = columns @ step
-    return step, -float(2 * values @ moved + moved @ moved)
+    step = lsq_linear(damped, np.append(-point.residuals, np.zeros(point.q.size)), (low, high), method="bvls").x
+    moved = point.jacobian @ step
+    return step, -float(2 * point.residuals @ moved + moved @ moved)
 
 
 def on_bound(problem: LeastSquares, q: Floats) -> NDArray[np.bool_]:
@@ -351,21 +303,20 @@ def _by_ipopt(model: _Model) -> str:
     # The loss in units of half the number of data at the start.
     scale = 1 / model.variance(model.first)
 
-    def at(q: ca.DM) -> tuple[_Point, Floats, Floats]:
+    def at(q: ca.DM) -> _Point:
         if model.evaluations >= model.max_evaluations:
             raise _EndOfSearchError
-        point = model.at(np.asarray(q, dtype=float).ravel())
-        return point, *_system(model.loss, point)
+        return model.at(np.asarray(q, dtype=float).ravel())
 
     def value(q: ca.DM) -> ca.DM:
-        return ca.DM(scale * at(q)[0].value)
+        return ca.DM(scale * at(q).value)
 
     def gradient(q: ca.DM, *_: ca.DM) -> list[ca.DM]:
-        point, columns, values = at(q)
-        return [ca.DM(scale * point.value), ca.DM(scale * (columns.T @ values))]
+        point = at(q)
+        return [ca.DM(scale * point.value), ca.DM(scale * (point.jacobian.T @ point.residuals))]
 
     def hessian(q: ca.DM, _: ca.DM, factor: ca.DM, *__: ca.DM) -> ca.DM:
-        columns = at(q)[1]
+        columns = at(q).jacobian
         return ca.triu(ca.DM(scale * float(factor) * (columns.T @ columns)))
 
     def is_over(*_: ca.DM) -> ca.DM:
@@ -483,27 +434,22 @@ def multi_start(
     *,
     count: int = 0,
     seed: int = 0,
-    loss: Loss = LINEAR,
     method: Method = "least-squares",
     gain: float | None = None,
-    asked: int | None = None,
     enough: Callable[[Optimum], bool] = lambda best: False,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
     No further start is tried once the best has converged and `enough` accepts it. The search from a drawn start ends
-    early if its loss is still far above the best after some steps. Only the first `asked` unknowns are drawn; the
-    others have priors and start at their expected values.
+    early if its loss is still far above the best after some steps.
     """
     starts = [check_in_box(problem, start) for start in given]
     if count:
-        asked = problem.lower.size if asked is None else asked
-        drawn = qmc.LatinHypercube(asked, seed=np.random.default_rng(seed)).random(count)
-        box = problem.lower[:asked], problem.upper[:asked]
-        starts += [np.concatenate([row, starts[0][asked:]]) for row in qmc.scale(drawn, *box)]
+        drawn = qmc.LatinHypercube(problem.lower.size, seed=np.random.default_rng(seed)).random(count)
+        starts += list(qmc.scale(drawn, problem.lower, problem.upper))
     ended, timed_out = list[tuple[Floats, Optimum]](), False
-    how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
+    how: dict[str, Any] = {"method": method, "gain": gain}
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
         # A stuck search is limited by integration error, and continues with smaller time steps.

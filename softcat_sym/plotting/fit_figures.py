@@ -87,11 +87,16 @@ def curves_figure(fit: Fit) -> Figure:
 
 def model_bands(fit: Fit) -> list[Floats]:
     """Half-width of the model's 95 % interval at each reading [m], one array for each film, to first order."""
-    # The leverage of every reading, including the unknowns of camera and theory error.
     left, size, _ = np.linalg.svd(fit.starts.best.jacobian, full_matrices=False)
-    leverage = np.sum(left[:, size > 1e-10 * size[0]] ** 2, axis=1)
-    half = fit.information.quantile * fit.information.noise * np.sqrt(leverage)
-    return [part * film.std for part, film in zip(fit.problem.by_film(half), fit.problem.films, strict=True)]
+    parts = np.split(left[:, size > 1e-10 * size[0]], np.cumsum([film.data.size for film in fit.problem.films]))
+    factor, bands = fit.information.quantile * fit.information.noise, list[Floats]()
+    for film, basis in zip(fit.problem.films, parts, strict=False):
+        # What is known of a reading without its noise: of the constants, and of the errors of camera and theory.
+        noise = film.covariance.noise
+        rows = film.covariance.whitened(noise)
+        variance = np.diag(noise) - np.sum(rows**2, axis=0) + np.sum((basis.T @ rows) ** 2, axis=0)
+        bands.append(factor * np.sqrt(np.maximum(variance, 0.0)))
+    return bands
 
 
 def _draw_midpoint(above: Axes, under: Axes, film: FittedFilm, band: Floats, std: Floats | None) -> None:
@@ -194,7 +199,7 @@ def correlation_figure(fit: Fit) -> Figure | None:
     """Draw the matrix of all pairs: joint regions in standard errors below its diagonal, correlations above it."""
     if not np.isfinite(fit.correlation[~np.eye(len(fit.correlation), dtype=bool)]).any():
         return None
-    count = fit.problem.asked
+    count = len(fit.problem.free)
     size = min(1.7, 6.6 / count)
     what = "joint 95 % regions in standard errors, and correlations of the estimates"
     figure, body = fit_sheet(fit, what, count * (size + 0.08) + 0.4)
@@ -261,7 +266,7 @@ def starts_figure(fit: Fit) -> Figure | None:
     """Draw a line for each start, the best on top: its final misfit, and each parameter from start to end."""
     if len(fit.starts.results) < 2:
         return None
-    results, count = fit.starts.results, 1 + fit.problem.asked
+    results, count = fit.starts.results, 1 + len(fit.problem.free)
     across, ranks = min(count, 4), np.arange(1, len(results) + 1)
     rows = math.ceil(count / across)
     values = np.array([result.optimum.value for result in results])
