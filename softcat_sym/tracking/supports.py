@@ -60,14 +60,17 @@ def _edge_at(
     signal: Picture, mask: NDArray[np.bool_], column: int, side: int, thick: float, width: float
 ) -> tuple[float, float]:
     """Column of a support's edge at the strand's level, and its standard error, near a whole column."""
-    beside = np.clip(column - side * int(thick / 2 + 4 * width + 2), 0, mask.shape[1] - 1)
-    rows = np.flatnonzero(mask[:, beside])
-    strand = float(rows.mean()) if rows.size else mask.shape[0] / 2
+    far = thick / 2 + 4 * width
+    # The strand's level at the edge, from a line through what is seen of it beside the edge.
+    beside = column - side * np.arange(int(far) + 2, int(far + 3 * thick) + 12)
+    beside = beside[(beside >= 0) & (beside < mask.shape[1])]
+    beside = beside[mask[:, beside].any(axis=0)]
+    level = [float(np.flatnonzero(mask[:, one]).mean()) for one in beside]
+    strand = float(np.polyval(np.polyfit(beside, level, 1), column)) if len(level) > 1 else mask.shape[0] / 2
     inside = np.clip(column + side * 4, 0, mask.shape[1] - 1)
     dark = mask[:, inside]
     rows = np.flatnonzero(dark & ~mask[:, np.clip(column - side * 4, 0, mask.shape[1] - 1)])
     # Far enough from the strand and from the support's own corners.
-    far = thick / 2 + 4 * width
     rows = rows[np.abs(rows - strand) > far]
     limits = np.flatnonzero(dark)[[0, -1]]
     limits = np.array([limits[0] if limits[0] > 0 else -99, limits[1] if limits[1] < mask.shape[0] - 1 else 1e9])
