@@ -66,7 +66,10 @@ def fit(
     ] = None,
     film_scale: Annotated[
         cli.Text,
-        cli.option("WHAT=LENGTH", "Scale of DATA that are films, which are tracked: 'span=50 mm' (see softcat track)."),
+        cli.option(
+            "WHAT=LENGTH",
+            "Scale of DATA that are films, which are tracked, their clock fitted: 'span=50 mm' (see track).",
+        ),
     ] = None,
     test: Annotated[
         cli.Text,
