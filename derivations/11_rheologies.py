@@ -19,8 +19,8 @@
 # Proved here: what the constants measured in shear are worth in tension, what a wide sheet makes of a rule, which law
 # becomes which, and how a string of a power-law fluid sags.
 #
-# Effects derived here: `viscous-flow` (`laws.power_law_rate`, `laws.maxwell_rate`), `viscous-stress`
-# (`laws.law_of`), `solid-damping` (`filament.law_in_force`).
+# Effects derived here: `viscous-flow` (`constitutive_laws.power_law_rate`, `constitutive_laws.maxwell_rate`), `viscous-stress`
+# (`constitutive_laws.law_of`), `solid-damping` (`section_equations.law_in_force`).
 
 # %%
 import sympy as sp

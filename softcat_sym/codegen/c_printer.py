@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
@@ -128,33 +128,34 @@ class _Lines:
         """The statement that assigns a result."""
         return f"{target.text} {'+=' if target.adds else '='} {_bare(self._text[result]) if result >= 0 else '0.0'};"
 
-    def _is_ready(self, k: int) -> bool:
+    def _is_ready(self, k: int, written: Collection[int] = ()) -> bool:
         branch = self._branch[k]
-        known = all(operand in self._text for operand in self._code.instructions[k].operands)
+        known = all(one in self._text or one in written for one in self._code.instructions[k].operands)
         return known and (branch is None or branch in self._text)
 
     def _write_branch(self, waiting: Sequence[int], branch: int | None, stage: When) -> list[int]:
         """Write the instructions of a branch, or those of none, as far as they can be; those that are left."""
-        outside, inside, left = list[str](), list[str](), list[int]()
+        block: dict[int, None] = {}
         for k in waiting:
-            if self._branch[k] != branch or not self._is_ready(k):
-                left.append(k)
-                continue
-            self._write_instruction(k, outside, inside)
+            if self._branch[k] == branch and self._is_ready(k, block):
+                block[k] = None
+        outside, inside = list[str](), list[str]()
+        for k in block:
+            self._write_instruction(k, block, outside, inside)
             for target, at in self._targets[k]:
                 if self.is_within_branch(target, at, k):
                     inside.append(self.assignment(target, k))
         if branch is not None and inside:
             inside = [f"if ({self._text[branch]} != 0.0) {{", *(f"    {line}" for line in inside), "}"]
         self.found[stage] += outside + inside
-        return left
+        return [k for k in waiting if k not in block]
 
-    def _write_instruction(self, k: int, outside: list[str], inside: list[str]) -> None:
+    def _write_instruction(self, k: int, block: Collection[int], outside: list[str], inside: list[str]) -> None:
         """Text of an instruction: where it is used, or else a name; of what is zero without a branch, outside of it."""
         one, stage = self._code.instructions[k], self._when[k]
         written = self._inputs[one.arguments[0]] if one.operation == "INPUT" else self._expression(k)
         plain, users = one.is_given, self._code.users[k]
-        leaves = self._leaves_branch(k)
+        leaves = self._leaves(k, block)
         # What is known early is computed early, not where it is used.
         crosses = (stage == When.BEFORE and not plain) or (
             stage == When.SITE and any(self._when[user] == When.FIBRE for user in users)
@@ -168,12 +169,11 @@ class _Lines:
             outside.append(f"double {name} = 0.0;")
         inside.append(f"{'' if leaves else 'const double '}{name} = {_bare(written)};")
 
-    def _leaves_branch(self, k: int) -> bool:
-        """Whether something outside of its branch uses it."""
-        branch, stage = self._branch[k], self._when[k]
-        if branch is None:
+    def _leaves(self, k: int, block: Collection[int]) -> bool:
+        """Whether something outside of the block of statements of its branch uses it."""
+        if self._branch[k] is None:
             return False
-        used = any(self._branch[user] != branch or self._when[user] != stage for user in self._code.users[k])
+        used = any(user not in block for user in self._code.users[k])
         return used or not all(self.is_within_branch(*target, k) for target in self._targets[k])
 
     def _expression(self, k: int) -> str:
