@@ -11,8 +11,10 @@ import av
 import numpy as np
 import pandas as pd
 import pytest
+from PIL import Image
 
 import softcat_sym as sc
+from softcat_sym.fitting.collapse_test import read_contour
 from softcat_sym.fitting.measurements import read_measurements
 from tests.common.in_process import Softcat
 from tests.common.rendered_films import Picture, write_film
@@ -153,3 +155,31 @@ def test_colour_is_read_by_its_brightness_and_sixteen_bits_in_full(
     path = write_film(tmp_path / "film.mov", PICTURES, PICTURE.times, codec)
     expected = sc.track(film, "span=50 mm").midpoint
     np.testing.assert_allclose(sc.track(path, "span=50 mm").midpoint, expected, atol=2e-6)
+
+
+def test_the_contour_of_a_strand_over_pillars_is_what_a_collapse_test_reads(softcat: Softcat, tmp_path: Path) -> None:
+    gaps, sags, pillars = (
+        ((-125.0, -40.0), (-10.0, 60.0), (80.0, 125.0)),
+        (12.0, 8.0, 3.0),
+        ((-40.0, -10.0), (60.0, 80.0)),
+    )
+
+    def depth(time: float, x: np.ndarray) -> np.ndarray:
+        places = [np.clip((2 * x - left - right) / (right - left), -1, 1) for left, right in gaps]
+        return sum(sag * (1 - place**2) ** 2 for sag, place in zip(sags, places, strict=True))
+
+    picture = replace(Picture(), depth=depth, supports="pillars", inner=pillars, thickness=9.0, times=np.zeros(1))
+    Image.fromarray(next(picture.frames())).save(tmp_path / "photo.png")
+    how = ["--contour", "--scale", "pixel=0.1 mm", "-o", str(tmp_path / "out")]
+    assert softcat("track", str(tmp_path / "photo.png"), *how).status == 0
+    assert {one.name for one in (tmp_path / "out").iterdir()} == {"contour.csv", "overlay-contour.png"}
+    found = read_contour(tmp_path / "out" / "contour.csv")
+    edges = np.array(found.gaps) / 1e-4 - picture.centre
+    np.testing.assert_allclose(edges, gaps, atol=0.1)
+    x, y = found.x / 1e-4 - picture.centre, picture.level + found.y / 1e-4
+    assert np.sqrt(np.mean((y + depth(0.0, x)) ** 2)) < 0.1
+    assert np.max(np.abs(y + depth(0.0, x))) < 0.5
+    done = softcat(
+        "track", str(tmp_path / "photo.png"), "--contour", "--scale", "span=10 mm", "-o", str(tmp_path / "no")
+    )
+    assert done.status == 2 and "3 gaps" in done.err

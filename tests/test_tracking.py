@@ -58,7 +58,7 @@ def test_a_lossless_film_gives_midpoint_thickness_and_shape_to_a_fiftieth_of_a_p
 def test_thickness_has_no_bias_down_to_five_pixels_and_is_left_out_below_two_and_a_half_blur_widths(
     tmp_path: Path,
 ) -> None:
-    track, picture = tracked(tmp_path, thickness=5.0, times=np.arange(8) / 6)
+    track, picture = tracked(tmp_path, thickness=5.0, times=np.arange(6) / 4.5)
     assert abs(np.mean(track.thickness / track.pixel) - 5.0) < 0.04
     thin, picture = tracked(tmp_path, **SMALL | {"thickness": 3.0}, blur=2.0)
     assert np.isnan(thin.thickness).all() and "no thickness" in thin.warnings[0]
@@ -67,21 +67,21 @@ def test_thickness_has_no_bias_down_to_five_pixels_and_is_left_out_below_two_and
 
 @pytest.mark.parametrize("degrees", [2.0, -3.0])
 def test_a_tilted_camera_is_found_from_the_strand_at_rest(degrees: float, tmp_path: Path) -> None:
-    track, picture = tracked(tmp_path, tilt=np.radians(degrees), times=np.arange(8) / 6)
+    track, picture = tracked(tmp_path, tilt=np.radians(degrees), times=np.arange(6) / 4.5)
     assert np.degrees(track.camera.tilt) == pytest.approx(degrees, abs=0.02)
-    assert track.span / track.pixel == pytest.approx(picture.span, rel=6e-4)
+    assert track.span / track.pixel == pytest.approx(picture.span, rel=3e-4)
     assert np.abs(errors(track, picture)).max() < 0.03
 
 
 def test_uneven_light_moves_no_support(tmp_path: Path) -> None:
-    track, picture = tracked(tmp_path, gradient=0.3, vignette=0.4, times=np.arange(8) / 6)
+    track, picture = tracked(tmp_path, gradient=0.3, vignette=0.4, times=np.arange(6) / 4.5)
     assert track.span / track.pixel == pytest.approx(picture.span, rel=3e-4)
     assert np.abs(errors(track, picture)).max() < 0.03
 
 
 @pytest.mark.parametrize("inside", [{"glare": 0.6}, {"core": 0.4}])
 def test_light_in_the_strand_is_no_edge(inside: dict[str, float], tmp_path: Path) -> None:
-    track, picture = tracked(tmp_path, thickness=20.0, times=np.arange(8) / 6, **inside)
+    track, picture = tracked(tmp_path, thickness=20.0, times=np.arange(6) / 4.5, **inside)
     assert abs(np.mean(track.thickness / track.pixel) - 20.0) < 0.04
     assert np.abs(errors(track, picture)).max() < 0.03
 
@@ -104,7 +104,7 @@ def test_stated_errors_are_the_true_ones(codec: Any, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("codec", [LOSSLESS, h264(20)], ids=["lossless", "h264"])
 def test_exactly_the_repeated_frames_are_refused(codec: Any, tmp_path: Path) -> None:
-    picture = replace(Picture(), times=np.arange(14) / 10.0)
+    picture = replace(Picture(), **SMALL, times=np.arange(14) / 10.0)
     repeated = (5, 8, 11)
     frames = list(picture.frames())
     for number in repeated:
@@ -121,7 +121,8 @@ def test_a_middle_outside_of_the_picture_is_refused_and_the_shape_kept(tmp_path:
     assert unseen and all(lowest[number] > picture.rows - 8 for number in unseen)
     part = np.isin(track.number, unseen)
     assert np.isnan(track.midpoint[part]).all() and np.isfinite(track.shapes[part]).sum(axis=1).min() >= 6
-    assert np.nanmax(np.abs(shape_errors(track, picture)[part])) < 0.05
+    # Next to what is not seen a curve is less certain, and says so.
+    assert np.nanmax(np.abs(shape_errors(track, picture)[part]) - 5 * track.shapes_std[part] / track.pixel) < 0.0
 
 
 def test_times_are_those_of_the_file(tmp_path: Path) -> None:
@@ -141,7 +142,7 @@ def test_mjpeg_is_as_good_as_lossless_and_starved_h264_is_warned_of(tmp_path: Pa
 @pytest.mark.parametrize("degrees", [0.0, 2.0])
 def test_a_needle_is_as_wide_as_it_was_drawn(degrees: float, tmp_path: Path) -> None:
     """The strand of the first frame is the needle: 41.3 px from edge to edge, along the normal."""
-    changes = {"thickness": 41.3, "level": 90.0, "tilt": np.radians(degrees), "times": np.arange(6) / 20}
+    changes = {"thickness": 41.3, "level": 90.0, "tilt": np.radians(degrees), "times": np.arange(5) / 20}
     track, _ = tracked(tmp_path, **changes, depth=falling(20.0, 250.0, 0.5))
     scaled = sc.track(tmp_path / "film.mkv", "needle@120,200,40,140=2 mm")
     assert 2e-3 / scaled.pixel == pytest.approx(41.3, abs=0.05)
@@ -169,7 +170,7 @@ def test_pillars_and_dust(tmp_path: Path) -> None:
 
 
 def test_a_hanging_strand_is_a_level_one_turned(tmp_path: Path) -> None:
-    picture = replace(Picture(), **SMALL, times=np.arange(8) / 6)
+    picture = replace(Picture(), **SMALL, times=np.arange(6) / 4.5)
     frames = list(picture.frames())
     level = sc.track(write_film(tmp_path / "level.mkv", frames, picture.times), "span=50 mm")
     turned = write_film(tmp_path / "turned.mkv", [np.rot90(one, -1).copy() for one in frames], picture.times)

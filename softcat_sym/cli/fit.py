@@ -66,7 +66,10 @@ def fit(
     ] = None,
     film_scale: Annotated[
         cli.Text,
-        cli.option("WHAT=LENGTH", "Scale of DATA that are films, which are tracked: 'span=50 mm' (see softcat track)."),
+        cli.option(
+            "WHAT=LENGTH",
+            "Scale of DATA that are films, which are tracked, their clock fitted: 'span=50 mm' (see track).",
+        ),
     ] = None,
     test: Annotated[
         cli.Text,
@@ -148,6 +151,9 @@ def fit(
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
     data, tracks = _tracked(data, film_scale, output, quiet=quiet)
+    if tracks and not calibrated and not any(name.startswith("time_offset") for name in free or []):
+        # A tracked release is known to half a frame: too much for an error of first order.
+        free = [*(free or []), "time_offset" if len(data) == 1 else "time_offset@each"]
     if features_only:
         report = drawing.report(closed_form.closed_form(data[0], known), command=command)
         cli.present(report, report.write(output), output, quiet=quiet)

@@ -14,6 +14,7 @@ from softcat_sym.progress import StudyDisplay
 
 with lazy_imports():
     from softcat_sym import files
+    from softcat_sym.tracking import contour as contours
     from softcat_sym.tracking import track as tracking
 
 _NUMBERS = "write numbers separated by commas, such as {}"
@@ -55,20 +56,32 @@ def track(
     vertical: Annotated[bool, cli.switch("Turn the picture by 90 degrees: the strand hangs.", "--vertical")] = False,
     every: Annotated[int, cli.option("N", "Read every so many frames.", min=1)] = 1,
     no_flatten: Annotated[bool, cli.switch("Leave uneven light in.", "--no-flatten")] = False,
+    contour: Annotated[
+        bool,
+        cli.switch(
+            "FILM is one picture of a strand over pillars: its contour for softcat fit --test collapse.", "--contour"
+        ),
+    ] = False,
     overlay: Annotated[bool, cli.switch("Also write overlay.mp4, every frame with its edges.", "--overlay")] = False,
     quiet: cli.QuietOption = False,
 ) -> None:
     """Track a strand through a film: midpoint and thickness over time, with errors.
 
     DIR gets track.csv as softcat fit reads it, refused.csv, track.json, track.png, and the first, middle, last and
-    worst frame with the edges that were found. Exit status 1 if more frames were refused than read.
+    worst frame with the edges that were found; of one picture with --contour it gets contour.csv and that picture.
+    Exit status 1 if more frames were refused than read.
     """
-    table = "track.csv"
+    table = "contour.csv" if contour else "track.csv"
     if output is not None and output.suffix.lower() == ".csv":
         output, table = output.parent, output.name
     output = cli.output_directory(output, "track", film.stem or film.resolve().name)
     edges = None if supports is None else _numbers(supports, 2, "--supports", "35,285")
     region = None if roi is None else [int(one) for one in _numbers(roi, 4, "--roi", "0,640,100,400")]
+    if contour:
+        strand = contours.contour(film, scale, region=region, dark=dark, flatten=not no_flatten)
+        report = drawing.report(strand, table=table)
+        cli.present(report, report.write(output), output, quiet=quiet)
+        return
     with files.made(output), StudyDisplay(quiet=quiet) as progress:
         progress.stage("tracking")
         found = tracking.track(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import partial
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
@@ -22,10 +23,11 @@ from softcat_sym.plotting.style import styled
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
+from softcat_sym.tracking.contour import PillarContour
 from softcat_sym.tracking.edges import UnreadableFrameError
-from softcat_sym.tracking.film import Frame
+from softcat_sym.tracking.film import Picture
 from softcat_sym.tracking.result import Track
-from softcat_sym.tracking.strand import Measured, measure
+from softcat_sym.tracking.strand import Camera, Measured, measure
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
@@ -148,55 +150,61 @@ def overlays(
     found = dict[int, NDArray[np.uint8]]()
     for frame in track.film:
         if frame.number in wanted:
-            found[frame.number] = _painted(track, frame, model)
+            canvas = _Canvas(frame.grey, [track.camera])
+            if model is not None:
+                x = np.linspace(-track.span / 2, track.span / 2, canvas.picture.shape[1])
+                y = model(frame.time - track.release, x)
+                canvas.paint(*track.camera.to_picture(x / track.pixel, y / track.pixel), _MODEL)
+            found[frame.number] = canvas.picture
         if len(found) == len(wanted):
             break
     return found
 
 
-def _painted(track: Track, frame: Frame, model: Callable[[float, Floats], Floats] | None = None) -> NDArray[np.uint8]:
-    """One frame, enlarged, with its curves."""
-    camera, rows, columns = track.camera, *frame.grey.shape
-    factor = max(1, round(_WIDE / columns))
-    grey = frame.grey * (255 / 65535 if frame.grey.max() > 255 else 1)
-    picture = np.repeat(np.repeat(np.rint(grey).astype(np.uint8), factor, axis=0), factor, axis=1)
-    painted = np.repeat(picture[:, :, None], 3, axis=2)
+class _Canvas:
+    """One frame, enlarged, with supports, edges, midline and rejected cuts of the strand that each camera sees."""
 
-    def paint(x: Floats, y: Floats, colour: NDArray[np.uint8], size: int = 2) -> None:
-        for right in range(-(size // 2), size - size // 2):
-            for down in range(-(size // 2), size - size // 2):
-                # The centre of the first pixel is at half of the factor.
-                column = np.rint((x + 0.5) * factor - 0.5).astype(int) + right
-                row = np.rint((y + 0.5) * factor - 0.5).astype(int) + down
-                inside = (column >= 0) & (column < columns * factor) & (row >= 0) & (row < rows * factor)
-                painted[row[inside], column[inside]] = colour
+    def __init__(self, grey: Picture, cameras: Iterable[Camera]) -> None:
+        self.factor = max(1, round(_WIDE / grey.shape[1]))
+        level = np.rint(grey * (255 / 65535 if grey.max() > 255 else 1)).astype(np.uint8)
+        self.picture = np.repeat(np.kron(level, np.ones((self.factor, self.factor), np.uint8))[:, :, None], 3, axis=2)
+        for camera in cameras:
+            row = np.arange(0, grey.shape[0], 2.0)
+            for edge in (camera.supports.left, camera.supports.right):
+                self.paint(edge - np.tan(camera.tilt) * (row - camera.centre[1]), row, _SUPPORT)
+            with suppress(UnreadableFrameError):
+                self._paint_strand(camera, measure(camera, grey))
 
-    level = np.arange(0, rows, 0.5 / factor)
-    for edge in (camera.supports.left, camera.supports.right):
-        at = edge - np.tan(camera.tilt) * (level - camera.centre[1])
-        paint(at[:: 4 * factor], level[:: 4 * factor], _SUPPORT)
-    try:
-        measured = measure(camera, frame.grey)
-    except UnreadableFrameError:
-        return painted
-    _paint_strand(track, measured, paint, factor)
-    if model is not None:
-        half = track.span / 2
-        x = np.linspace(-half, half, 2 * columns * factor)
-        paint(*camera.to_picture(x / track.pixel, model(frame.time - track.release, x) / track.pixel), _MODEL)
-    return painted
+    def _paint_strand(self, camera: Camera, measured: Measured) -> None:
+        x = np.arange(measured.x[0], measured.x[-1], 0.3 / self.factor)
+        y, half = measured.height(x), measured.thickness(x) / 2
+        slope = np.gradient(y, x)
+        normal = np.stack([-slope, np.ones_like(x)]) / np.hypot(slope, 1)
+        for side in (-1, 1):
+            self.paint(*camera.to_picture(x + side * half * normal[0], y + side * half * normal[1]), _EDGE)
+        self.paint(*camera.to_picture(x, y), _MIDLINE)
+        bad = ~measured.fitted.kept
+        self.paint(*camera.to_picture(measured.x[bad], measured.y[bad]), _REJECTED, 3)
+
+    def paint(self, x: Floats, y: Floats, colour: NDArray[np.uint8], size: int = 2) -> None:
+        """Paint squares at columns and rows of the frame."""
+        # The centre of the first pixel is at half of the factor.
+        column, row = (np.rint((one + 0.5) * self.factor - 0.5).astype(int) for one in (x, y))
+        for shift in np.ndindex(size, size):
+            down, right = row + shift[0] - size // 2, column + shift[1] - size // 2
+            inside = (right >= 0) & (right < self.picture.shape[1]) & (down >= 0) & (down < self.picture.shape[0])
+            self.picture[down[inside], right[inside]] = colour
 
 
-def _paint_strand(track: Track, measured: Measured, paint: Callable[..., None], factor: int) -> None:
-    x = np.arange(measured.x[0], measured.x[-1], 0.3 / factor)
-    y, half = measured.height(x), measured.thickness(x) / 2
-    slope = np.gradient(y, x)
-    normal = np.stack([-slope, np.ones_like(x)]) / np.hypot(slope, 1)
-    for side in (-1, 1):
-        paint(*track.camera.to_picture(x + side * half * normal[0], y + side * half * normal[1]), _EDGE)
-    paint(*track.camera.to_picture(x, y), _MIDLINE)
-    bad = ~measured.fitted.kept
-    paint(*track.camera.to_picture(measured.x[bad], measured.y[bad]), _REJECTED, 3)
+@drawing.report.register(PillarContour)
+def contour_report(found: PillarContour, table: str = "contour.csv") -> Report:
+    """The table of a contour, and the picture with the edges found in it."""
+    picture = _png(_Canvas(next(iter(found.film)).grey, found.cameras).picture)
+    rows = [(f"gap {number}", length_unit(right - left).text(right - left))
+            for number, (left, right) in enumerate(found.gaps, start=1)]  # fmt: skip
+    shown: list[Any] = [TextTable(("", ""), rows).printed(found.film.path.name)]
+    shown += [Text(f"warning: left out {text}", style="yellow") for text in found.refused]
+    return Report({table: found.to_csv(), "overlay-contour.png": picture}, shown)
 
 
 def _png(picture: NDArray[np.uint8]) -> bytes:
@@ -208,4 +216,5 @@ def _png(picture: NDArray[np.uint8]) -> bytes:
 def _film(track: Track) -> bytes:
     """All frames with their edges, as MP4 at the rate of the film."""
     rate = round(1 / float(np.median(np.diff(track.time))))
-    return mp4(map(partial(_painted, track), track.film), min(max(rate, 1), 60))
+    pictures = (_Canvas(frame.grey, [track.camera]).picture for frame in track.film)
+    return mp4(pictures, min(max(rate, 1), 60))

@@ -15,7 +15,7 @@ from softcat_sym.tracking.edges import UnreadableFrameError
 from softcat_sym.tracking.film import Codec, Film, Frame, Picture, Region
 from softcat_sym.tracking.light import light_of, threshold
 from softcat_sym.tracking.strand import Camera, measure
-from softcat_sym.tracking.supports import Supports, find_supports, width_of
+from softcat_sym.tracking.supports import Supports, find_gaps, width_of
 
 Floats = NDArray[np.float64]
 
@@ -105,7 +105,7 @@ def calibrate(
     for frame in source:
         if camera is None:
             camera = _camera(source, frame, supports, dark, flatten=flatten)
-            pixel, pixel_std = _pixel(camera, frame, ruler)
+            pixel, pixel_std = pixel_of(camera, frame, ruler)
             size = frame.grey.size
         # At powers of two, as nobody knows yet how long the film is; cuts go as far as the width asks.
         for _ in range(0 if frame.number & (frame.number - 1) else 2 if not widths else 1):
@@ -124,9 +124,8 @@ def calibrate(
     return Calibration(camera, pixel, pixel_std, count, codec, codec.bits / (count * size), predicted > 0, window)
 
 
-def _camera(
-    source: Film, frame: Frame, supports: tuple[float, float] | None, dark: bool | None, *, flatten: bool
-) -> Camera:
+def cameras_of_gaps(source: Film, frame: Frame, dark: bool | None, *, flatten: bool) -> list[Camera]:
+    """How each gap is seen that a strand crosses in one frame, from left to right; level and tilt are not found yet."""
     rows, columns = frame.grey.shape
     if rows < _SMALLEST or columns < _SMALLEST:
         raise SoftcatError(
@@ -134,27 +133,40 @@ def _camera(
         )
     light = light_of(frame.grey, dark, flat=flatten)
     signal = light.signal(frame.grey)
+    level = 0.45 * _contrast(signal)
+    gaps = find_gaps(signal, level, _BLUR)
+    return [Camera(light, level, _BLUR, gap, ((gap.left + gap.right) / 2, 0.0), 0.0) for gap in gaps]
+
+
+def _camera(
+    source: Film, frame: Frame, supports: tuple[float, float] | None, dark: bool | None, *, flatten: bool
+) -> Camera:
+    columns = frame.grey.shape[1]
     if supports is None:
-        level = 0.45 * _contrast(signal)
-        edges = find_supports(signal, level, _BLUR)
+        cameras = cameras_of_gaps(source, frame, dark, flatten=flatten)
+        middle = [one for one in cameras if one.supports.left < columns / 2 < one.supports.right]
+        if not middle:
+            raise SoftcatError(
+                "no support found to the left or to the right of the picture's middle: give the columns of both edges "
+                "by --supports x0,x1; --vertical is for a strand that hangs"
+            )
+        (camera,) = middle
     else:
         left, right = supports
         if not 0 <= left < right <= columns - 1 or right - left < 20:
             raise SoftcatError(f"supports {left:g},{right:g}: accepted: two columns x0 < x1 of the picture, 0 to "
                                f"{columns - 1}, at least 20 apart")  # fmt: skip
-        edges = Supports(float(left), float(right), 0.5, 0.5)
-        level = 0.45 * _contrast(signal[:, int(left) : int(right) + 1])
-    centre, tilt = ((edges.left + edges.right) / 2, 0.0), 0.0
-    camera = Camera(light, level, _BLUR, edges, centre, tilt)
+        light = light_of(frame.grey, dark, flat=flatten)
+        level = 0.45 * _contrast(light.signal(frame.grey)[:, int(left) : int(right) + 1])
+        camera = Camera(light, level, _BLUR, Supports(left, right, 0.5, 0.5), ((left + right) / 2, 0.0), 0.0)
     try:
         first = measure(camera, frame.grey)
     except UnreadableFrameError as error:
         raise SoftcatError(f"film {source.path}: first frame: {error}; accepted: one strand from support to support; "
                            "--roi leaves out what else is in the picture, --dark or --light name the strand, "
                            "--vertical turns a hanging one") from None  # fmt: skip
-    row, slope = _level(first.x, -first.y, edges)
-    centre = ((edges.left + edges.right) / 2, row)
-    return replace(camera, centre=centre, tilt=float(np.arctan(slope)), level=0.45 * first.cuts.height)
+    row, slope = _level(first.x, -first.y, camera.supports)
+    return replace(camera, centre=(camera.centre[0], row), tilt=float(np.arctan(slope)), level=0.45 * first.cuts.height)
 
 
 def _contrast(signal: Picture) -> float:
@@ -184,7 +196,7 @@ def _level(x: Floats, row: Floats, edges: Supports) -> tuple[float, float]:
     return (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / (2 * half)
 
 
-def _pixel(camera: Camera, frame: Frame, ruler: Ruler) -> tuple[float, float]:
+def pixel_of(camera: Camera, frame: Frame, ruler: Ruler) -> tuple[float, float]:
     """Length of a pixel, and its standard error [m]."""
     edges = camera.supports
     if ruler.of == "pixel":

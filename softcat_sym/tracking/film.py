@@ -19,8 +19,7 @@ Picture = NDArray[np.float32]
 Region = tuple[int, int, int, int]
 """Columns and rows x0, x1, y0, y1 of a part of a picture; x1 and y1 are the first ones beyond it."""
 
-PICTURES = (".png", ".tif", ".tiff", ".bmp", ".jpg", ".jpeg", ".pgm")
-_STACKS = (".tif", ".tiff", ".gif")
+PICTURES = (".png", ".tif", ".tiff", ".gif", ".bmp", ".jpg", ".jpeg", ".pgm")
 _UNREADABLE = "cannot be read; accepted: a film, a TIFF stack or a folder of pictures"
 
 
@@ -54,7 +53,7 @@ class Film:
 
     def __iter__(self) -> Iterator[Frame]:
         try:
-            if self.path.is_dir() or self.path.suffix.lower() in _STACKS:
+            if self.path.is_dir() or self.path.suffix.lower() in PICTURES:
                 yield from map(self._framed, self._of_pictures())
             else:
                 yield from map(self._framed, self._of_video())
@@ -118,7 +117,7 @@ class Film:
 
     def codec(self) -> Codec:
         """How its frames are written."""
-        if self.path.is_dir() or self.path.suffix.lower() in _STACKS:
+        if self.path.is_dir() or self.path.suffix.lower() in PICTURES:
             names = [one.suffix.lower() for one in self.path.iterdir()] if self.path.is_dir() else []
             return Codec("pictures", np.inf, is_lossless=not {".jpg", ".jpeg"} & {*names})
         with pyav().open(str(self.path)) as container:
@@ -128,9 +127,9 @@ class Film:
 
 
 def is_film(path: Path) -> bool:
-    """Whether a file is a film or a folder of pictures, and no table, by its name."""
-    suffixes = (".mp4", ".mov", ".avi", ".mkv", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".mjpeg", *_STACKS)
-    return path.is_dir() or path.suffix.lower() in suffixes
+    """Whether a file is a film with times of its own, and no table, by its name."""
+    suffixes = (".mp4", ".mov", ".avi", ".mkv", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".mjpeg")
+    return path.suffix.lower() in suffixes
 
 
 def _grey(picture: Any) -> Picture:

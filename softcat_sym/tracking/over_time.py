@@ -37,8 +37,9 @@ def refusals(change: Floats, rms: Floats, height: Floats, std: Floats, *, is_pre
     repeated frame as a small change, others once more.
     """
     found = dict[int, str]()
-    # At rest, all predicted frames are nearly repeated, and do no harm.
-    for k in range(onset(height[np.isfinite(height)], std[np.isfinite(height)]) if is_predicted else 1, change.size):
+    # At rest, frames are alike where a codec drops the noise, and do no harm.
+    seen = np.isfinite(height)
+    for k in range(max(onset(height[seen], std[seen]), 1), change.size):
         near = np.concatenate([change[max(k - 2, 1) : k], change[k + 1 : k + 3]])
         if near.size and change[k] < (_REPEATED_SHARE if is_predicted else _SAME) * np.median(near):
             found[k] = REPEATED

@@ -16,6 +16,8 @@ _REJECTED = 4.0
 _CORRELATED = 0.05
 """Correlation of residuals down to which it is summed."""
 
+_FEWEST = 6
+"""Points in a piece at least."""
 _GRADED = 16
 """Pieces from which on those next to the supports are shorter."""
 
@@ -58,6 +60,7 @@ def curve(
     Left out are points that are off by more than `rejected` robust standard deviations, which are no smaller than
     `rounding`. A weight is an inverse variance up to a factor.
     """
+    pieces = max(min(pieces, x.size // _FEWEST), 1)
     inner = np.arange(1, pieces) / pieces
     if pieces >= _GRADED:
         # Next to a clamp a strand bends within its thickness.

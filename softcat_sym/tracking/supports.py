@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d, label
+from scipy.ndimage import find_objects, gaussian_filter1d, label
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.tracking.edges import extents, fit_edges
@@ -28,11 +29,11 @@ class Supports:
     right_std: float = 0.0
 
 
-def find_supports(signal: Picture, level: float, width: float) -> Supports:
-    """Find the columns from which on, outwards from the middle, more rows are dark than the strand is thick.
+def find_gaps(signal: Picture, level: float, width: float) -> list[Supports]:
+    """Find the gaps that a strand crosses, from left to right: between columns with more dark rows than it is thick.
 
-    The edge is then fitted in every row that the support reaches and the strand does not, and a line through these
-    edges is read at the strand's level.
+    The edges are then fitted in every row that a support reaches and the strand does not, and a line through them is
+    read at the strand's level.
     """
     mask = gaussian_filter1d(gaussian_filter1d(signal, 1.0, axis=0), 1.0, axis=1) > level
     middle = mask.shape[1] // 2
@@ -44,35 +45,32 @@ def find_supports(signal: Picture, level: float, width: float) -> Supports:
     count = mask.sum(axis=0)
     inner = count[middle - middle // 2 : middle + middle // 2]
     thick = float(np.median(inner[inner > 0]))
-    many = count > max(1.8 * thick, thick + 12)
-    found = list[tuple[float, float]]()
-    for side, name in ((-1, "left"), (1, "right")):
-        columns = np.arange(middle, -1 if side < 0 else mask.shape[1], side)
-        # Two columns in a row, so that a grain of dust at one is no support.
-        there = np.flatnonzero(many[columns[:-1]] & many[columns[1:]])
-        there = there[there > 0.1 * middle]
-        if not there.size:
-            raise SoftcatError(
-                f"no {name} support found: give the columns of both edges by --supports x0,x1; "
-                "--vertical is for a strand that hangs"
-            )
-        found.append(_edge_at(signal, mask, int(columns[there[0]]), side, thick, width))
-    (left, left_std), (right, right_std) = found
-    return Supports(left, right, left_std, right_std)
+    many = label(count > max(1.8 * thick, thick + 12))[0]
+    # A grain of dust at the strand is no support.
+    supports = [place for (place,) in find_objects(many) if place.stop - place.start > max(0.5 * thick, 4)]
+    found = list[Supports]()
+    for one, other in pairwise(supports):
+        left, left_std = _edge_at(signal, mask, one.stop - 1, -1, thick, width)
+        right, right_std = _edge_at(signal, mask, other.start, 1, thick, width)
+        found.append(Supports(left, right, left_std, right_std))
+    return found
 
 
 def _edge_at(
     signal: Picture, mask: NDArray[np.bool_], column: int, side: int, thick: float, width: float
 ) -> tuple[float, float]:
     """Column of a support's edge at the strand's level, and its standard error, near a whole column."""
-    beside = np.clip(column - side * int(thick / 2 + 4 * width + 2), 0, mask.shape[1] - 1)
-    rows = np.flatnonzero(mask[:, beside])
-    strand = float(rows.mean()) if rows.size else mask.shape[0] / 2
+    far = thick / 2 + 4 * width
+    # The strand's level at the edge, from a line through what is seen of it beside the edge.
+    beside = column - side * np.arange(int(far) + 2, int(far + 3 * thick) + 12)
+    beside = beside[(beside >= 0) & (beside < mask.shape[1])]
+    beside = beside[mask[:, beside].any(axis=0)]
+    level = [float(np.flatnonzero(mask[:, one]).mean()) for one in beside]
+    strand = float(np.polyval(np.polyfit(beside, level, 1), column)) if len(level) > 1 else mask.shape[0] / 2
     inside = np.clip(column + side * 4, 0, mask.shape[1] - 1)
     dark = mask[:, inside]
     rows = np.flatnonzero(dark & ~mask[:, np.clip(column - side * 4, 0, mask.shape[1] - 1)])
     # Far enough from the strand and from the support's own corners.
-    far = thick / 2 + 4 * width
     rows = rows[np.abs(rows - strand) > far]
     limits = np.flatnonzero(dark)[[0, -1]]
     limits = np.array([limits[0] if limits[0] > 0 else -99, limits[1] if limits[1] < mask.shape[0] - 1 else 1e9])

@@ -68,6 +68,7 @@ class Picture:
     centre: float = 160.2  # column halfway between the supports
     thickness: float = 12.0
     supports: str = "clamps"  # or pillars
+    inner: tuple[tuple[float, float], ...] = ()  # places of the edges of further pillars below the strand
     tilt: float = 0.0  # of the camera [rad]: the picture turns clockwise
     blur: float = 1.0  # standard deviation of the lens
     noise: float = 1.0  # grey levels
@@ -83,7 +84,7 @@ class Picture:
     dust: tuple[tuple[float, float, float], ...] = ()  # row, column and radius
     light_strand: bool = False
     seed: int = 0
-    times: Array = field(default_factory=lambda: np.arange(12) / 10.0)
+    times: Array = field(default_factory=lambda: np.arange(9) / 7.2)
 
     def to_picture(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Columns and rows of points: x from the middle to the right, y above the supports' level."""
@@ -144,6 +145,10 @@ class Picture:
             # Transposed, the support reaches from its edge to the picture's.
             far = np.full(200, -9.0 if side < 0 else self.columns + 9.0)
             low, high = (far, columns) if side < 0 else (columns, far)
+            free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows).T
+        for edges in self.inner:
+            y = np.linspace(-self.thickness / 2, -2 * self.rows, 200)
+            (low, rows), (high, _) = (self.to_picture(edge + np.zeros(200), y) for edge in edges)
             free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows).T
         v, u = np.mgrid[: self.rows * FINE, : self.columns * FINE]
         for row, column, radius in self.dust:
