@@ -103,7 +103,7 @@ class Drawable:
         return html(repr(self), self.plot())
 
 
-def drawn(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: object) -> Figure:
+def figure_by_name(figures: Mapping[str, Callable[..., Figure | None]], what: str, *of: object) -> Figure:
     """One of the pictures that there are of a result."""
     if what not in figures:
         raise SoftcatError(f"no picture {what!r}: there are {', '.join(figures)}")

@@ -63,7 +63,9 @@ def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]
     return drawers
 
 
-drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.drawn(_drawers(of), what, of))
+drawing.plot.register(
+    Comparison, lambda of, what="compare_midpoint.png": drawing.figure_by_name(_drawers(of), what, of)
+)
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:

@@ -193,7 +193,7 @@ _CAPTIONS = {
 }
 
 
-drawing.plot.register(Fit, lambda fit, what="curves": drawing.drawn(FIGURES, what, fit))
+drawing.plot.register(Fit, lambda fit, what="curves": drawing.figure_by_name(FIGURES, what, fit))
 
 
 def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:

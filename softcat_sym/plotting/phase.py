@@ -59,7 +59,7 @@ def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
     return pictures | {f"{sheet.plane.name}_strain": partial(strain_figure, diagram, sheet) for sheet in diagram.sheets}
 
 
-drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.drawn(_drawers(of), what))
+drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.figure_by_name(_drawers(of), what))
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:

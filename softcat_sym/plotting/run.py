@@ -575,7 +575,7 @@ FIGURES = {
 
 @drawing.plot.register(Run)
 def _of_run(run: Run, what: str = "midpoint", radius: float = 1.0) -> Figure:
-    return drawing.drawn(figures_with(radius), what, run.fields, run.summary, run.scene)
+    return drawing.figure_by_name(figures_with(radius), what, run.fields, run.summary, run.scene)
 
 
 def figures_with(radius: float) -> dict[str, Callable[..., Figure]]:

@@ -179,7 +179,7 @@ class _Members:
         style.legend(body, handles=handles, ncols=3)
 
 
-drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.drawn({"sag": sweep_figure}, what, sweep))
+drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.figure_by_name({"sag": sweep_figure}, what, sweep))
 
 
 def sweep_figure(sweep: Sweep) -> Figure | None:

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, made, replace_atomically, written_together
+from softcat_sym.files import fill_atomically, new_folder, replace_atomically, written_together
 from softcat_sym.reference.elements import ElementField, ElementRun, element_fields, strip_of
 from softcat_sym.results.fields import VARIABLES, variable_of
 
@@ -113,7 +113,7 @@ def _lines(places: Floats, cells: NDArray[np.int64], points: dict[str, Floats], 
 def _written(folder: Path, series: str, meshes: Iterable[tuple[float, Any]], count: int) -> list[Path]:
     """A file for every mesh with its time, and the series that lists them."""
     digits, written = max(2, len(str(count - 1))), dict[Path, float]()
-    with made(folder), written_together():
+    with new_folder(folder), written_together():
         for number, (time, mesh) in enumerate(meshes):
             path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"
             fill_atomically(path, lambda passing, mesh=mesh: mesh.write(passing, file_format="vtu"))  # type: ignore[misc]
