@@ -9,7 +9,7 @@ import typer
 
 from softcat_sym import drawing
 from softcat_sym.cli import application as cli
-from softcat_sym.files import made, write_results, written_together
+from softcat_sym.files import new_folder, write_results, written_together
 from softcat_sym.interrupts import ending
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.simulate import simulated
@@ -113,7 +113,7 @@ def draw(
     finished = runs.open_run(trajectory)
     runs.check_drawable(finished)
     try:
-        with made(output), written_together():
+        with new_folder(output), written_together():
             beside = {"summary.json": finished.summary, "scene.toml": finished.scene.to_toml()}
             files = write_results(output, {**drawing.report(finished, name=drawn, radius=radius).files, **beside})
             files += [] if order is None else [_film(order, output, finished, quiet=quiet)]

@@ -347,7 +347,8 @@ class Kind:
 
     def __init__(self, accepted: str, check: Callable[[Any], Any] | None = None) -> None:
         self.accepted = accepted  # In words for a fault
-        self.check = check or self.check  # type: ignore[assignment, method-assign]
+        if check is not None:
+            self.check = check  # type: ignore[assignment, method-assign]
 
     def check(self, value: Any) -> Any:
         """Return the value as it is kept; raises `NotAQuantity` or `refusal`."""
@@ -497,7 +498,7 @@ class Values(Kind):
         most: int = _LONGEST,
         *,
         optional: bool = False,
-        then: Callable[[Any, tuple[Any, ...]], Any] = lambda given, values: values,
+        then: Callable[[Any, tuple[Any, ...]], Any] | None = None,
     ) -> None:
         super().__init__(accepted)
         self.item, self.si, self.least, self.most, self.optional, self.then = item, item.si, least, most, optional, then
@@ -506,7 +507,8 @@ class Values(Kind):
         items = self.listed(value, "a list")
         if not self.least <= len(items) <= self.most and (items or not self.optional):
             raise NotAQuantity(f"a list of {len(items)}")
-        return self.then(value, tuple(self.item.read(item) for item in items))
+        values = tuple(self.item.read(item) for item in items)
+        return values if self.then is None else self.then(value, values)
 
     def write(self, value: tuple[Any, ...]) -> object:
         return [self.item.write(item) for item in value]
