@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, replace_atomically, written_together
+from softcat_sym.files import fill_atomically, new_folder, replace_atomically, written_together
 from softcat_sym.reference.elements import ElementField, ElementRun, element_fields, strip_of
 from softcat_sym.results.fields import VARIABLES, variable_of
 
