@@ -482,8 +482,7 @@ def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
     follows = filament.section == "circle" or "width" not in filament.model_fields_set
     if "thickness" not in changes or "width" in changes or not follows:
         return filament.model_copy(update=changes)
-    unused = {name: Filament.model_fields[name].default for name in ("diameter", *LINE)}
-    return _copied(filament, changes, {"width": changes["thickness"], **unused})
+    return _copied(filament, changes, {"width": changes["thickness"], **dict.fromkeys(("diameter", *LINE))})
 
 
 _NUMBERED = re.compile(r"(.+)_(\d+)")

@@ -115,19 +115,14 @@ LINE = ("line_width", "layer_height", "flow_ratio", "line_shape")
 """Keys of a slicer's line, which say together how thick a round strand is."""
 
 
-def line_area(width: float, height: float, flow_ratio: float = 1.0, shape: LineShape = "rectangle") -> float:
+def line_area(width: float, height: float, flow_ratio: float | None, shape: LineShape | None) -> float:
     """Area of the strand that a slicer extrudes for a line [m^2].
 
     A rectangle is w h, as in Cura; a rounded one, h (w - (1 - pi/4) h), has half circles as its sides, as PrusaSlicer
-    and OrcaSlicer have it (libslic3r, ``Flow::mm3_per_mm``).
+    and OrcaSlicer have it (libslic3r, ``Flow::mm3_per_mm``). Without a flow ratio it is 1, without a shape a rectangle.
     """
     corners = (1 - math.pi / 4) * height if shape == "rounded" else 0.0
-    return flow_ratio * height * (width - corners)
-
-
-def line_diameter(width: float, height: float, flow_ratio: float = 1.0, shape: LineShape = "rectangle") -> float:
-    """Diameter of the round strand that has the area of a slicer's line [m]."""
-    return math.sqrt(4 / math.pi * line_area(width, height, flow_ratio, shape))
+    return (1.0 if flow_ratio is None else flow_ratio) * height * (width - corners)
 
 
 _PROFILE = Values(Number(above=0), "a list of positive numbers without units, at least 2", 2, optional=True)
@@ -151,10 +146,10 @@ class Filament(Part, table="filament"):
     """Width of a slicer's line: with layer_height the section is a circle of the same area; instead of thickness."""
     layer_height: Annotated[float | None, _LAYER] = _of_a_line(None, validate_default=True)
     """Height of that line."""
-    flow_ratio: Annotated[float, Number(above=0)] = _of_a_line(1.0)
-    """Material extruded for that line, over what fills its shape."""
-    line_shape: Annotated[LineShape, Choice(LineShape)] = _of_a_line("rectangle")
-    """Shape of that line: rectangle as in Cura, rounded as in PrusaSlicer and OrcaSlicer."""
+    flow_ratio: Annotated[float | None, Number(above=0)] = _of_a_line(None)
+    """Material extruded for that line over what fills its shape; 1 unless given."""
+    line_shape: Annotated[LineShape | None, Choice(LineShape)] = _of_a_line(None)
+    """Shape of that line: rectangle as in Cura, which it is unless given, rounded as in PrusaSlicer and OrcaSlicer."""
     thickness: Length = Field(default=None, validate_default=True)
     """Thickness h0 in the plane of bending; the diameter of a circle."""
     section: Annotated[Section, Choice(Section)] = "rectangle"
@@ -213,9 +208,9 @@ class Filament(Part, table="filament"):
             raise refusal(twice, "one of the two")
         thickness = _THICKNESS.read(value) if value is not None else info.data.get("diameter") or math.nan
         if others == ["line_width"]:
-            line = [info.data.get(key) for key in LINE]
             # NaN never escapes: a part of the line that is missing here is faulty itself.
-            thickness = math.nan if None in line else line_diameter(*line)  # type: ignore[arg-type]
+            line = [info.data.get(key, math.nan) for key in LINE]
+            thickness = math.sqrt(4 / math.pi * line_area(*line))
         if thickness >= span:
             found = f"{shown(value) if not others else f'the diameter, {thickness:g} m,'} is not less than the span"
             raise refusal(found, f"a thickness below the span, {span:g} m")
@@ -250,9 +245,10 @@ class Filament(Part, table="filament"):
         notes = [] if self.diameter is None else [f"thickness = diameter of a circle: {self.thickness:.6g} m"]
         area = math.pi / 4 * self.thickness**2
         if self.line_width is not None and self.layer_height is not None:
-            line = f"{self.line_shape} line of {1e3 * self.line_width:g} mm x {1e3 * self.layer_height:g} mm"
+            size = f"{1e3 * self.line_width:g} mm x {1e3 * self.layer_height:g} mm"
+            line = f"{self.line_shape or 'rectangle'} line of {size}"
             now = f"round strand of the same area, {1e6 * area:.4g} mm^2: diameter {1e3 * self.thickness:.4g} mm"
-            notes.append(f"{line}, flow ratio {self.flow_ratio:g} = {now}")
+            notes.append(f"{line}, flow ratio {self.flow_ratio or 1:g} = {now}")
         if self.nozzle is not None:
             ratio = (self.nozzle / self.thickness) ** 2
             notes.append(f"draw ratio {ratio:.4g} = area of the nozzle over that of the strand; it changes no answer")
