@@ -96,7 +96,7 @@ def test_the_longest_bridge_has_none_beyond_the_limit_below_it() -> None:
     strand = {"diameter": "0.3 mm"}
     assert table(strand, 1e-5, 2e-5, 2e-4, 3e-5).longest == pytest.approx(2e-3)
     nothing = table(strand, 2e-4, 1e-5)
-    assert nothing.longest is None and nothing.text[0].startswith("no bridge")
+    assert nothing.longest is None and nothing.text[0].startswith("not even a bridge of 1 mm surely sags")
     assert fields(nothing.slicer_fields("OrcaSlicer"))["max_bridge_length"] == "0"
     assert fields(nothing.slicer_fields("SuperSlicer"))["dont_support_bridges"] == "0"
 

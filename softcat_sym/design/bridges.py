@@ -86,16 +86,15 @@ class BridgeTable(Drawable):
     def text(self) -> tuple[str, ...]:
         """Plain sentences, the first with the longest bridge."""
         rows, longest = self.bridges, self.longest
-        allowed = f"{100 * self.max_sag.value:g} % of their length" if self.max_sag.of_span else None
-        allowed = allowed or length_text(self.max_sag.value)
+        allowed = f"{100 * self.max_sag.value:g} % of the length"
+        if not self.max_sag.of_span:
+            allowed = length_text(self.max_sag.value)
+        found = [f"bridges up to {length_text(longest, 4)} sag less than {allowed}"] if longest else []
+        found = found or [f"not even a bridge of {length_text(rows[0].length, 4)} surely sags less than {allowed}"]
         first = next((one for one in rows if one.within != "yes"), None)
-        if longest is None:
-            found = [f"no bridge of this table, from {length_text(rows[0].length)} on, surely sags less than {allowed}"]
-        else:
-            found = [f"bridges up to {length_text(longest, 4)} sag less than {allowed}"]
         if first is not None:
             sag = f"sags {length_text(first.sag)}" if math.isfinite(first.sag) else f"ends as {first.outcome}"
-            found.append(f"the next, {length_text(first.length, 4)}, {sag}: within the limit: {first.within}")
+            found.append(f"one of {length_text(first.length, 4)} {sag}; within the limit: {first.within}")
         moving = [one for one in rows if one.settled is None and math.isfinite(one.sag)]
         if moving:
             duration = f"{self.scene.run.duration:g} s"

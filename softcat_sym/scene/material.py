@@ -207,7 +207,7 @@ def shear_names(constant: str) -> tuple[str, ...]:
 def physical_path(path: str) -> str:
     """Name the key that a value given in another way stands for: ``filament.thickness`` for the diameter."""
     table, _, key = path.partition(".")
-    if table == "filament" and key in ("diameter", *LINE):
+    if path == "filament.diameter":
         return "filament.thickness"
     return f"material.{tensile_name(key) or key}" if table == "material" else path
 
