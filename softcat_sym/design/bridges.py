@@ -161,11 +161,9 @@ class BridgeTable(Drawable):
     def _orca_flow(self) -> list[str]:
         line = self.scene.filament
         if line.line_width is None:
-            return [
-                "# 1: bridges are round strands of the nozzle's diameter times the root of bridge_flow.",
-                "thick_bridges = 1",
-                *self._nozzle_flow("bridge_flow", percent=False),
-            ]
+            flow = self._nozzle_flow("bridge_flow", percent=False)
+            round_ = "# 1: bridges are round strands of the nozzle's diameter times the root of bridge_flow."
+            return flow if line.nozzle is None else [round_, "thick_bridges = 1", *flow]
         size = f"line of {1e3 * line.line_width:g} mm x {1e3 * (line.layer_height or 0.0):g} mm"
         return [
             f"# 0: bridges are extruded as other lines are, here as a {size}.",
