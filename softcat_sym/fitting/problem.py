@@ -11,7 +11,7 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
-from scipy.interpolate import make_smoothing_spline
+from scipy.interpolate import make_interp_spline, make_smoothing_spline
 
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
@@ -204,36 +204,37 @@ class Film(Readings):
         return np.nan_to_num(self.place)
 
     def with_errors(self, scene: Scene, values: Floats, *, theory: bool) -> Film:
-        """The film with the errors of camera and theory for some heights [m] and forces [N], of a scene."""
-        seen = ~self.is_force
+        """The film with the errors of camera and theory for heights [m] and forces [N] of a scene."""
+        seen, rates = ~self.is_force, self._rates(values)
         heights = np.where(seen, values, 0.0)
         changes = {
             SCALE: heights,
             INITIAL_SAG: 1.0 * seen,
             TILT: self._height_by_tilt,
-            TIME_OFFSET: -self._rates(values),
+            TIME_OFFSET: -rates,
         }
         columns = [spread * changes[name] for name, spread in self.camera.items()]
         camera = np.array(columns).reshape(len(columns), heights.size).T
         covariance, error = np.zeros((heights.size, heights.size)), 0.0
         if theory and seen.any():
             known = discrepancy(scene, self.model.effects, self.model.terms)
-            rows, error = (self.time[seen], self.place[seen], heights[seen]), known.amplitude
+            rows, error = (self.time[seen], self.place[seen], heights[seen], rates[seen]), known.amplitude
             covariance[np.ix_(seen, seen)] = theory_covariance(known, *rows, scene.filament.span)
         return replace(self, errors=replace(self.errors, camera=camera, theory=covariance), theory_error=error)
 
     def _rates(self, values: Floats) -> Floats:
-        """Rates of values between neighbouring times [m/s], [N/s]; of a shape in proportion to its deepest point's."""
+        """Rates of values [m/s], [N/s] by a cubic spline; of a shape in proportion to its deepest point's."""
         found, begin = np.zeros(values.size), 0
         sizes = [one.time.size for one in self.series.forces]
         for size in (self.series.time.size, values.size - self.series.time.size - sum(sizes), *sizes):
-            rows = np.arange(begin, begin + size)
+            rows = slice(begin, begin + size)
             begin += size
-            if np.unique(self.time[rows]).size > 1:
-                times, row, deepest = deepest_points(self.time[rows], values[rows])
+            times, row, deepest = deepest_points(self.time[rows], values[rows])
+            if times.size > 1:
                 track = values[rows][deepest]
+                rates = make_interp_spline(times, track, k=min(3, times.size - 1)).derivative()(times)
                 share = values[rows] / np.where(track == 0, np.inf, track)[row] if size > times.size else 1.0
-                found[rows] = np.gradient(track, times)[row] * share
+                found[rows] = rates[row] * share
         return found
 
     def smooth_readings(self) -> Floats:
@@ -388,12 +389,15 @@ class FilamentProblem(Unknowns):
         )
         return made
 
-    def updated(self, q: Floats, *, correlated: bool = True) -> FilamentProblem:
-        """The problem with the errors of camera and theory for the heights at an optimum, and with the noise there."""
+    def updated(self, q: Floats, *, correlated: bool = True, renewed: bool = True) -> FilamentProblem:
+        """The problem with the noise at an optimum and, if renewed, the errors of camera and theory there."""
         with until(self.deadline):
             linearised = [film.linearised(q) for film in self.films]
         films = [
-            film.with_errors(film.scene(q), values, theory=self._theory)
+            # About the filament of the film, which a change of constants hardly moves.
+            film.with_errors(film.scene(q), values + film.systematic_part(values), theory=self._theory)
+            if renewed
+            else film
             for film, (values, _) in zip(self.films, linearised, strict=True)
         ]
         found = self._estimate(films, linearised, q, correlated=correlated)

@@ -119,7 +119,7 @@ def fitted(name: str, number: int, film: int) -> Fitted:
     if asked.theory:
         model = FilamentProblem(rough, _film(time, exact), case.free).films[0].model
         error = discrepancy(true, model.effects, model.terms)
-        size, vectors = np.linalg.eigh(error.covariance(time, midpoint))
+        size, vectors = np.linalg.eigh(error.covariance(time, midpoint, np.gradient(midpoint, time)))
         midpoint = midpoint + vectors @ (np.sqrt(np.maximum(size, 0)) * random.standard_normal(frames))
     midpoint = midpoint + noise * _noise(frames, asked.correlation, random)
     found = fit(_film(time, midpoint), rough, case.free, starts=0, profiles=case.profiles, rtol=case.rtol, **asked.told)
