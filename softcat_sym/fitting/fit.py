@@ -299,6 +299,8 @@ _TUNINGS = 2
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
 # Share of its distance from the optimum that a stuck search may keep with smaller time steps.
 _HELPFUL = 0.8
+# Updates that renew the errors of camera and theory, beside the noise.
+_RENEWALS = 2
 ROUNDS = 8
 """Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
@@ -404,7 +406,7 @@ def _refined(
             elif best.converged and is_new and (fine or number < _UNTIL_GRID):
                 looser = None
                 # The discretization error looks like correlated noise: the correlation waits for the final resolution.
-                again = problem.updated(best.q, correlated=fine, renewed=number == 0)
+                again = problem.updated(best.q, correlated=fine, renewed=number < _RENEWALS)
             elif best.converged and not fine:
                 task.progress.stage("grid, fibres and time steps")
                 resolution = _moved_in_time(problem, best, information_at(problem, best))
