@@ -1,7 +1,6 @@
 """Contact against closed forms and finite elements: each test prints its table.
 
-Elements know neither a bond nor friction; they indent at an edge as the ink does, which no filament does: pillars have
-edges of the strand's thickness here.
+Elements know neither a bond nor friction, and indent at a sharp edge, which no filament does.
 """
 
 from __future__ import annotations
@@ -142,16 +141,20 @@ def test_a_bingham_strand_lies_down_on_a_floor_as_elements_do() -> None:
 
 
 def test_a_strand_over_pillars_sags_as_elements_do() -> None:
-    """The ink, a third as thick, so that the theory holds: at its own thickness clamps alone make 9 % of difference."""
+    """The ink, a third as thick, so that the theory holds: at its own thickness clamps alone make 9 % of difference.
+
+    The edges are so round that the line of contact, where they have the slope of the strand, moves over some elements.
+    """
     changes: dict[str, Any] = {
         "filament.section": "rectangle",
         "filament.thickness": "0.15 mm",
         "filament.span": "9 mm",
-        "pillars.gap": "4.4 mm",
-        "pillars.edge": "0.3 mm",
+        "pillars.gap": "2 mm",
+        "pillars.edge": "1.5 mm",
         "pillars.bond": "none",
         "load.ramp": "5 ms",
         "run.duration": "0.05 s",
+        "run.accuracy": 0.01,
         "run.frames": 101,
     }
     scene = sc.load_scene("ink-on-pillars", changes)
