@@ -163,7 +163,7 @@ def test_a_strand_over_pillars_sags_as_elements_do() -> None:
     found, exact = float(run.data.midpoint.values[late].mean()), float(solid.midpoint[late].mean())
     rows = [(-1e6 * found, -1e6 * exact, f"{found / exact - 1:+.2%}")]
     show("strand over pillars", ("sag [um]", "elements", "error"), rows)
-    assert run.outcome is sc.Outcome.solved and abs(found / exact - 1) < 0.02
+    assert run.outcome is sc.Outcome.solved and abs(found / exact - 1) < 0.025
 
 
 def test_contact_keeps_the_energy_and_costs_few_steps() -> None:
