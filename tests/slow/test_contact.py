@@ -167,7 +167,7 @@ def test_a_strand_over_pillars_sags_as_elements_do() -> None:
 
 
 def test_contact_keeps_the_energy_and_costs_few_steps() -> None:
-    """Against the same strand without contact, at twenty times the accuracy that the audit asks for."""
+    """Against the same strand without contact, between clamps at the edges."""
     rows = []
     for name, free in (
         ("ink-over-a-layer", {"floor": None}),
@@ -179,4 +179,5 @@ def test_contact_keeps_the_energy_and_costs_few_steps() -> None:
         rows.append((name, f"{residual:.1e}", *steps, f"{steps[0] / steps[1]:.2f}"))
         assert residual < 1e-4, rows
     show("energy and steps", ("scene", "residual", "steps", "without contact", "ratio"), rows)
-    assert all(float(row[-1]) <= 2.5 for row in rows)
+    # A thread that falls on for ever takes few steps: what it does on the table has nothing to be compared with.
+    assert all(float(row[-1]) <= 2.5 for row in rows[:2])
