@@ -66,7 +66,7 @@ GROUPS = {
     "Runs": ("simulate", "Run", "Outcome", "explain", "Explanation", "card", "Card"),
     "Many runs": ("simulate_many", "Ensemble", "sweep", "Sweep"),
     "What effects are worth": ("price_effects", "Pricing"),
-    "From measurements": ("fit", "Fit", "Measurements", "fit_flow_curve"),
+    "From measurements": ("track", "Track", "fit", "Fit", "Measurements", "fit_flow_curve"),
     "C to take away": ("generate", "live_page"),
     "Refusals": ("SoftcatError", "SceneError"),
 }

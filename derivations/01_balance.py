@@ -35,7 +35,7 @@ from proving import Erratum, prove_equal, record_errata
 
 from softcat_sym.physics import kinematics, loads
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import RECTANGLE
 from softcat_sym.physics.symbols import A0, M_X, Q, X, a_g, f_g, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
 from softcat_sym.physics.terms import Terms

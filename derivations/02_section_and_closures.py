@@ -22,8 +22,8 @@
 # $\zeta = 2z/h$.
 #
 # Effects derived here: `extensibility` (`kinematics.internal_force`), `finite-stretch` (`kinematics.TRUE_STRAIN`),
-# `thinning` (`sections.UNIFORM`, `sections.WIDE`), `yielding` (`laws.bingham_rate`,
-# `laws.bingham_means`).
+# `thinning` (`sections.UNIFORM`, `sections.WIDE`), `yielding` (`constitutive_laws.bingham_rate`,
+# `constitutive_laws.bingham_means`).
 
 # %%
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ from dataclasses import replace
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.physics import filament, kinematics, laws, sections
+from softcat_sym.physics import constitutive_laws, kinematics, section_equations, sections
 from softcat_sym.physics import section_response as closures
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.section_response import PLANE_STRAIN, SectionResponse
@@ -201,10 +201,10 @@ for shape in (RECTANGLE, CIRCLE):
 # ## The Maxwell fluid: (2.7), (2.8), (2.12)
 
 # %%
-assert laws.maxwell_rate() == sigma / eta
+assert constitutive_laws.maxwell_rate() == sigma / eta
 for shape in SHAPES:
-    flow = laws.maxwell_rate().subs(sigma, linear)
-    means = laws.maxwell_means(shape)
+    flow = constitutive_laws.maxwell_rate().subs(sigma, linear)
+    means = constitutive_laws.maxwell_means(shape)
     prove_equal(mean(shape, flow), means.rate)
     prove_equal(mean(shape, flow * zeta) / mean(shape, zeta**2), means.bending_rate)
     assert means.yielded_fraction == 1
@@ -249,7 +249,7 @@ for stress_, derived in (
     (-2, (sigma + sigma_Y) / eta),
 ):
     sample = at_unit | {sigma: sp.sympify(stress_)}
-    prove_equal(derived, settle(laws.bingham_rate(), sample))
+    prove_equal(derived, settle(constitutive_laws.bingham_rate(), sample))
     printed_rate = (sigma - sp.sign(sigma) * sigma_Y) * sp.Heaviside(sp.Abs(sigma) - sigma_Y) / eta  # (2.25)
     prove_equal(derived, settle(printed_rate, sample))
 
@@ -359,7 +359,7 @@ assert len(seen) == 12
 
 # %%
 anywhere = sp.Symbol("z_0", real=True)
-means = laws.bingham_means(RECTANGLE)
+means = constitutive_laws.bingham_means(RECTANGLE)
 for mean_, slope_ in REGIONS:
     sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
     where = {zone(sign, sample): sign for sign in (1, -1)}
@@ -374,7 +374,7 @@ for mean_, slope_ in REGIONS:
     bending = C_t / (h * D * h / 2) / RECTANGLE.zeta_squared
     prove_equal(sp.cancel(bending), settle(means.bending_rate, sample))
     prove_equal((bottom + h / 2 + h / 2 - top) / h, settle(means.yielded_fraction, sample))
-    ends = [settle(laws.bingham_rate().subs(sigma, sigma_0 + sigma_1 * k), sample) for k in (1, -1)]
+    ends = [settle(constitutive_laws.bingham_rate().subs(sigma, sigma_0 + sigma_1 * k), sample) for k in (1, -1)]
     largest = max((abs(end.subs(sample)), n) for n, end in enumerate(ends))[1]
     prove_equal(ends[largest] ** 2, settle(means.largest_rate, sample) ** 2)
 
@@ -431,8 +431,8 @@ def on_the_circle(expression: sp.Expr) -> sp.Expr:
 
 
 # Outside the section the code keeps an edge within 1e-14 of the rim, for the sake of derivatives; here it may touch it.
-means = laws.bingham_means(replace(CIRCLE, interval=(sp.Integer(-1), sp.Integer(1))))
-as_run = laws.bingham_means(CIRCLE)
+means = constitutive_laws.bingham_means(replace(CIRCLE, interval=(sp.Integer(-1), sp.Integer(1))))
+as_run = constitutive_laws.bingham_means(CIRCLE)
 for mean_, slope_ in REGIONS:
     sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
     where = {zone(sign, sample): sign for sign in (1, -1)}
@@ -462,7 +462,7 @@ for mean_, slope_ in REGIONS:
 for shape in (RECTANGLE, CIRCLE):
     for stress_, derived in ((2, sigma_0 - sigma_Y), (-2, sigma_0 + sigma_Y), (sp.Rational(1, 2), 0)):
         uniform = at_unit | {sigma_0: sp.sympify(stress_)}
-        held = laws.bingham_means(shape)
+        held = constitutive_laws.bingham_means(shape)
         prove_equal(derived / eta, settle(held.rate.subs(sigma_1, 0), uniform))
         prove_equal(0, held.bending_rate.subs(sigma_1, 0))
 
@@ -644,7 +644,7 @@ def cell(shape: sections.Section, name: str, law: str, *, finite: bool = True) -
         flows=True,
         yields=True,
     )
-    return filament.derive(terms, shape, name).response
+    return section_equations.derive(terms, shape, name).response
 
 
 def modulus_of(shape: sections.Section) -> sp.Expr:
@@ -674,7 +674,7 @@ def prove_common(shape: sections.Section, shrinking: sections.Contraction, held:
 
 
 for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE), (RECTANGLE, NONE)):
-    for law, closed in (("maxwell", laws.maxwell_means), ("bingham", laws.bingham_means)):
+    for law, closed in (("maxwell", constitutive_laws.maxwell_means), ("bingham", constitutive_laws.bingham_means)):
         response = cell(shape, "material", law, finite=shrinking is not NONE)
         prove_common(shape, shrinking, response)
         if shrinking is NONE:
@@ -702,7 +702,7 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE),
 # %%
 for shape in (RECTANGLE, CIRCLE, SHEET):
     fluid = Terms(finite=True, thins=True, bending=True, stretches=True, law=Rheology("newtonian"), viscous=True)
-    response = filament.derive(fluid, shape, "material").response
+    response = section_equations.derive(fluid, shape, "material").response
     viscous = response.viscous
     moment = response.moment.subs(sigma_1, viscous.stress_bending)
     axial = response.tension.subs(sigma_0, viscous.stress_mean)
@@ -910,7 +910,9 @@ for left, right, stiffness_, share in (
 # %%
 for law in ("maxwell", "bingham"):
     beam = Terms(bending=True, law=Rheology(law), flows=True, yields=True)
-    loose, stiff = (filament.derive(replace(beam, stretches=given), CIRCLE, "material") for given in (True, False))
+    loose, stiff = (
+        section_equations.derive(replace(beam, stretches=given), CIRCLE, "material") for given in (True, False)
+    )
     with_mean, alone = loose.response.branch, stiff.response.branch
     assert stiff.response.tension == alone.stress_mean == alone.rate_mean == 0
     assert stiff.response.moment == loose.response.moment

@@ -27,9 +27,9 @@ import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.filament import derive
 from softcat_sym.physics.regimes import K_I, V, delta, gyration, tau_star
 from softcat_sym.physics.rheometry import t_star
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import (
     A0,

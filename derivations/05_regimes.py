@@ -578,8 +578,8 @@ for number, printed_strain, agrees in (("0.01", 0.07, False), ("0.4", 0.002, Tru
 # ## What the program predicts with them
 
 # %%
-from softcat_sym.effects import scaling_estimates
-from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.estimates import scaling
+from softcat_sym.estimates.expected_regime import expected_regime
 from softcat_sym.scene.reading import load_scene
 
 for section in gyration:
@@ -587,10 +587,10 @@ for section in gyration:
         scene = load_scene(
             "arrested-overdamped", {"filament.section": section.name, "ends.left": ends[0], "ends.right": ends[1]}
         )
-        predicted = scaling_estimates.first_yield_gravity_number(scene)
+        predicted = scaling.first_yield_gravity_number(scene)
         assert abs(predicted - at_yield[section, ends].subs(delta, sp.Rational(3, 100))) < 1e-14, (section.name, ends)
         stiffness = gyration[section] * sp.Rational(9, 10**4) / sp.Rational(BEAMS[ends].midspan_sag)
-        assert abs(scaling_estimates.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
+        assert abs(scaling.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
 for number in ("0.4", "1.0"):
     scene = load_scene("arrested-overdamped", {"groups.G": float(number), "groups.duration": 1e9})
     forecast_motion = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper

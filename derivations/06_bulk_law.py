@@ -24,7 +24,7 @@
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import bulk, laws
+from softcat_sym.physics import bulk, constitutive_laws
 from softcat_sym.physics.symbols import E, eta, sigma, sigma_Y
 
 nu = bulk.nu
@@ -171,7 +171,7 @@ prove_equal(derived_equivalent**2, held_equivalent**2)  # both are positive root
 derived_flow = stress_deviator * strength.subs(tensile, bulk.sigma_eq)
 for derived, held in zip(derived_flow, held_flow, strict=True):
     prove_equal(derived, held)
-for rule in (laws.bingham_rate(), laws.maxwell_rate()):
+for rule in (constitutive_laws.bingham_rate(), constitutive_laws.maxwell_rate()):
     flow_of_rule = derived_flow.subs(phi(bulk.sigma_eq), rule.subs(sigma, bulk.sigma_eq))
     assert entries_vanish(flow_of_rule - bulk.plastic_flow(M, rule))
 
@@ -191,7 +191,7 @@ prove_equal(printed_rate, sp.sqrt(2) * axial_rate)
 prove_equal(printed_rate / sp.sqrt(2), axial_rate)
 
 excess = sp.Symbol("excess", positive=True)
-held_rate = bulk.plastic_flow(simple_tension, laws.bingham_rate())[0, 0].subs(bulk.sigma_eq, tensile)
+held_rate = bulk.plastic_flow(simple_tension, constitutive_laws.bingham_rate())[0, 0].subs(bulk.sigma_eq, tensile)
 prove_equal(held_rate.subs(tensile, sigma_Y + excess), axial_rate.subs(tensile, sigma_Y + excess))
 assert held_rate.subs(tensile, sigma_Y / 2) == 0
 

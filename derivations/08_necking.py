@@ -32,7 +32,7 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import laws, necking, sections
+from softcat_sym.physics import constitutive_laws, necking, sections
 from softcat_sym.physics.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t
 
 # %% [markdown]
@@ -270,7 +270,7 @@ growth
 # %%
 prove_equal(growth.subs(b_here, 0), sigma * slope_of_rule)
 beyond = sp.Symbol("beyond", positive=True)
-for rule in (laws.bingham_rate(), laws.maxwell_rate()):
+for rule in (constitutive_laws.bingham_rate(), constitutive_laws.maxwell_rate()):
     stress = sigma_Y + beyond
     slope_here = sp.diff(rule, sigma).subs(sigma, stress)
     prove_equal(slope_here, 1 / eta)

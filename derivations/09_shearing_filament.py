@@ -29,7 +29,7 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import bulk, kinematics, laws, reissner, sections
+from softcat_sym.physics import bulk, constitutive_laws, kinematics, reissner, sections
 from softcat_sym.physics import section_response as closures
 from softcat_sym.physics.reissner import Gam, Lam, S, eps_e, gamma_e, gamma_p, k, kappa_s, psi, tau_d, tau_f
 from softcat_sym.physics.section_response import PLANE_STRAIN
@@ -498,7 +498,7 @@ for cell in cells.values():
 # %%
 for shape, name in ((sections.RECTANGLE, "both ways"), (sections.CIRCLE, "both ways"), (sections.SHEET, "sheet")):
     whole_rate = rate_of(eps, gam).subs(c, cells[name].carry)
-    potential = reissner.resolve(shape, laws.law_of("kelvin-voigt"), shear=True).viscous.rayleigh
+    potential = reissner.resolve(shape, constitutive_laws.law_of("kelvin-voigt"), shear=True).viscous.rayleigh
     moving = {reissner.eps_t: sp.diff(eps, t), reissner.gamma_t: sp.diff(gam, t), reissner.gamma: gam}
     prove_equal(eta / 3 * sum(entry**2 for entry in whole_rate), potential.subs(moving))
 
@@ -539,7 +539,7 @@ prove_equal(by_energy(2 * sp.sqrt(1 - zeta**2) / sp.pi), sections.CIRCLE.shear_c
 
 # %%
 sliding_rate = sp.Symbol("sliding_rate", positive=True)
-maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate[0].subs(gamma_p, 0)
+maxwell = reissner.fibre_flow(constitutive_laws.maxwell_rate()).shear_rate[0].subs(gamma_p, 0)
 steady = sp.solve(maxwell.subs(tau_d, tau_f) - sp.sqrt(kappa_s) * sliding_rate, tau_f)[0]
 prove_equal(sp.sqrt(kappa_s) * A0 * steady, kappa_s * eta / 3 * A0 * sliding_rate)
 cowper_circle = 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu)
@@ -555,7 +555,7 @@ prove_equal(spring.stress[1], shear_modulus * gamma_e + sigma * gamma_e / 2)
 prove_equal(spring.driving[0], tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
 for held, found in zip((both.normal_force, both.section_force, both.couple), derived["both ways"], strict=True):
     prove_equal(held, found)
-for rule in (laws.bingham_rate(), laws.maxwell_rate()):
+for rule in (constitutive_laws.bingham_rate(), constitutive_laws.maxwell_rate()):
     of_rule = reissner.fibre_flow(rule)
     prove_equal(of_rule.equivalent**2, sigma**2 + 3 * tau_d**2)
     speed = rule.subs(sigma, bulk.sigma_eq)

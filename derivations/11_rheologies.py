@@ -19,16 +19,15 @@
 # Proved here: what the constants measured in shear are worth in tension, what a wide sheet makes of a rule, which law
 # becomes which, and how a string of a power-law fluid sags.
 #
-# Effects derived here: `viscous-flow` (`laws.power_law_rate`, `laws.maxwell_rate`), `viscous-stress`
-# (`laws.law_of`), `solid-damping` (`filament.law_in_force`).
+# Effects derived here: `viscous-flow` (`constitutive_laws.power_law_rate`, `constitutive_laws.maxwell_rate`),
+# `viscous-stress` (`constitutive_laws.law_of`), `solid-damping` (`section_equations.law_in_force`).
 
 # %%
 import sympy as sp
 from proving import prove_equal
 
 from softcat_sym.physics import bulk, closed_forms
-from softcat_sym.physics.filament import law_in_force
-from softcat_sym.physics.laws import (
+from softcat_sym.physics.constitutive_laws import (
     E_2,
     SMALL_STRESS,
     K,
@@ -43,6 +42,7 @@ from softcat_sym.physics.laws import (
     power_law_rate,
 )
 from softcat_sym.physics.regimes import H
+from softcat_sym.physics.section_equations import law_in_force
 from softcat_sym.physics.sections import RECTANGLE, scaled
 from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.physics.terms import Rheology, Terms

@@ -24,7 +24,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import bulk, laws, reissner, symbols
+from softcat_sym.physics import bulk, constitutive_laws, reissner, symbols
 from softcat_sym.physics.kinematics import TRUE_STRAIN
 from softcat_sym.physics.section_response import SectionShape, natural_strains, respond, shrunk
 from softcat_sym.physics.section_response import material as closure
@@ -77,9 +77,9 @@ prove_equal(stress_rate, E * sp.diff(eps, t) + sp.diff(E, t) / E * sigma)
 # The section of the package has this term, of any law, beside what flows.
 
 # %%
-growth = laws.growth_of(symbols.E)
-for law in (laws.law_of("elastic"), laws.law_of("maxwell")):
-    branch = laws.Branch(flow=law.branches[0].flow, growth=growth)
+growth = constitutive_laws.growth_of(symbols.E)
+for law in (constitutive_laws.law_of("elastic"), constitutive_laws.law_of("maxwell")):
+    branch = constitutive_laws.Branch(flow=law.branches[0].flow, growth=growth)
     outline = SectionShape(
         SECTIONS["rectangle"],
         SECTIONS["rectangle"].contraction,
@@ -89,7 +89,7 @@ for law in (laws.law_of("elastic"), laws.law_of("maxwell")):
         curved=False,
         shrinks=True,
     )
-    section = respond(outline, closure(TRUE_STRAIN, outline.contraction), laws.Law("curing", (branch,)))
+    section = respond(outline, closure(TRUE_STRAIN, outline.contraction), constitutive_laws.Law("curing", (branch,)))
     flows = symbols.sigma_0 / symbols.eta if law.flows else 0
     prove_equal(section.branch.rate_mean, flows + growth * symbols.sigma_0 / symbols.E)
     fibre = reissner.growing(None, growth)

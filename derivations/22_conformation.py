@@ -18,13 +18,13 @@
 # solvent's. Here $A$ is diagonal in the axes of a fibre, and the law becomes one of a stored energy and of a rate that
 # knows no rate of strain: that of a generalised standard material, as every other law of this package.
 #
-# Laws derived here: `oldroyd-b`, `fene-p`, `giesekus`, `ptt` (`conformation.respond`).
+# Laws derived here: `oldroyd-b`, `fene-p`, `giesekus`, `ptt` (`polymer_chains.respond`).
 
 # %%
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import conformation as co
+from softcat_sym.physics import polymer_chains as co
 from softcat_sym.physics.sections import CIRCLE, SHEET
 from softcat_sym.physics.symbols import E
 

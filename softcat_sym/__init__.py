@@ -3,7 +3,8 @@
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
 ``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
 name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
-each effect is worth; ``fit`` finds the material of a filament that was filmed, ``card`` puts all on one page;
+each effect is worth; ``longest_span`` how far a filament reaches; ``track`` reads a film, ``fit`` finds the material of
+a filament that was filmed, ``read_material`` that of a rheometer's files; ``card`` puts all on one page;
 ``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
 """
 
@@ -18,6 +19,7 @@ from softcat_sym.simulate import simulate
 if TYPE_CHECKING:
     from softcat_sym.batch.ensemble import Ensemble, simulate_many
     from softcat_sym.batch.sweep import Sweep, sweep
+    from softcat_sym.design.critical_span import longest_span
     from softcat_sym.effects.effect import Effect, EffectConstant, Estimate
     from softcat_sym.effects.registry import register_effect
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.fitting.result import Fit
+    from softcat_sym.fitting.rheometer import read_material
     from softcat_sym.generation import generate
     from softcat_sym.results.run import Run, open_run
     from softcat_sym.scene.bundled import bundled_names
@@ -35,6 +38,8 @@ if TYPE_CHECKING:
     from softcat_sym.studies.card import Card, card
     from softcat_sym.studies.effect_importance import Pricing, price_effects
     from softcat_sym.studies.explanation import Explanation, explain
+    from softcat_sym.tracking.result import Track
+    from softcat_sym.tracking.track import track
     from softcat_sym.web.page import live_page
 
     __version__: str
@@ -43,12 +48,14 @@ _HOMES = {
     "effects.effect": ("Effect", "EffectConstant", "Estimate"),
     "effects.registry": ("register_effect",),
     "batch.ensemble": ("Ensemble", "simulate_many"),
+    "design.critical_span": ("longest_span",),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
     "fitting.closed_form": ("closed_form",),
     "fitting.fit": ("fit",),
     "fitting.result": ("Fit",),
     "fitting.flow_curve": ("fit_flow_curve",),
     "fitting.measurements": ("Measurements",),
+    "fitting.rheometer": ("read_material",),
     "generation": ("generate",),
     "results.run": ("Run", "open_run"),
     "scene.bundled": ("bundled_names",),
@@ -59,6 +66,8 @@ _HOMES = {
     "studies.explanation": ("Explanation", "explain"),
     "studies.effect_importance": ("Pricing", "price_effects"),
     "batch.sweep": ("Sweep", "sweep"),
+    "tracking.result": ("Track",),
+    "tracking.track": ("track",),
     "web.page": ("live_page",),
 }
 
@@ -79,6 +88,7 @@ __all__ = [
     "SoftcatError",
     "SoftcatWarning",
     "Sweep",
+    "Track",
     "bundled_names",
     "card",
     "closed_form",
@@ -88,12 +98,15 @@ __all__ = [
     "generate",
     "live_page",
     "load_scene",
+    "longest_span",
     "open_run",
     "price_effects",
+    "read_material",
     "register_effect",
     "simulate",
     "simulate_many",
     "sweep",
+    "track",
 ]
 
 

@@ -7,6 +7,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from softcat_sym.codegen.c_model import model_for
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import (
     START,
@@ -17,13 +18,12 @@ from softcat_sym.codegen.export import (
     runtime_files,
     start_text,
 )
-from softcat_sym.codegen.interface import Description, Steps, rendered
+from softcat_sym.codegen.interface import Description, StepSettings, rendered
 from softcat_sym.codegen.right_hand_side import rhs_source
 from softcat_sym.codegen.sites import sites_of
-from softcat_sym.codegen.structure import model_for
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.estimate import Resolution, resolution_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_results
@@ -34,8 +34,8 @@ from softcat_sym.scene.scene import Scene, refuse_settled, rest_length, why_inte
 from softcat_sym.simulate import recalled
 from softcat_sym.solvers.compiled import CompiledNewton, compile_filament
 from softcat_sym.solvers.initial_state import is_straight, starting_state
-from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, compiled_settings
+from softcat_sym.solvers.solve import Assembled, assembled
 from softcat_sym.solvers.start import Newton
 
 if TYPE_CHECKING:
@@ -158,7 +158,9 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     model = model_for(filament.structure)
     absolutes = tuple(settings.absolute(slot.name for slot in model.slots).tolist())
-    steps = Steps(float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0)
+    steps = StepSettings(
+        float(settings.rtol), float(settings.atol), absolutes, settings.method, settings.max_step or 0.0
+    )
     return Description(scene, effects, filament.graph, filament.structure, model, steps), filament
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 with lazy_imports():
     from softcat_sym import errors, store
     from softcat_sym.codegen import compiler
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.error_control import consistency
     from softcat_sym.results import run as finished_runs
     from softcat_sym.scene import reading
@@ -82,7 +82,7 @@ def simulated(scene: Scene, progress: Progress | None = None, announce: Callable
     try:
         with solution.watched():
             if announce is not None:
-                price = run_cost.run_cost(scene, choosing.choose_effects(scene))
+                price = run_cost.run_cost(scene, selection.choose_effects(scene))
                 if price.is_announced:
                     announce(f"this run takes long: it {price.text}")
             return consistency.run_until_consistent(scene, progress or solution.Silence(), finished)

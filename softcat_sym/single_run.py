@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells
-from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.selection import Effects
 from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import break_frame, breakable
 from softcat_sym.results.fields import dense_fields, node_positions, whole_span_fields
@@ -17,9 +17,9 @@ from softcat_sym.results.observed import DISPLACEMENT, Watched
 from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Interrupted, Progress, Silence, Solution
+from softcat_sym.solvers.solve import Prepared, assembled, prepare
 
 _MIN_CELLS = 8
 

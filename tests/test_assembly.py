@@ -16,9 +16,9 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import CLAMPED, PINNED
 from softcat_sym.scene.scene import Scene
@@ -329,6 +329,7 @@ def test_rigid_in_shear_it_is_the_filament_of_the_paper() -> None:
         assert abs(4 * gaps[2] - gaps[1]) / 3 < 1e-5
 
 
+@pytest.mark.slow
 def test_a_stubby_beam_sags_by_shear_as_timoshenko_says() -> None:
     """Small sag: q L^4/(384 E I) + q L^2/(8 kappa_s mu A) (Timoshenko 1921)."""
     delta, weight = 0.1, 1e-5  # thickness over span, weight per area and span over E

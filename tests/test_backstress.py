@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from tests.test_structure import BINGHAM, RATE, STRUCTURE, L
 from tests.test_structure import EFFECTS as WITH_STRUCTURE
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -33,11 +32,12 @@ CELLS_STRAIGHT = 20
 
 @pytest.mark.parametrize(
     ("G", "end", "closure"),
-    few(
-        product((0.01, 0.4, 1.9), ("clamped", "pinned"), ("material", "printed")),
-        *[(0.01, "pinned", "material"), (0.4, "clamped", "material"), (0.4, "pinned", "printed")],
+    [
+        (0.01, "pinned", "material"),
+        (0.4, "clamped", "material"),
+        (0.4, "pinned", "printed"),
         (1.9, "clamped", "printed"),
-    ),
+    ],
 )
 def test_midpoint_and_shape_agree_with_the_straight_oracle(G: float, end: str, closure: str) -> None:
     """No yield, an overdamped arrest and a descent."""
@@ -92,10 +92,7 @@ GRADIENT = (0.25, 0.4, 1 / 48, 1e-5)
 
 @pytest.mark.parametrize(
     ("G", "V", "beta", "tolerance"),
-    few(
-        [*((G, 26.0, None, 2e-6) for G in (0.01, 0.4, 1.9)), (0.25, 0.4, None, 5e-6), GRADIENT],
-        *[(0.4, 26.0, None, 2e-6), GRADIENT],
-    ),
+    few([(0.4, 26.0, None, 2e-6), (1.9, 26.0, None, 2e-6), GRADIENT], (0.4, 26.0, None, 2e-6), GRADIENT),
 )
 def test_midpoint_and_energies_agree(G: float, V: float, beta: float | None, tolerance: float) -> None:
     expected = oracle(0.03, G, V, CELLS, fibres=FIBRES, duration=DURATION, beta=beta, times=TIMES)
@@ -113,15 +110,13 @@ def test_midpoint_and_energies_agree(G: float, V: float, beta: float | None, tol
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("backend", ["compiled", "interpreted"])
-def test_the_pull_of_the_surface_agrees(backend: str) -> None:
+def test_the_pull_of_the_surface_agrees() -> None:
     """Gam half the yield stress, on an overdamped arrest; its energy too."""
     G, V, half = 0.4, 26.0, 0.5
     pull = half / (E_STAR * G)
     expected = oracle(0.03, G, V, CELLS, fibres=FIBRES, duration=DURATION, times=TIMES, surface=pull)
     gamma = pull * 4e6 / (1 / 6e-3 + 1 / 1e-6)
-    changes = {"surroundings.surface_tension": f"{gamma!r} N/m", "numerics.backend": backend}
-    run = filament(G, V, ["surface-tension"], **changes)
+    run = filament(G, V, ["surface-tension"], **{"surroundings.surface_tension": f"{gamma!r} N/m"})
     found = run.data["midpoint"].values[1:] / run.scene.filament.span
     unit = 4e6 * 1e-6 * 6e-3 * 0.2
     surface = run.data["energy_surface"].values[1:] / unit / 2
@@ -627,14 +622,14 @@ def asked(*texts: str) -> Scene:
 def fallen(law: str, solver: str, L: float, rho: float, g: float) -> np.ndarray:
     """Midpoint over L of a scene with E* = 500, V = 20, G = 1, delta = 1/32, for 2 sqrt(L/g)."""
     stress, time = rho * g * L, (L / g) ** 0.5
-    flow = {"elastic": (), "maxwell": ("viscous-flow",), "bingham": ("viscous-flow", "yielding")}[law]
+    flow = {"maxwell": ("viscous-flow",), "bingham": ("viscous-flow", "yielding")}[law]
     asked = scene(
         span=L,
         thickness=L / 32,
         density=rho,
         gravity=g,
         E=500 * stress,
-        eta=None if law == "elastic" else 20 * stress * time,
+        eta=20 * stress * time,
         yield_stress=stress if law == "bingham" else None,
         ramp=0.5 * time,
         duration=2 * time,
@@ -649,13 +644,7 @@ def fallen(law: str, solver: str, L: float, rho: float, g: float) -> np.ndarray:
     return done.data["midpoint"].values / L
 
 
-@pytest.mark.parametrize(
-    ("law", "solver"),
-    few(
-        [("elastic", "rosenbrock"), *product(("maxwell", "bingham"), ("cvodes", "rosenbrock", "idas"))],
-        *[("maxwell", "idas"), ("bingham", "rosenbrock")],
-    ),
-)
+@pytest.mark.parametrize(("law", "solver"), [("maxwell", "idas"), ("bingham", "rosenbrock")])
 def test_same_groups_same_shape(law: str, solver: str) -> None:
     """Scales that are powers of two change no digit of BDF; others only what rounding tells the step-size control."""
     reference = fallen(law, solver, 1.0, 1024.0, 1.0)

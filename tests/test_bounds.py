@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from time import process_time
 from typing import Any
 
@@ -15,7 +14,6 @@ from softcat_sym.scene.curve import SplineCurve
 from softcat_sym.scene.formula import parse_formula
 from softcat_sym.scene.history import read_formula
 
-FOLDER = Path(__file__).parent / "cases"
 VISCOSITY = (1.0, -1.0, -1.0)
 STRAND: dict[str, Any] = {
     "filament": {"span": 0.1, "thickness": 3e-3, "section": "circle", "density": 1200.0},

@@ -134,6 +134,7 @@ def test_one_that_rings_breaks_in_a_swing_whatever_the_frames() -> None:
     assert few["time_s"] == pytest.approx(many["time_s"], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_one_that_bears_all_that_it_is_asked_to_is_as_without() -> None:
     law = {"law": "maxwell", "youngs_modulus": "100 kPa", "viscosity": "1 MPa*s"}
     limits, run = {"breaking_strain": 0.7, "breaking_stress": "1 MPa"}, {"duration": "9 s", "effects": STRETCHING}

@@ -1,9 +1,8 @@
-"""The bundled scenes of every law, section, end and start: each runs, and each shows the physics that it stands for."""
+"""Bundled scenes show the physics that they stand for: some of them, the others in `slow/test_bundled_scenes.py`."""
 
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -12,14 +11,10 @@ import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.scene.laws import LAWS
-from tests.common import curves
 
 Checked = list[tuple[str, float, float, float]]
 """What was looked at, found, expected, and the largest difference in parts of what is expected."""
 Check = Callable[[sc.Run], Checked]
-TRIED = np.linspace(0.7, 1.3, 601)
-"""Frequencies of a string, over the one expected."""
-WITHOUT_INERTIA = ["bending", "finite-stretch", "thinning", "large-rotation", "shear"]
 
 
 @cache
@@ -48,35 +43,12 @@ def beam_viscometer(done: sc.Run) -> Checked:
     return [("sag after an hour [m]", -final(done), 60 * per_minute * shear, 5e-3)]
 
 
-def bread_dough(done: sc.Run) -> Checked:
-    """Index 0.3: a fifth more weight on the same shape makes it flow 1.2^(1/0.3) = 1.84 times as fast."""
-
-    def speed(one: sc.Run) -> float:
-        midpoint = one.data.midpoint.values
-        return float(midpoint[100] - midpoint[180:].mean())
-
-    heavier = run("bread-dough", "load.gravity=11.77 m/s^2")
-    return [("speed with 1.2 g, over that with g", speed(heavier) / speed(done), 1.2 ** (1 / 0.3), 0.3)]
-
-
 def cold_honey(done: sc.Run) -> Checked:
     """sigma = 3 mu d log(s)/dt in the middle of the thread."""
     data, frame, cell = done.data, 120, 20
     rate = np.gradient(np.log(data.stretch.values[:, cell]), data.time.values)[frame]
     stress = float(data.stress_mean.values[frame, cell])
     return [("mean stress at midspan [Pa]", stress, done.scene.material.viscosity * rate, 2e-3)]
-
-
-def cooked_spaghetti(done: sc.Run) -> Checked:
-    """Peirce's heavy elastica, which does not shear: 1 % is left to that and to the last of the swinging."""
-    part, E = done.scene.filament, done.scene.material.youngs_modulus
-    area = math.pi * part.thickness**2 / 4
-    section = curves.uniform(E * area, E * area * part.thickness**2 / 16)
-    weight = part.density * done.scene.load.gravity * area
-    X = np.linspace(0, part.span, 41)
-    shape = curves.held(section, weight, part.span, part.span, X, ("clamped", 0.0), ("free", 0.0))
-    y = at_cells(done, "y")
-    return [("tip [m]", float(y[-1]), float(shape.y[-1]), 0.01), ("lowest node", float(y.argmin()), 40, 0)]
 
 
 def curled_rod(done: sc.Run) -> Checked:
@@ -100,25 +72,6 @@ def drawn_blob(done: sc.Run) -> Checked:
     ]
 
 
-def gelatin_strand(done: sc.Run) -> Checked:
-    """It comes to rest as the elastic beam."""
-    table = tomllib.loads(done.scene.to_toml())
-    table["material"] = {"law": "elastic", "youngs_modulus": table["material"]["youngs_modulus"]}
-    table["run"] |= {"effects": WITHOUT_INERTIA, "frames": 2}
-    rest = sc.simulate(sc.Scene.model_validate(table))
-    return [("sag at the end [m]", -final(done), -final(rest), 2e-3)]
-
-
-def hot_glue_string(done: sc.Run) -> Checked:
-    """It starts as its profile, 1 to 0.6; all of it carries the same pull, which stretches the thin half more."""
-    thickness, stretch = at_cells(done, "thickness", 0), at_cells(done, "stretch")
-    thin, thick = np.log(stretch[20:]).mean(), np.log(stretch[:20]).mean()
-    return [
-        ("thin over thick end", float(thickness[-1] / thickness[0]), 0.605 / 0.995, 2e-2),
-        ("thin half strains more", float(thin > 1.1 * thick), 1, 0),
-    ]
-
-
 def polyethylene_melt(done: sc.Run) -> Checked:
     """Boltzmann's integral over the strain of the middle, exact for a strain that is linear between frames."""
     data, cell = done.data, 20
@@ -131,59 +84,6 @@ def polyethylene_melt(done: sc.Run) -> Checked:
             stress = stress * kept + mode.viscosity * gain / step * (1 - kept)
         total += stress
     return [("mean stress at midspan [Pa]", float(data.stress_mean.values[-1, cell]), total, 2e-3)]
-
-
-def putty_arch(done: sc.Run) -> Checked:
-    """It leaves the grips at 15 degrees, stands above the line at first and hangs below it in the end."""
-    x, y = at_cells(done, "x", 0), at_cells(done, "y", 0)
-    midpoint = done.data.midpoint.values
-    # of the parabola through the first three nodes
-    first = np.polyfit(x[:3] - x[0], y[:3] - y[0], 2)[1]
-    return [
-        ("slope at the left grip", float(first), math.tan(math.radians(15)), 0.04),
-        ("above, then below", float(midpoint[0] > 1e-3 and midpoint[-1] < -1e-3), 1, 0),
-    ]
-
-
-def rubber_strand(done: sc.Run) -> Checked:
-    """The elastic cable of its long-time modulus."""
-    part, E = done.scene.filament, done.scene.material.youngs_modulus
-    cable = (3 * part.density * done.scene.load.gravity * part.span**4 / (64 * E)) ** (1 / 3)
-    return [("sag at the end [m]", -float(done.data.midpoint.values[-20:].mean()), cable, 0.03)]
-
-
-def slack_taffy(done: sc.Run) -> Checked:
-    """It starts as the elastic catenary of its rest length, but for its stiff ends, and grows."""
-    length, part = 0.3, done.scene.filament
-    stress = part.density * done.scene.load.gravity
-    X = np.linspace(0, length, 41)
-    stretch = curves.true_strain_stretch(done.scene.material.youngs_modulus / stress)
-    chain = curves.hanging_string(stretch, 1.0, length, part.span, X)
-    drawn = [float(np.hypot(np.diff(at_cells(done, "x", k)), np.diff(at_cells(done, "y", k))).sum()) for k in (0, -1)]
-    exact = float(np.hypot(np.diff(chain.x), np.diff(chain.y)).sum())
-    return [
-        ("length at the start [m]", drawn[0], exact, 2e-3),
-        ("sag at the start [m]", -float(done.data.midpoint.values[0]), -float(chain.y[20]), 0.04),
-        ("grows longer", float(drawn[1] > 1.05 * drawn[0]), 1, 0),
-    ]
-
-
-def slime_slope(done: sc.Run) -> Checked:
-    """Supports at their heights, the deepest point on the side of the lower one."""
-    x, y = at_cells(done, "x"), at_cells(done, "y")
-    return [
-        ("drop [m]", float(y[0] - y[-1]), 0.030, 1e-9),
-        ("deepest right of midspan", float(x[y.argmin()] > x.mean() + 0.1 * 0.080), 1, 0),
-    ]
-
-
-def stretched_rubber_band(done: sc.Run) -> Checked:
-    """A string of tension E log(1.25): 2 L/c between two visits to the top."""
-    part, E = done.scene.filament, done.scene.material.youngs_modulus
-    period = 2 * part.span / math.sqrt(E * math.log(1.25) / part.density)
-    time, height = done.data.time.values, done.data.midpoint.values
-    spectrum = [abs(np.sum((height - height.mean()) * np.exp(-2j * np.pi * time * k / period))) for k in TRIED]
-    return [("frequency over c/(2 L)", float(TRIED[int(np.argmax(spectrum))]), 1, 0.03)]
 
 
 def judge(*checks: Check) -> None:
@@ -202,19 +102,10 @@ def judge(*checks: Check) -> None:
 def test_scenes_show_their_physics_and_keep_their_energy() -> None:
     judge(
         beam_viscometer,
-        bread_dough,
         cold_honey,
-        cooked_spaghetti,
         curled_rod,
         drawn_blob,
-        gelatin_strand,
-        hot_glue_string,
         polyethylene_melt,
-        putty_arch,
-        rubber_strand,
-        slack_taffy,
-        slime_slope,
-        stretched_rubber_band,
     )
 
 

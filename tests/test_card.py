@@ -317,7 +317,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
     ((*INK, "--duration", "0 s"), "run.duration"),
     ((*INK, *sets("material.visosity=1 Pa*s")), "material.visosity"),
     *(((*INK, "--sag", sag), "sag") for sag in ("-1 mm", "1 Pa", "little")),
-    ((*INK, "--no-span", "--sag", "1 mm"), "--no-span"),
+    ((*INK, "--no-span", "--max-sag", "1 mm"), "--no-span"),
     ((*OIL, *sets("numerics.cells=6"), "--sag", "900 m"), "limit"),
     ((*STIFF, "--flow-curve", "none.csv"), "none.csv"),
     ((*BODY, "--flow-curve", "CURVE"), "says nothing about the modulus"),

@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import FlowCurve, fit_flow_curve
 from softcat_sym.fitting.flow_readings import steady_shear_stress
-from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.constitutive_laws import law_of
 from softcat_sym.physics.symbols import eta, sigma, sigma_Y
 from softcat_sym.scene.keys import scene_template
 from softcat_sym.scene.scene import Scene

@@ -14,7 +14,7 @@ from scipy.integrate import quad
 
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.fitting.free_parameters import candidates, free_parameters, with_values
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t

@@ -11,7 +11,7 @@ import sympy as sp
 from scipy.integrate import quad, solve_bvp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
-from softcat_sym.effects import scaling_estimates as prediction
+from softcat_sym.estimates import scaling as prediction
 from softcat_sym.physics import beams, regimes
 from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi

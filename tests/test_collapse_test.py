@@ -12,7 +12,7 @@ from scipy.stats import norm
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.collapse_test import closed_form, collapse_test, level, measurements_of, read_contour
-from softcat_sym.fitting.discrepancy import shape_modes
+from softcat_sym.fitting.discrepancy import shape_covariance
 from tests.common.draws import deviations, shares
 from tests.common.in_process import Softcat
 from tests.common.strand import YIELD_STRESS, photograph, strand, write
@@ -137,8 +137,7 @@ def test_films_of_all_gaps_are_shapes_of_their_own_spans(tmp_path: Path) -> None
 def test_the_error_of_a_shape_is_that_of_the_midpoint_and_more_towards_the_ends() -> None:
     """Covariances over the midpoint's: one with it everywhere, two far from it, the same on both sides."""
     place = np.array([-2e-3, -1e-3, 0.0, 0.5e-3, 1e-3, 2e-3, np.nan])
-    modes = shape_modes(place, 4e-3)
-    alike = modes @ modes.T
+    alike = shape_covariance(place, 4e-3)
     assert alike[2] == pytest.approx(1, abs=0.02) and alike[6] == pytest.approx(alike[2])
     assert alike[0, 5] == pytest.approx(alike[0, 0]) and alike[1, 4] == pytest.approx(alike[1, 1])
     assert alike[0, 0] == pytest.approx(2, abs=0.02)

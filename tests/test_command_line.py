@@ -37,7 +37,7 @@ from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import TEMPLATES, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
-from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.store import keep
 from softcat_sym.studies.explanation import Explanation, explain
 from tests.common.in_process import Softcat, sets
@@ -246,7 +246,7 @@ def test_every_key_is_listed_with_its_meaning_and_the_page_of_keys_is_current(so
 def test_samples_are_read_by_the_commands_they_are_for(softcat: Softcat, tmp_path: Path) -> None:
     folder = tmp_path / "softcat-out" / "samples"
     assert softcat("samples").status == 0
-    assert {path.name for path in folder.iterdir()} == {"my-ink.toml", "film.csv", "my-curve.csv"}
+    assert {path.name for path in folder.iterdir()} == {"my-ink.toml", "film.csv", "film.mov", "my-curve.csv"}
     assert softcat("samples").status == 0, "the same files again"
     (folder / "my-ink.toml").write_text("mine")
     done = softcat("samples")

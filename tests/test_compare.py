@@ -21,10 +21,10 @@ import softcat_sym as sc
 from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import choose_grid, choose_theory
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.files import finite, json_bytes
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.plotting.compare import rate_snapshots, tables
 from softcat_sym.plotting.style import first_frames
@@ -37,7 +37,7 @@ from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.compare import (
     Comparison,
-    Row,
+    ComparisonRow,
     aligned,
     compare,
     discrepancy,
@@ -191,7 +191,7 @@ def test_what_cannot_be_compared_leaves_nothing(tmp_path: Path, monkeypatch: pyt
     assert not list(tmp_path.iterdir())
 
 
-def with_midpoint(row: Row, time: np.ndarray, midpoint: np.ndarray, elements: np.ndarray) -> Row:
+def with_midpoint(row: ComparisonRow, time: np.ndarray, midpoint: np.ndarray, elements: np.ndarray) -> ComparisonRow:
     return replace(row, midpoint=midpoint, discrepancy=discrepancy(time, midpoint, elements))
 
 

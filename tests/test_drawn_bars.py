@@ -37,7 +37,7 @@ DRAWN: Laws = {
         materials.multimode([(1e5, 1e4), (3e4, 3e4)]),
     ),
 }
-QUICK = ("maxwell", "newtonian", "kelvin-voigt", "herschel-bulkley")
+QUICK = ("newtonian", "herschel-bulkley")
 
 
 def judge_drawn(laws: Iterable[str]) -> None:

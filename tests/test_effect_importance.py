@@ -28,6 +28,7 @@ from tests.common.in_process import Softcat, sets
 from tests.common.scenes import scene_of
 
 QUICK = ["run.frames=11", "numerics.cells=4"]
+HONEY = sc.load_scene("cold-honey", [*QUICK, "run.duration=0.05 s"])
 NAMES = [effect.name for effect in REGISTRY]
 
 
@@ -44,8 +45,8 @@ def yielding() -> Pricing:
 
 @pytest.fixture(scope="module")
 def honey() -> Pricing:
-    scene, only = sc.load_scene("cold-honey", [*QUICK, "run.duration=0.05 s"]), ("inertia", "finite-stretch", "shear")
-    return price_effects(scene, name="cold-honey", only=(*only, "rotary-inertia", "yielding"))
+    only = ("inertia", "finite-stretch", "shear")
+    return price_effects(HONEY, name="cold-honey", only=(*only, "rotary-inertia", "yielding"))
 
 
 def test_without_bending_the_beam_is_the_string_and_without_stretching_the_linear_beam() -> None:
@@ -138,17 +139,17 @@ def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
     assert "rotary-inertia" in everything(honey.scene, ("rotary-inertia",))
 
 
-def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
+def test_what_cannot_be_run_is_a_row_with_its_reason() -> None:
     scene = scene_of("elastic", run={"effects": ["inertia", "bending"]}, numerics={"cells": 4, "solver": "cvodes"})
     row = rows_of(price_effects(scene, only=["inertia"]))["inertia"]
     assert row.variant is None and row.change is None and row.reference is None and "cvodes" in row.reason
     # Without bending or inertia a straight string has no equilibrium: its only frame is the start.
-    scene = honey.scene.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
+    scene = HONEY.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
     row = rows_of(price_effects(scene, only=["bending"]))["bending"]
     assert row.fails and row.variant is not None and len(row.variant.time) == 1
     assert row.change is None and row.share is None and row.change_final is None
     with pytest.raises(SceneError, match="no effect 'inertai' to price"):
-        price_effects(honey.scene, only=["inertai"])
+        price_effects(HONEY, only=["inertai"])
 
 
 FILES = {"effects.json", "effects.csv", "effects.png", "scene.toml"}
@@ -223,6 +224,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
 
 
 def test_bad_input_is_one_message_and_leaves_nothing(softcat: Softcat, tmp_path: Path) -> None:
+    softcat.monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: ("cold-honey", "gelatin-strand"))
     for arguments, named in BAD:
         done = softcat("effects", *arguments, "-o", str(tmp_path / "out"))
         assert (done.status, done.out) == (2, ""), arguments

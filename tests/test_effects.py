@@ -12,10 +12,14 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.forecast import (
+from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.errors import SceneError
+from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.estimates.forecast import (
     damping,
     expected_sag,
     forecast,
@@ -24,17 +28,13 @@ from softcat_sym.effects.forecast import (
     shaken_share,
     steady_gain,
 )
-from softcat_sym.effects.free_vibration import ringing
-from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
-from softcat_sym.effects.quasi_static_sag import flow_sag, quasi_static_history
-from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.estimates.free_vibration import ringing
+from softcat_sym.estimates.quasi_static_sag import flow_sag, quasi_static_history
+from softcat_sym.estimates.scaling import (
     elastic_sag,
     first_yield_gravity_number,
     weight_stress,
 )
-from softcat_sym.effects.theory_limits import theory_limits
-from softcat_sym.errors import SceneError
 from softcat_sym.reference.calculix import calculix_deck
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bundled import bundled_names

@@ -11,8 +11,8 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.errors import SceneError
+from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.scene import Scene
 from tests.marks import few

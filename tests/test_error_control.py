@@ -12,7 +12,7 @@ from scipy.special import lambertw
 
 from softcat_sym import Scene, load_scene, simulate
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.error_control import control, refinement
 from softcat_sym.error_control.estimate import (
     Before,
@@ -353,6 +353,7 @@ def test_a_hanging_fibre_is_judged_by_its_elongation() -> None:
     assert "moved 49.1 µm down ± 0." in dict(answer_rows(run.summary, run.scene))["right end"]
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_what_is_only_pulled_straight_or_turned_about_itself_is_not_refined() -> None:
     """It is displaced by rounding, a thousandth of how far its end goes, or a hundredth of how far its surface does."""

@@ -56,6 +56,26 @@ def test_a_viscous_beam_in_small_deflection(ends: str, factor: float) -> None:
     assert rough.span == pytest.approx(found.span, rel=4e-3) and rough.gradient == {}
 
 
+def test_the_longest_span_of_a_viscous_beam_has_an_error_that_holds(softcat: Softcat, tmp_path: Path) -> None:
+    """Sag = q L^4 t/(384 eta I), found from a span three times too long; the command says the same."""
+    limit = 2e-5
+    stiffness = _VISCOSITY * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY * _DURATION)
+    true = (384 * limit * stiffness) ** 0.25
+    scene = _beam("clamped", {"filament.span": f"{3 * true!r} m"})
+    (tmp_path / "beam.toml").write_text(scene.to_toml())
+    done = softcat("span", str(tmp_path / "beam.toml"), "--max-sag", "20 um", "-o", str(tmp_path / "out"))
+    assert done.status == 0, done.err
+    found = json.loads((tmp_path / "out" / "span.json").read_text())
+    assert abs(found["span_m"] - true) < found["error_m"] < 0.02 * true
+    first, second, *_ = done.out.splitlines()
+    assert first.startswith(f"longest span {1e3 * found['span_m']:.4g} mm +- ") and "more than 20 um" in second
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"span.json", "span.csv", "span.png", "scene.toml"}
+    assert sc.load_scene(tmp_path / "out" / "scene.toml").filament.span == pytest.approx(found["span_m"])
+    for bad, words in (("-1 mm", "not positive"), ("little", "not a number"), ("1 Pa", "not a length")):
+        refused = softcat("span", str(tmp_path / "beam.toml"), "--max-sag", bad, "-o", str(tmp_path / "no"))
+        assert refused.status == 2 and words in refused.err and not (tmp_path / "no").exists()
+
+
 def test_a_fraction_of_the_span_and_a_time() -> None:
     """With a limit of c L the exponents are thirds; the sag at a time is that of a run of this length."""
     fraction, time = 2e-4, 0.7

@@ -51,7 +51,7 @@ def test_noise_on_a_smooth_descent_is_no_oscillation() -> None:
     ],
 )
 def test_a_smooth_descent_without_noise_is_no_oscillation(curve: object) -> None:
-    time = np.linspace(0, 3, 301)
+    time = np.linspace(0, 3, 101)
     found = read(time, -5e-3 * curve(time))  # type: ignore[operator]
     assert found.frequency.value is None
     assert found.frequency.reason

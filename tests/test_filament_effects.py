@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from itertools import product
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 
 import softcat_sym as sc
 from softcat_sym import simulate
-from softcat_sym.effects.free_vibration import first_vibration, solid_decay
+from softcat_sym.estimates.free_vibration import first_vibration, solid_decay
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
@@ -46,9 +46,9 @@ def beam(periods: float, frames: int, **more: object) -> Scene:
     )  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(("a", "ratio"), few([(0.5, 0.3), (0.5, 0.8), (0.5, 1.3), (2.0, 3.7)], (0.5, 0.8)))
+@pytest.mark.parametrize(("a", "ratio"), few([(0.5, 0.8), (2.0, 3.7)], (0.5, 0.8)))
 def test_a_beam_follows_duhamel(a: float, ratio: float) -> None:
-    """Below, near and above the first frequency."""
+    """Near and above the first frequency."""
     coarse, fine = (run(shaken(beam(3, 101, rtol=1e-6, cells=cells), a, ratio * FIRST)).data for cells in (32, 64))
     midpoint = extrapolated(np.asarray(coarse["midpoint"]), np.asarray(fine["midpoint"]))
     unit = np.sqrt(1.0 / GRAVITY)
@@ -272,13 +272,12 @@ def test_what_has_settled_shows_nothing_of_it() -> None:
 @pytest.mark.parametrize(
     ("law", "theory"),
     few(
-        product(LAWS, ("kirchhoff", "shear")),
+        zip(LAWS, cycle(("shear", "kirchhoff")), strict=False),
         ("elastic", "shear"),
         ("maxwell", "kirchhoff"),
-        ("bingham", "shear"),
     ),
 )
-def test_every_law_has_it_in_both_theories_and_backends(law: str, theory: str) -> None:
+def test_every_law_has_it_in_one_theory_or_the_other_and_in_both_backends(law: str, theory: str) -> None:
     effects = [*KIRCHHOFF, *(["viscous-flow"] if law != "elastic" else []), *(["yielding"] if law in YIELDS else [])]
     if theory == "shear":
         effects += ["shear", *(["fibres"] if law in ("power-law", *YIELDS) else [])]
@@ -345,7 +344,7 @@ def test_the_pull_alone_holds_a_soft_string() -> None:
 
 
 @pytest.mark.parametrize(
-    ("number", "shear"), few(product((4.4, 18.0, 71.0), (False, True)), (4.4, False), (71.0, False))
+    ("number", "shear"), few([(4.4, False), (71.0, False), (18.0, True)], (4.4, False), (71.0, False))
 )
 def test_clamped_beam_with_the_pull_of_its_surface(number: float, shear: bool) -> None:
     """Sag (q L^2/8F) (1 - (2/u) tanh(u/2)), u = (L/2) sqrt(F/EI), F L^2/(EI) = `number`; second order in the cells."""
@@ -386,7 +385,8 @@ def energy_closes(asked: Scene) -> sc.Run:
 
 
 @pytest.mark.parametrize(
-    ("shear", "backend"), few(product((False, True), BACKENDS), (False, "compiled"), (True, "compiled"))
+    ("shear", "backend"),
+    few([(False, "compiled"), (True, "compiled"), (True, "interpreted")], (False, "compiled"), (True, "compiled")),
 )
 def test_energy_is_conserved(shear: bool, backend: str) -> None:
     """A heavy, soft filament with a profile swings: the energy of its surface is a tenth of what it trades."""

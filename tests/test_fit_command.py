@@ -67,7 +67,18 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
     (tmp_path / "out").mkdir()
     for name in ("profiles.png", "starts.png", "features_2.png", "mine.png"):
         (tmp_path / "out" / name).write_bytes(b"old")
-    words = ("--starts", "0", "--no-profile-likelihood", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
+    words = (
+        "--starts",
+        "0",
+        "--no-profile-likelihood",
+        "-q",
+        "--bounds",
+        "viscosity=5:50 kPa*s",
+        "--loss",
+        "soft-l1",
+        "--method",
+        "ipopt",
+    )
     done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
     assert (done.status, done.out, done.err) == (0, "", "")
     left = {path.name for path in (tmp_path / "out").iterdir()}
@@ -130,6 +141,7 @@ BAD = {
     "loss": (("FILM", *SCENE, *FREE, "--loss", "huber"), "soft-l1"),
     "scale of nothing": (("FILM", *SCENE, *FREE, "--scale", "2"), "--scale"),
     "scale": (("FILM", *SCENE, *FREE, "--loss", "cauchy", "--scale", "-1"), "positive"),
+    "method": (("FILM", *SCENE, *FREE, "--method", "newton"), "least-squares, ipopt"),
     "starts": (("FILM", *SCENE, *FREE, "--starts", "-1"), "--starts"),
     "set": (("FILM", *SCENE, *FREE, *sets("material.visosity=1 Pa*s")), "material.visosity"),
     "misspelt law": (("FILM", *SCENE, "--law", "maxwel"), "did you mean 'maxwell'"),

@@ -28,7 +28,7 @@ from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import Filmed
+from softcat_sym.fitting.problem import Film
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting.fit import fit_page, fitted_toml
 from softcat_sym.plotting.fit_figures import (
@@ -47,6 +47,7 @@ from softcat_sym.results import verdict
 from softcat_sym.solvers.compiled import CModel
 from tests.common.draws import draws, misses, shares
 from tests.common.filmed import TRUTH, film, scene
+from tests.common.fitting import METHODS_AGREE, methods_apart
 from tests.common.flow_curves import curve_of
 
 NECK = "the cell at X/L = 0.49 carries 60%"
@@ -61,6 +62,19 @@ def fitted(*free: str, wave: float = 0.0) -> Fit:
 def test_a_run_that_is_solved_changes_nothing() -> None:
     found = fitted()
     assert (found.outcome, found.message) == (FitOutcome.solved, "")
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(
+    ("name", "share"), [("maxwell-fast", 0.03), ("continual-descent", 0.2), ("continual-descent", 0.4)]
+)
+def test_both_methods_find_one_optimum(name: str, share: float) -> None:
+    assert methods_apart(name, share, seed=0) < METHODS_AGREE
+
+
+def test_an_unknown_method_is_refused() -> None:
+    with pytest.raises(SoftcatError, match="no method 'gauss-newton'; accepted: least-squares, ipopt"):
+        fit(Measurements.of(*film()), scene(), ["viscosity"], method="gauss-newton")  # type: ignore[arg-type]
 
 
 def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -174,6 +188,13 @@ def test_what_is_set_wins_over_the_fit() -> None:
 
 
 @pytest.fixture(scope="module")
+def exactly_fitted() -> sc.Fit:
+    """Camera and theory known exactly, so that bands are of the constants alone."""
+    how: dict[str, Any] = {"starts": 0, "profiles": False, "calibrated": True, "discrepancy": False}
+    return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], **how)
+
+
+@pytest.fixture(scope="module")
 def two_fitted() -> sc.Fit:
     return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], starts=2)
 
@@ -184,22 +205,22 @@ def test_a_fit_gives_the_pictures_of_its_files(two_fitted: sc.Fit, tmp_path: Pat
     assert written == set(two_fitted.figures()) >= {"fit", "starts", "correlation"}
 
 
-def test_the_band_is_what_the_covariance_makes_of_the_model(two_fitted: sc.Fit) -> None:
+def test_the_band_is_what_the_covariance_makes_of_the_model(exactly_fitted: sc.Fit) -> None:
     """The half-width is 1.96 standard deviations of what the model says.
 
     They are those of two curves for each column of a root of the covariance, one standard deviation to either side. It
     is exact where the model is linear, whatever the root, so that nothing need be drawn.
     """
-    best, noise = two_fitted.starts.best, two_fitted.information.noise
+    best, noise = exactly_fitted.starts.best, exactly_fitted.information.noise
     root = np.linalg.cholesky(noise**2 * np.linalg.inv(best.jacobian.T @ best.jacobian))
-    sides = [[two_fitted.problem.curves(best.q + sign * column)[0] for sign in (1, -1)] for column in root.T]
+    sides = [[exactly_fitted.problem.films[0].values(best.q + sign * column) for sign in (1, -1)] for column in root.T]
     deviation = np.sqrt(sum(((one - other) / 2) ** 2 for one, other in sides))
-    (band,) = model_bands(two_fitted)
+    (band,) = model_bands(exactly_fitted)
     # Before it flows the model does not depend on them: what the curves differ by there is the time steps.
-    telling = band > 1e-2 * band.max()
-    assert np.count_nonzero(telling) >= len(band) - 2
+    telling = band > 0.1 * band.max()
+    assert np.count_nonzero(telling) >= len(band) - 3
     # The rest of 3 % is for time steps and for what is not linear, 1.5 % here.
-    np.testing.assert_allclose(band[telling], (two_fitted.information.quantile * deviation)[telling], rtol=0.03)
+    np.testing.assert_allclose(band[telling], (exactly_fitted.information.quantile * deviation)[telling], rtol=0.03)
 
 
 def test_the_curve_of_a_profile_goes_through_its_points(two_fitted: sc.Fit) -> None:
@@ -375,12 +396,12 @@ def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: 
 def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    ringing, heights, asked = SimpleNamespace(frequency=SimpleNamespace(value=30.0)), Filmed.heights, list[object]()
+    ringing, heights, asked = SimpleNamespace(frequency=SimpleNamespace(value=30.0)), Film.values, list[object]()
 
-    def once_without_answer(film: Filmed, q: np.ndarray) -> np.ndarray:
+    def once_without_answer(film: Film, q: np.ndarray) -> np.ndarray:
         asked.append(q)
         return np.full(film.data.size, np.nan) if len(asked) == 1 else heights(film, q)
 
     monkeypatch.setattr(fit_module, "features_of", lambda *_: ringing)
-    monkeypatch.setattr(Filmed, "heights", once_without_answer)
+    monkeypatch.setattr(Film, "values", once_without_answer)
     assert fitted("youngs_modulus", "yield_stress").outcome.converged and asked

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
 import softcat_sym as sc
-from softcat_sym.effects.free_vibration import (
+from softcat_sym.estimates.free_vibration import (
     damping_note,
     first_vibration,
     ringing,
@@ -165,7 +165,7 @@ SLENDER = {"run__effects": ["inertia", "bending", "extensibility", "finite-stret
 
 @pytest.mark.parametrize(("length", "drop"), [(140.0, 0.0), (121.0, 0.0), (240.0, 0.0), (140.0, 40.0)])
 def test_a_slack_chain_swings_as_its_links_do(length: float, drop: float) -> None:
-    """What strangers met: a chain of 140 m over 120 m has 0.161 Hz, and not the 12.8 Hz of a straight bar."""
+    """A chain of 140 m over 120 m has 0.161 Hz, and not the 12.8 Hz of a straight bar."""
     ends = {**PINNED, "ends__drop": f"{drop} m"}
     scene = strand("2 mm", "20 TPa", **WIRE, **ends, filament__rest_length=f"{length} m")
     assert frequency(scene) == pytest.approx(links(length, 120.0, drop), rel=2e-3)

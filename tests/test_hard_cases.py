@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 import casadi as ca
 import numpy as np
 import numpy.typing as npt
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import undeformed_area
@@ -20,6 +16,7 @@ from softcat_sym.simulate import without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from tests.common.hard_cases import CASES, Case, asked
+from tests.common.time_limit import within
 
 Array = npt.NDArray[np.float64]
 
@@ -137,23 +134,7 @@ def _reactions(run: Run) -> Array:
 
 
 RUN, JUDGE = 60.0, 120.0
-"""Seconds of the processor that the run of a case may take, and its judge: limits are runs of their own."""
-
-
-@contextmanager
-def within(seconds: float) -> Iterator[None]:
-    """End what takes more seconds of the processor."""
-
-    def over(*_: object) -> None:
-        raise TimeoutError(f"more than {seconds:g} s of the processor")
-
-    before = signal.signal(signal.SIGPROF, over)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0.0)
-        signal.signal(signal.SIGPROF, before)
+"""Seconds of the processor that the run of a case may take, and its judge."""
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,10 @@ import pytest
 import sympy as sp
 
 import softcat_sym as sc
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.forecast import forecast
 from softcat_sym.physics import beams, regimes
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.symbols import L, g, rho

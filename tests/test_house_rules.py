@@ -45,7 +45,7 @@ def test_at_most_eight_exception_classes_each_with_advice() -> None:
 
 
 WORDS = {"backstress", "bending", "shear", "fibres", "inertia", "structure", "temperature", "thinning", "yielding"}
-WORDS |= {"added-mass", "buoyancy", "curing", "drag", "natural-strain"}
+WORDS |= {"added-mass", "buoyancy", "contact", "curing", "drag", "natural-strain"}
 """Names that are quantities, too: as a column, a key, or of densities and clocks in the physics they name no effect."""
 
 FLAGS = {("cli/new.py", "surface-tension")}

@@ -11,10 +11,10 @@ import sympy as sp
 
 from softcat_sym.physics import sections as section
 from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.constitutive_laws import K, law_of, n
 from softcat_sym.physics.equation import Stated
-from softcat_sym.physics.filament import FilamentEquations, derive
-from softcat_sym.physics.laws import K, law_of, n
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity
+from softcat_sym.physics.section_equations import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.terms import Rheology, Terms
 from softcat_sym.physics.written_equations import equations_in_force, plain_rate

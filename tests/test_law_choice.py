@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.fitting.least_squares import Loss
+from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes
 from softcat_sym.fitting.model_selection import (
     FITTED,

@@ -17,7 +17,7 @@ from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
 from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import closed_forms as strings
-from softcat_sym.physics.laws import K, law_of, n
+from softcat_sym.physics.constitutive_laws import K, law_of, n
 from softcat_sym.physics.regimes import H
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t

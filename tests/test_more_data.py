@@ -39,6 +39,7 @@ def test_a_support_carries_what_momentum_and_weight_leave_and_its_derivatives_ar
             np.testing.assert_allclose(slopes[:, k], numeric, atol=0.03 * np.abs(numeric).max())
 
 
+@pytest.mark.slow
 @pytest.mark.statistical
 def test_a_force_tells_the_density_that_a_midpoint_does_not() -> None:
     """Only E/density and viscosity/density move a string."""
@@ -92,6 +93,7 @@ def test_a_flow_curve_narrows_what_a_film_leaves_wide_or_contradicts_it() -> Non
         sc.fit(two, start, ["viscosity@each"], flow_curve=FlowCurve(rate, stress))
 
 
+@pytest.mark.slow
 @pytest.mark.statistical
 def test_films_have_parameters_of_their_own() -> None:
     spans, random, series = (0.17, 0.2, 0.24), draws(4), []

@@ -13,8 +13,8 @@ from scipy.integrate import solve_bvp
 import softcat_sym as sc
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.errors import SceneError
+from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.natural_curve import natural_curve
 from tests.common.spatial_statics import Statics
 
@@ -117,6 +117,7 @@ def test_lengths_are_those_of_circles_helices_and_sums_over_points() -> None:
     assert helix.length == pytest.approx(turns[-1] / omega, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_an_arc_with_a_free_end_is_a_curved_filament() -> None:
     kappa, length = 12.0, 2 / 12 * math.asin(12 * SPAN / 2)
     free: dict[str, Any] = {"ends": {"right": "free"}, "numerics": {"cells": 5}}

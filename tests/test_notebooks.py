@@ -59,10 +59,6 @@ def test_there_are_ten_chapters_and_all_take_less_than_three_minutes() -> None:
     assert 0 < sum(SECONDS.values()) < 180 * max(1.0, unit)
 
 
-@pytest.mark.parametrize(
-    "path",
-    [NOTEBOOKS[0], NOTEBOOKS[-1], *(pytest.param(path, marks=pytest.mark.slow) for path in NOTEBOOKS[1:-1])],
-    ids=lambda path: path.stem,
-)
+@pytest.mark.parametrize("path", [NOTEBOOKS[0], NOTEBOOKS[-1]], ids=lambda path: path.stem)
 def test_they_are_notebooks_too(path: Path) -> None:
     run("-c", EXECUTE, path.name)

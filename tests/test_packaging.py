@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 import inspect
-import json
 import os
 import re
 import subprocess
@@ -117,27 +116,6 @@ def away(folder: Path, *command: str | Path) -> subprocess.CompletedProcess[str]
     return subprocess.run(
         command, cwd=folder, env=environment, capture_output=True, text=True, check=False, timeout=300
     )
-
-
-@pytest.mark.slow
-@pytest.mark.tooling
-def test_commands_work_far_from_the_repository(installed: Path, tmp_path: Path) -> None:
-    softcat = installed / "bin" / "softcat"
-    assert away(tmp_path, softcat, "--version").stdout.startswith("softcat 0.")
-    assert "continual-descent" in away(tmp_path, softcat, "scenes").stdout
-    for name in COMMANDS:
-        assert away(tmp_path, softcat, name, "--help").returncode == 0, name
-    done = away(tmp_path, softcat, "run", "continual-descent", "-o", "out")
-    assert done.returncode == 0, done.stderr
-    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
-    assert (summary["outcome"], summary["regime"]) == ("solved", "descending")
-    written = {path.name for path in (tmp_path / "out").iterdir()}
-    assert {"trajectory.nc", "scene.toml", "midpoint.csv", "shapes.png"} <= written
-    # The C runtime and the templates are package data: they are there, and so they are written.
-    assert away(tmp_path, softcat, "generate", "cold-honey", "-o", "c", "-q").returncode == 0
-    assert (tmp_path / "c" / "softcat_rosenbrock.c").is_file()
-    assert away(tmp_path, softcat, "scenes", "-q", "--only", "cold-honey", "-o", "gallery").returncode == 0
-    assert (tmp_path / "gallery" / "gallery.html").is_file()
 
 
 @pytest.mark.slow

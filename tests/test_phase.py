@@ -14,8 +14,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.batch.executor import RunPool, Where
-from softcat_sym.effects.forecast import overshoot, rebound
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.estimates.forecast import overshoot, rebound
 from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
 from softcat_sym.studies.phase_runs import (
     CLAMPS_ONLY,

@@ -36,12 +36,11 @@ from softcat_sym.plotting.run import (
     midpoint_figure,
     shapes_figure,
     space_time_figure,
-    styled_for,
     time_to_nine_tenths,
 )
 from softcat_sym.plotting.section import (
+    FilamentOutline,
     Magnification,
-    Section,
     elastic_core,
     largest_sag,
     node_angles,
@@ -60,6 +59,7 @@ from softcat_sym.plotting.style import (
     printed,
     refused,
     shown_part,
+    styled,
 )
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import (
@@ -87,7 +87,7 @@ def run_of(data: Mapping[str, np.ndarray], summary: dict[str, Any], scene: Scene
     return Run(scene, data, summary, Outcome[summary["outcome"]], {})
 
 
-def yielded_quads(section: Section, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
+def yielded_quads(section: FilamentOutline, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
     return quads_outside(section, *elastic_core(mean, bending, limit))
 
 
@@ -97,11 +97,11 @@ def area(polygon: np.ndarray) -> float:
     return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
 
 
-def arc(radius: float, half_angle: float, thickness: float, nodes: int = 401) -> Section:
+def arc(radius: float, half_angle: float, thickness: float, nodes: int = 401) -> FilamentOutline:
     """A circular arc that opens upwards: its normal points to the centre."""
     angle = np.linspace(-half_angle, half_angle, nodes)
     normal = np.column_stack([-np.sin(angle), np.cos(angle)])
-    return Section(radius * np.sin(angle), -radius * np.cos(angle), normal, np.full(nodes, thickness))
+    return FilamentOutline(radius * np.sin(angle), -radius * np.cos(angle), normal, np.full(nodes, thickness))
 
 
 def test_outline_is_half_a_thickness_from_the_centreline_and_encloses_the_thickness(descent):
@@ -250,7 +250,7 @@ def words_of(figure: Figure) -> list[str]:
 
 def test_shapes_have_equal_lengths_along_both_axes_or_say_their_stretch(scene, make_scene, make_run, descent, summary):
     for style in ("screen", "column", "page"):
-        with styled_for(style):
+        with styled(style):
             found = scales(shapes_figure(descent, summary, scene, style))
         np.testing.assert_allclose(found, found[0, 0], rtol=1e-3)
     thin = make_scene(span=0.2, thickness=1e-3)
@@ -483,7 +483,7 @@ def test_every_word_can_be_read(make_run, make_scene, summary, name):
     scene = make_scene(title=f"$x^{{ {name} 漢", span=span, thickness=thickness, limit=limit)
     run = make_run(scene, sags, times, cells=60)
     for style, (what, draw) in itertools.product(("screen", "column", "page"), FIGURES.items()):
-        with styled_for(style):
+        with styled(style):
             figure = draw(run, summary, scene, style)
             shown = list(drawn_words(figure))
             assert len(shown) > 4
@@ -577,7 +577,7 @@ def test_whatever_a_run_leaves_is_drawn_without_a_warning(scene, summary, make_r
         for cells, of, style in ((1, scene, "screen"), (20, still, "column")):
             data = make_run(of, np.array(sags), np.array(times), cells)
             for draw in FIGURES.values():
-                with styled_for(style):
+                with styled(style):
                     assert png(draw(data, summary, of, style)).startswith(b"\x89PNG"), name
 
 
@@ -676,7 +676,7 @@ def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tm
 
 def test_the_same_figure_gives_the_same_bytes_and_styles_have_names(descent, scene):
     def twice() -> dict[str, bytes]:
-        with styled_for("column"):
+        with styled("column"):
             assert matplotlib.rcParams["font.size"] == 8
             return printed("space-time", space_time_figure(descent, {}, scene, "column"), 400)
 

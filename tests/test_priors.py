@@ -10,7 +10,7 @@ from scipy import stats
 
 import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.least_squares import Loss
+from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.posterior import posterior_of, sample
 from softcat_sym.fitting.priors import read_priors, refuse_excluded

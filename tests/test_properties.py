@@ -6,12 +6,11 @@ The ranges stand in ``common/scene_strategies.py`` and were fixed, like the seed
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -23,9 +22,7 @@ import softcat_sym as sc
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from tests.common import scene_runs
-from tests.common.kept_answers import fingerprint, kept
-from tests.common.limited_process import Ask, LimitedProcess, side_by_side
-from tests.common.scene_runs import Answer, answer_within, is_balanced, is_late, messages, serve
+from tests.common.scene_runs import LATE, Answer, is_balanced, messages
 from tests.common.scene_strategies import scenes
 
 SEED = 20261121
@@ -63,36 +60,16 @@ def drawn(number: int, quick: bool) -> list[dict[str, Any]]:
     return tables[:number]
 
 
-def answers(tables: list[dict[str, Any]]) -> list[Answer]:
+def answers(tables: list[dict[str, Any]], folder: str) -> list[Answer]:
     """Answer every scene; what took too long is asked again, compiled, and then without an estimate."""
-    found = _all(tables, LIMIT)
+    found = [scene_runs.answer(table, folder, LIMIT) for table in tables]
     for numerics in ({"backend": "auto"}, {"backend": "auto", "estimate": False}):
-        late = [k for k, answer in enumerate(found) if is_late(answer)]
-        again = _all([tables[k] | {"numerics": tables[k]["numerics"] | numerics} for k in late], PATIENCE)
-        for k, answer in zip(late, again, strict=True):
-            dear = "estimate" in numerics and answer.outcome == "solved"
-            found[k] = replace(answer, outcome="dear", reason="not as accurate in the time") if dear else answer
+        for k in [k for k, answer in enumerate(found) if answer.outcome == LATE]:
+            table = tables[k] | {"numerics": tables[k]["numerics"] | numerics}
+            found[k] = scene_runs.answer(table, folder, PATIENCE)
+            if "estimate" in numerics and found[k].outcome == "solved":
+                found[k] = replace(found[k], outcome="dear", reason="not as accurate in the time")
     return found
-
-
-def _all(tables: list[dict[str, Any]], limit: float) -> list[Answer]:
-    """Answers, those of an interrupted check among them; what hung or died is not kept."""
-    sources = fingerprint(__file__)
-
-    def one(ask: Ask, table: dict[str, Any]) -> Answer:
-        def ended() -> dict[str, Any]:
-            found = answer_within(ask, table, limit)
-            if not found.outcome:
-                raise LookupError(found)
-            return asdict(found)
-
-        try:
-            found = kept(("property", json.dumps(table)), sources, ended)
-        except LookupError as none:
-            return cast(Answer, none.args[0])
-        return Answer(**{**found, "broken": tuple(found["broken"])})
-
-    return side_by_side(serve, one, tables)
 
 
 def check(found: list[Answer]) -> None:
@@ -107,14 +84,14 @@ def check(found: list[Answer]) -> None:
 
 
 def test_a_few_scenes_keep_every_property(tmp_path: Path) -> None:
-    check([scene_runs.answer(table, str(tmp_path)) for table in drawn(FEW, quick=True)])
+    check(answers(drawn(FEW, quick=True), str(tmp_path)))
 
 
 @pytest.mark.slow
-def test_many_scenes_keep_every_property() -> None:
+def test_many_scenes_keep_every_property(tmp_path: Path) -> None:
     tables = drawn(MANY, quick=False)
     assert len(tables) == MANY
-    check(answers(tables))
+    check(answers(tables, str(tmp_path)))
 
 
 TABLE: dict[str, Any] = {
@@ -157,7 +134,7 @@ def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeyp
         raise ZeroDivisionError("by zero")
 
     monkeypatch.setattr(scene_runs.sc, "simulate", fails)
-    assert scene_runs.answer(TABLE, str(tmp_path)).broken == ("ZeroDivisionError: by zero",)
+    assert scene_runs.answer(TABLE, str(tmp_path), LIMIT).broken == ("ZeroDivisionError: by zero",)
     other = Scene.model_validate({**TABLE, "title": "other"})
     monkeypatch.setattr(scene_runs.sc, "load_scene", lambda path: other)
     assert scene_runs._there_and_back(Scene.model_validate(TABLE), str(tmp_path))
@@ -165,23 +142,14 @@ def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeyp
 
 def test_a_refusal_is_no_fault(tmp_path: Path) -> None:
     table = {**TABLE, "run": {"duration": "1 s", "effects": ["yielding"]}}
-    found = scene_runs.answer(table, str(tmp_path))
+    found = scene_runs.answer(table, str(tmp_path), LIMIT)
     assert (found.outcome, found.broken) == (scene_runs.REFUSED, ())
     assert "run.effects" in found.reason
 
 
-@pytest.mark.slow
-def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
-    one = LimitedProcess(serve)
-    try:
-        assert answer_within(one.ask, TABLE, 0.01).broken == ("no answer within 0.01 s",)
-        one._process.kill()
-        one._process.join()
-        assert answer_within(one.ask, TABLE, 60.0).broken == ("the process died with -9",)
-        found = answer_within(one.ask, TABLE, 60.0)
-        assert (found.outcome, found.broken) == ("solved", ())
-    finally:
-        one.close()
+def test_what_takes_too_long_is_no_answer_and_the_next_scene_is_answered(tmp_path: Path) -> None:
+    found = [scene_runs.answer(TABLE, str(tmp_path), seconds) for seconds in (0.01, LIMIT)]
+    assert [(one.outcome, one.broken) for one in found] == [(LATE, ()), ("solved", ())]
 
 
 @pytest.mark.parametrize("thinning", [True, False])

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
-from types import FrameType
 
 import pytest
 from hypothesis import HealthCheck, given, seed, settings
@@ -18,6 +15,7 @@ from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
+from tests.common.time_limit import within
 
 SEED = 20261121
 LIMIT = 10.0  # s, of one file
@@ -38,22 +36,6 @@ FRAGMENTS = (
     *("9" * 400, "é", "µ", "**", "(", ")", "/", "pi", "deg", "Pa", "m", "s", ".", "..", "\\", "\\u", "a" * 70, "true"),
 )
 """What is put in: pieces that mean something to one reader or another."""
-
-
-@contextmanager
-def in_time(seconds: float) -> Iterator[None]:
-    """Raise TimeoutError in whatever takes longer."""
-
-    def ring(number: int, frame: FrameType | None) -> None:
-        raise TimeoutError(f"not read within {seconds:g} s")
-
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
 
 
 @st.composite
@@ -84,7 +66,7 @@ def is_read_or_refused(read: Callable[[Path], object], file: Path, data: bytes) 
     """Read, and look at the refusal: it names the file and says what would be accepted."""
     file.write_bytes(data)
     try:
-        with in_time(LIMIT):
+        with within(LIMIT):
             return read(file)
     except SoftcatError as error:
         text = str(error)

@@ -127,6 +127,7 @@ def drag(tangential, normal):
     return {"slender-bath": {"along": f"{tangential} Pa*s", "across": f"{normal} Pa*s"}}
 
 
+@pytest.mark.slow
 def test_drag_damps_the_first_mode_of_a_beam():
     """A clamped beam in a bath: rate c/(2 m) and frequency sqrt(w^2 - rate^2), w = 22.3733 sqrt(E I/(m L^4))."""
     table = drag(1.0, 2.0)

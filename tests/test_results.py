@@ -18,7 +18,7 @@ import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym import cache, store
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.results.fields import VARIABLES, mirrored
 from softcat_sym.results.run import open_run, run_form
 from softcat_sym.scene.scene import Scene, undeformed_area

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from itertools import pairwise
+from itertools import pairwise, product
 
 import casadi as ca
 import mpmath
@@ -20,10 +20,9 @@ from scipy.optimize import linprog
 
 from softcat_sym.discretization.casadi_printer import CellFunction, printed
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.filament import derive
-from softcat_sym.physics.laws import (
+from softcat_sym.physics.constitutive_laws import (
     K,
     bingham_means,
     bingham_rate,
@@ -33,6 +32,7 @@ from softcat_sym.physics.laws import (
     n,
     power_law_rate,
 )
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import (
     CIRCLE,
     RECTANGLE,
@@ -45,7 +45,6 @@ from softcat_sym.physics.sections import (
 from softcat_sym.physics.symbols import E, c, eta, sigma_0, sigma_1, sigma_Y, zeta
 from tests.common.filaments import Array, scene
 from tests.common.one_cell import bend_slowly, one_cell
-from tests.marks import few as quick
 
 # Means of the Bingham rule over a section: the package's closed forms, and a reference that knows none of them.
 MODULUS, VISCOSITY, YIELD = 4e6, 13.84e3, 9.32e3
@@ -173,13 +172,15 @@ RULES: dict[str, tuple[sp.Expr, sp.Expr]] = {
     "power": (power_law_rate(), sp.S.Zero),
     "herschel-bulkley": (herschel_bulkley_rate(), sigma_Y),
 }
-MEANS = {
-    (name, shape): quadrature_means(MEAN_SHAPES[shape], rate, threshold)
-    for name, (rate, threshold) in RULES.items()
-    for shape in MEAN_SHAPES
-}
-BINGHAM = {name: quadrature_means(shape, bingham_rate(), sigma_Y) for name, shape in MEAN_SHAPES.items()}
+EACH_MEAN = pytest.mark.parametrize(("name", "shape"), [*product(RULES, MEAN_SHAPES)])
 CLOSED = {name: bingham_means(shape) for name, shape in MEAN_SHAPES.items()}
+
+
+@cache
+def by_quadrature(name: str, shape: str) -> SectionMeans:
+    """Means of a rule by name, Bingham's among them."""
+    rate, threshold = {**RULES, "bingham": (bingham_rate(), sigma_Y)}[name]
+    return quadrature_means(MEAN_SHAPES[shape], rate, threshold)
 
 
 def values(mean: float, slope: float, index: float = 1.0) -> dict[sp.Symbol, float]:
@@ -223,7 +224,7 @@ def integrated(shape: Section, flow: Callable[[float], float], mean: float, slop
 def test_of_the_bingham_rule_they_are_the_closed_ones(shape: Section, case: str) -> None:
     mean, slope = (YIELD * value for value in sign_cases()[case])
     point = {sigma_0: mean, sigma_1: slope, sigma_Y: YIELD, eta: VISCOSITY, E: MODULUS}
-    found, wanted = at(BINGHAM[shape.name], point), at(CLOSED[shape.name], point)
+    found, wanted = at(by_quadrature("bingham", shape.name), point), at(CLOSED[shape.name], point)
     scale = (abs(mean) + abs(slope)) / VISCOSITY
     within = 1e-14 if shape is RECTANGLE else 1e-6
     for name in ("rate", "bending_rate", "largest_rate"):
@@ -241,7 +242,7 @@ def test_of_the_maxwell_rule_they_are_the_closed_ones(shape: Section) -> None:
 
 
 @pytest.mark.parametrize("index", INDICES)
-@pytest.mark.parametrize(("name", "shape"), MEANS)
+@EACH_MEAN
 def test_against_adaptive_integration(name: str, shape: str, index: float) -> None:
     threshold = 0.0 if name == "power" else 1.0
 
@@ -250,7 +251,7 @@ def test_against_adaptive_integration(name: str, shape: str, index: float) -> No
 
     worst = 0.0
     for mean, slope in np.random.default_rng(3).normal(0, 2.5, (25, 2)):
-        found = at(MEANS[name, shape], values(mean, slope, index))
+        found = at(by_quadrature(name, shape), values(mean, slope, index))
         wanted = integrated(MEAN_SHAPES[shape], flow, mean, slope, (threshold, -threshold))
         size = max(map(abs, wanted))
         misses = abs(found["rate"] - wanted[0]), abs(found["bending_rate"] - wanted[1])
@@ -265,20 +266,20 @@ def test_a_uniform_section_that_flows_resists_bending(shape: Section, index: flo
     stress = ca.SX.sym("stress", 2)
     for name, threshold in (("power", 0.0), ("herschel-bulkley", 1.0)):
         point = {**values(3.0, 0.0, index), sigma_0: stress[0], sigma_1: stress[1]}
-        means = MEANS[name, shape.name]
+        means = by_quadrature(name, shape.name)
         rates = CellFunction({"mean": means.rate, "bend": means.bending_rate}, tuple(point))(point)
         jacobian = ca.Function("j", [stress], [ca.jacobian(ca.vertcat(rates["mean"], rates["bend"]), stress)])
         slope = (3.0 - threshold) ** (1 / index - 1) / index
         assert np.array(jacobian((3.0, 0.0))) == pytest.approx(slope * np.eye(2), rel=2e-6, abs=2e-6 * slope)
 
 
-@pytest.mark.parametrize(("name", "shape"), MEANS)
+@EACH_MEAN
 @few
 @given(mean=stresses, slope=stresses, step=st.floats(0, 1), index=st.sampled_from(INDICES))
 def test_odd_monotone_and_never_giving_work_back(
     name: str, shape: str, mean: float, slope: float, step: float, index: float
 ) -> None:
-    means = MEANS[name, shape]
+    means = by_quadrature(name, shape)
     found, opposite = at(means, values(mean, slope, index)), at(means, values(-mean, -slope, index))
     largest = at(means, values(abs(mean) + step, abs(slope) + step, index))["largest_rate"]
     # Which side is in tension is not known where the stress varies by less than 1e-30 E.
@@ -296,7 +297,7 @@ def test_odd_monotone_and_never_giving_work_back(
 def test_below_yield_nothing_flows_at_all(share: float, size: float, index: float) -> None:
     for shape in MEAN_SHAPES:
         point = values(size * share, size * (1 - abs(share)), index)
-        assert set(at(MEANS["herschel-bulkley", shape], point).values()) == {0.0}
+        assert set(at(by_quadrature("herschel-bulkley", shape), point).values()) == {0.0}
 
 
 def test_a_wide_sheet_flows_by_the_rule_of_its_equivalent_stress() -> None:
@@ -304,7 +305,7 @@ def test_a_wide_sheet_flows_by_the_rule_of_its_equivalent_stress() -> None:
     r = math.sqrt(3) / 2
     base = {sigma_0: 1.7, sigma_1: -0.9, E: 400.0}
     fluids = {"maxwell": maxwell_means(RECTANGLE), "bingham": CLOSED["rectangle"]}
-    fluids |= {name: MEANS[name, "rectangle"] for name in RULES}
+    fluids |= {name: by_quadrature(name, "rectangle") for name in RULES}
     for means in fluids.values():
         sheet = scaled(means, sp.sqrt(3) / 2)
         for index in INDICES:
@@ -457,7 +458,8 @@ def test_closed_forms_are_integrals_over_the_section(section: str) -> None:
     assert exact(section, np.array([1e6]))[0] == pytest.approx(ultimate, abs=1e-9)
 
 
-@pytest.mark.parametrize("section", quick(["rectangle", "circle"], "circle"))
+@pytest.mark.slow
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
 def test_moment_follows_curvature(section: str) -> None:
     wanted = exact(section, CURVATURE)
     curve: dict[str, list[float]] = {"fibres": [], "order": []}

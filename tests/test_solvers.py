@@ -24,7 +24,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
@@ -32,10 +32,10 @@ from softcat_sym.solvers import compiled, settings, settling
 from softcat_sym.solvers.compiled import CModel, CompiledIntegration
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared, prepare
 from softcat_sym.solvers.settings import choose_backend, choose_settings
 from softcat_sym.solvers.settling import settled
 from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.solvers.solve import Prepared, prepare
 from tests.common.assembled import (
     Listener,
     graph_of,

@@ -15,13 +15,13 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.cli.explain import print_explanation
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.inertia import outrunning_faults
-from softcat_sym.effects.quasi_static_sag import load_factor
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.forecast import forecast
+from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.dimensions import is_spatial, out_of_plane, reason_for_dimensions
 from softcat_sym.scene.parts import DOWN

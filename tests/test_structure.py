@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.scene.thixotropy import Thixotropy
 
 L, RATE = 0.1, 2e-3

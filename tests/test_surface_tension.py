@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,6 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
 from tests.common.threads import INVISCID, evolve, growth, newtonian, thread
-from tests.marks import few
 
 CELLS = 16
 SOFT: dict[str, dict[str, Any]] = {
@@ -76,11 +74,13 @@ def test_solids_alone_are_refused_beyond(law: str) -> None:
 
 @pytest.mark.parametrize(
     ("law", "section", "ends"),
-    few(
-        product(SOFT, ("circle", "rectangle", "sheet"), (HELD, FREE)),
-        *(("elastic", "sheet", FREE), ("kelvin-voigt", "rectangle", HELD), ("standard-linear", "circle", FREE)),
-        *(("bingham", "circle", HELD), ("bingham", "sheet", FREE)),
-    ),
+    [
+        ("elastic", "sheet", FREE),
+        ("kelvin-voigt", "rectangle", HELD),
+        ("standard-linear", "circle", FREE),
+        ("bingham", "circle", HELD),
+        ("bingham", "sheet", FREE),
+    ],
 )
 def test_a_relaxed_surface_leaves_no_force(law: str, section: str, ends: tuple[str, str]) -> None:
     """Weightless, it stays as it is: the stress of the material balances the surface."""

@@ -11,7 +11,7 @@ from scipy.optimize import brentq, curve_fit
 
 import softcat_sym as sc
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 
 L, H, RHO, G = 0.2, 2e-3, 1000.0, 9.81
 BACKENDS = ("interpreted", "compiled")

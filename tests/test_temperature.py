@@ -12,7 +12,7 @@ import sympy as sp
 from scipy.integrate import quad
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.temperature import biot_number, cooling_time, transfer_coefficient
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.forward_model import ForwardModel

@@ -12,7 +12,7 @@ import pytest
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.studies import validate as study
-from softcat_sym.studies.published.case import Case, DataKind, Finding, Row, published_scene
+from softcat_sym.studies.published.case import Case, DataKind, Finding, PublishedValue, published_scene
 from tests.common.in_process import Softcat
 
 FAST = ("smay", "martinie", "u-shape")
@@ -35,7 +35,7 @@ def test_every_case_is_whole() -> None:
 
 
 def test_a_row_tells_its_difference_and_whether_it_agrees() -> None:
-    row = Row("sag", "mm", 2.0, 2.1, band=(1.9, 2.05))
+    row = PublishedValue("sag", "mm", 2.0, 2.1, band=(1.9, 2.05))
     assert row.difference == pytest.approx(0.05) and row.agrees is False
     assert replace(row, ours=2.02).agrees is True and replace(row, band=None).agrees is None
     assert replace(row, is_absolute=True).difference == pytest.approx(0.1)
@@ -101,7 +101,7 @@ def test_finished_cases_come_from_the_store_unless_fresh_ones_are_asked_for(
 
     def counted() -> Finding:
         calls.append(1)
-        return Finding((Row("ratio", "", 3.0, 3.1, band=(2.9, 3.2)),))
+        return Finding((PublishedValue("ratio", "", 3.0, 3.1, band=(2.9, 3.2)),))
 
     monkeypatch.setattr(study, "CASES", made(counted))
     first = softcat("validate", "-o", "out")

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 from softcat_sym import load_scene, progress, simulate
-from softcat_sym.effects import choosing
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects import selection
 from softcat_sym.effects.effect import Estimate
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates.expected_regime import TURNS_BACK
+from softcat_sym.estimates.forecast import forecast
 from softcat_sym.results import run as run_module
 from softcat_sym.results import verdict
 from softcat_sym.results.fields import energy_residual
@@ -443,7 +443,7 @@ def slow_beam(thickness: float, sag: float, law: str = "elastic", effects: Any =
 def blind(monkeypatch: pytest.MonkeyPatch, *numbers: str) -> None:
     """What is foreseen of the effects is nothing; what is seen is seen all the same."""
     nothing = dict.fromkeys(numbers, 0.0)
-    monkeypatch.setattr(choosing, "forecast", lambda scene: dataclasses.replace(forecast(scene), **nothing))
+    monkeypatch.setattr(selection, "forecast", lambda scene: dataclasses.replace(forecast(scene), **nothing))
 
 
 CASES = {

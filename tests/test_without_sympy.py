@@ -17,9 +17,9 @@ from softcat_sym.physics import heat
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.filament import clocks_of, derive, law_named
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.section_equations import clocks_of, derive, law_named
 from softcat_sym.physics.section_response import stiffness
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.spatial import POINT
@@ -49,7 +49,7 @@ import sys, tomllib
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.solvers.settings import choose_backend, settings_for
 scenes = [sc.load_scene(name) for name in {SCENES}]

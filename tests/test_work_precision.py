@@ -12,16 +12,16 @@ import pandas as pd
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.codegen.c_model import model_for
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.codegen.structure import model_for
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.accuracy import front
 from softcat_sym.single_run import build
 from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.rates import Rates
-from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.solvers.solve import assembled
 from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
     TOLERANCES,
@@ -65,6 +65,7 @@ def test_jacobian_is_that_of_differences(short: sc.Scene) -> None:
     np.testing.assert_allclose(rates.jacobian(t, state).toarray(), expected, **scale)
 
 
+@pytest.mark.slow
 @compiled
 def test_methods_solve_the_same_equations(short: sc.Scene) -> None:
     exact = ready(short, Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint

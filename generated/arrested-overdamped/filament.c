@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 4529a3d0f7f783271f383f5f867da358e0e6c884bbcc26de83bd0835023a4f53
+ * Digest of the structure: a920ebcfddf630b0f0356432d36beb7d2f50be09f8016929771c9379a2959e6b
  */
 #include "filament.h"
 
@@ -140,14 +140,16 @@ static void rates_7(int n, int fibres, int slots, const double *zeta, const doub
             const double v46 = v45 * v28;
             const double v54 = sqrt(larger(squared(v34) + (3.0 * squared(v46)), c52));
             const double v55 = (double)(c3 < v54);
-            const double v59 = (v54 - c3) * c58;
-            const double v61 = 1.0 / v54;
-            const double v62 = (v34 * v59) * v61;
-            const double v72 = ((((-1.5) * v25) * v62) + (((3.0 * v46) * v59) * v61)) * c63;
             const double v77 = v34 + ((1.5 * v25) * v46);
             const double v78 = weight[k];
-            f[slots * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
-            f[slots * i + 5 + 1 * fibres + k] = v55 != 0.0 ? v72 : 0.0;
+            if (v55 != 0.0) {
+                const double v59 = (v54 - c3) * c58;
+                const double v61 = 1.0 / v54;
+                const double v62 = (v34 * v59) * v61;
+                f[slots * i + 5 + k] = v62 * c63;
+                const double v72 = ((((-1.5) * v25) * v62) + (((3.0 * v46) * v59) * v61)) * c63;
+                f[slots * i + 5 + 1 * fibres + k] = v72;
+            }
             sum0 += v77 * v78;
             sum1 += v77 * (v78 * v8);
             sum2 += v45 * v78;
@@ -231,9 +233,13 @@ static void rates_10(int n, const double *p, const double *g, double *w)
         const double v14 = 1.0 / (2.0 * g[7 * i + 2]);
         const double v15 = g[7 * i - 6] * v14;
         const double v18 = g[7 * i + 1] * v14;
-        const double v23 = ((((v0 - v1) * g[7 * i + 5]) * c7) * c10) / squared(squared(((v15 * v1) + (v18 * v0))));
-        const double v37 = (v23 * c28) * larger(0.0, (v15 * w10[i - 1]) + (v18 * w10[i]));
-        w13[i] = v37 * c7;
+        const double v36 = larger(0.0, (v15 * w10[i - 1]) + (v18 * w10[i]));
+        double v38 = 0.0;
+        if (v36 != 0.0) {
+            const double v23 = ((((v0 - v1) * g[7 * i + 5]) * c7) * c10) / squared(squared(((v15 * v1) + (v18 * v0))));
+            v38 = ((v23 * c28) * v36) * c7;
+        }
+        w13[i] = v38;
     }
 }
 
@@ -606,47 +612,7 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
             const double v211 = squared(v33) + (3.0 * squared(v87));
             const double v216 = sqrt(larger(v211, c214));
             const double v217 = (double)(c206 < v216);
-            const double v218 = 2.0 * v87;
-            const double v219 = (double)(c214 <= v211);
-            const double v222 = v219 / (v219 + (double)(v211 <= c214));
-            const double v224 = 1.0 / v216;
-            const double v225 = c223 * v224;
-            const double v231 = (v216 - c206) * c228;
-            const double v233 = (v33 * v231) * v224;
-            const double v234 = v233 * v224;
-            const double v238 = 1.0 / (2.0 * v216);
-            const double v240 = v222 * ((((v33 * v225) * c228) - (v234 * c223)) * v238);
-            const double v242 = v218 * (3.0 * v240);
-            const double v246 = v231 * v225;
-            const double v247 = v19 * v242;
-            const double v250 = 2.0 * v33;
-            const double v253 = c20 * ((v246 + (v35 * v247)) + (v250 * v240));
-            const double v261 = (0.5 * ((c40 * v247) + (v33 * v247))) + (v59 * (0.25 * v253));
-            const double v265 = (((-1.5) * (v19 * (v42 * v242))) + v253) - ((-1.5) * (v19 * (v27 * v261)));
             const double v272 = v13 * v12;
-            const double v273 = v272 * v265;
-            const double v280 = (((v265 * v25) - (v269 * v261)) - (v10 * v273)) - ((v9 * v273) * v278);
-            const double v283 = 0.9128709291752768 * (v261 * v25);
-            const double v289 = (-0.5) * (v5 * (c7 * (v265 * v12)));
-            const double v292 = v217 != 0.0 ? (((v280 * v69) + (v283 * v72)) + (v289 * v76)) : 0.0;
-            const double v298 = v217 != 0.0 ? (((v280 * v79) + (v283 * v81)) + (v289 * v84)) : 0.0;
-            const double v319 = 3.0 * v87;
-            const double v322 = ((-1.5) * v27) * c223;
-            const double v323 = v322 * v224;
-            const double v333 = (((v319 * v225) + (v33 * v323)) * c228) - (((((v319 * v231) * v224) * v224) * c223) + (v234 * v322));
-            const double v335 = v222 * (v333 * v238);
-            const double v338 = (3.0 * v246) + (v218 * (3.0 * v335));
-            const double v343 = v19 * v338;
-            const double v348 = c20 * (((v231 * v323) + (v35 * v343)) + (v250 * v335));
-            const double v356 = (0.5 * ((c40 * v343) + (v33 * v343))) + (v59 * (0.25 * v348));
-            const double v360 = (((-1.5) * (v19 * (v42 * v338))) + v348) - ((-1.5) * (v19 * (v27 * v356)));
-            const double v366 = v272 * v360;
-            const double v371 = (((v360 * v25) - (v269 * v356)) - (v10 * v366)) - ((v9 * v366) * v278);
-            const double v374 = 0.9128709291752768 * (v356 * v25);
-            const double v380 = (-0.5) * (v5 * (c7 * (v360 * v12)));
-            const double v383 = v217 != 0.0 ? (((v371 * v69) + (v374 * v72)) + (v380 * v76)) : 0.0;
-            const double v389 = v217 != 0.0 ? (((v371 * v79) + (v374 * v81)) + (v380 * v84)) : 0.0;
-            const double v394 = v217 != 0.0 ? (((-1.5) * (v233 * c223)) - (v19 * v356)) : 0.0;
             const double v412 = v33 + (v44 * v87);
             const double v425 = v272 * v66;
             const double v430 = (((v66 * v25) - (v269 * v62)) - (v10 * v425)) - ((v9 * v425) * v278);
@@ -654,28 +620,65 @@ static void jacobian_7(int n, int fibres, int slots, int entries, const double *
             const double v445 = (((v133 * v25) - (v269 * v129)) - (v10 * v440)) - ((v9 * v440) * v278);
             const double v455 = v272 * v177;
             const double v460 = (((v177 * v25) - (v269 * v173)) - (v10 * v455)) - ((v9 * v455) * v278);
+            if (v217 != 0.0) {
+                const double v218 = 2.0 * v87;
+                const double v219 = (double)(c214 <= v211);
+                const double v222 = v219 / (v219 + (double)(v211 <= c214));
+                const double v224 = 1.0 / v216;
+                const double v225 = c223 * v224;
+                const double v231 = (v216 - c206) * c228;
+                const double v233 = (v33 * v231) * v224;
+                const double v234 = v233 * v224;
+                const double v238 = 1.0 / (2.0 * v216);
+                const double v240 = v222 * ((((v33 * v225) * c228) - (v234 * c223)) * v238);
+                const double v242 = v218 * (3.0 * v240);
+                const double v246 = v231 * v225;
+                const double v247 = v19 * v242;
+                const double v250 = 2.0 * v33;
+                const double v253 = c20 * ((v246 + (v35 * v247)) + (v250 * v240));
+                const double v261 = (0.5 * ((c40 * v247) + (v33 * v247))) + (v59 * (0.25 * v253));
+                const double v265 = (((-1.5) * (v19 * (v42 * v242))) + v253) - ((-1.5) * (v19 * (v27 * v261)));
+                e[entries * i + 41 + 23 * fibres + k] = -v265;
+                const double v273 = v272 * v265;
+                const double v280 = (((v265 * v25) - (v269 * v261)) - (v10 * v273)) - ((v9 * v273) * v278);
+                const double v283 = 0.9128709291752768 * (v261 * v25);
+                const double v289 = (-0.5) * (v5 * (c7 * (v265 * v12)));
+                e[entries * i + 41 + 22 * fibres + k] = ((v280 * v69) + (v283 * v72)) + (v289 * v76);
+                e[entries * i + 41 + 27 * fibres + k] = ((v280 * v79) + (v283 * v81)) + (v289 * v84);
+                e[entries * i + 41 + 24 * fibres + k] = -(v19 * v261);
+                e[entries * i + 41 + 20 * fibres + k] = (v280 * v92) + (v283 * v94);
+                e[entries * i + 41 + 25 * fibres + k] = (v280 * v97) + (v283 * v99);
+                e[entries * i + 41 + 21 * fibres + k] = (v280 * v102) + (v283 * v104);
+                e[entries * i + 41 + 26 * fibres + k] = (v280 * v107) + (v283 * v109);
+                const double v319 = 3.0 * v87;
+                const double v322 = ((-1.5) * v27) * c223;
+                const double v323 = v322 * v224;
+                const double v333 = (((v319 * v225) + (v33 * v323)) * c228) - (((((v319 * v231) * v224) * v224) * c223) + (v234 * v322));
+                const double v335 = v222 * (v333 * v238);
+                const double v338 = (3.0 * v246) + (v218 * (3.0 * v335));
+                const double v343 = v19 * v338;
+                const double v348 = c20 * (((v231 * v323) + (v35 * v343)) + (v250 * v335));
+                const double v356 = (0.5 * ((c40 * v343) + (v33 * v343))) + (v59 * (0.25 * v348));
+                const double v360 = (((-1.5) * (v19 * (v42 * v338))) + v348) - ((-1.5) * (v19 * (v27 * v356)));
+                e[entries * i + 41 + 31 * fibres + k] = -v360;
+                const double v366 = v272 * v360;
+                const double v371 = (((v360 * v25) - (v269 * v356)) - (v10 * v366)) - ((v9 * v366) * v278);
+                const double v374 = 0.9128709291752768 * (v356 * v25);
+                const double v380 = (-0.5) * (v5 * (c7 * (v360 * v12)));
+                e[entries * i + 41 + 30 * fibres + k] = ((v371 * v69) + (v374 * v72)) + (v380 * v76);
+                e[entries * i + 41 + 35 * fibres + k] = ((v371 * v79) + (v374 * v81)) + (v380 * v84);
+                e[entries * i + 41 + 32 * fibres + k] = ((-1.5) * (v233 * c223)) - (v19 * v356);
+                e[entries * i + 41 + 28 * fibres + k] = (v371 * v92) + (v374 * v94);
+                e[entries * i + 41 + 33 * fibres + k] = (v371 * v97) + (v374 * v99);
+                e[entries * i + 41 + 29 * fibres + k] = (v371 * v102) + (v374 * v104);
+                e[entries * i + 41 + 34 * fibres + k] = (v371 * v107) + (v374 * v109);
+            }
             each0[fibres * i + k] = -v66;
             each1[fibres * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
             each2[fibres * i + k] = -v133;
             each3[fibres * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
             each4[fibres * i + k] = -v177;
             each5[fibres * i + k] = -(v19 * v173);
-            e[entries * i + 41 + 23 * fibres + k] = v217 != 0.0 ? (-v265) : 0.0;
-            e[entries * i + 41 + 22 * fibres + k] = v292;
-            e[entries * i + 41 + 27 * fibres + k] = v298;
-            e[entries * i + 41 + 24 * fibres + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
-            e[entries * i + 41 + 20 * fibres + k] = v217 != 0.0 ? ((v280 * v92) + (v283 * v94)) : 0.0;
-            e[entries * i + 41 + 25 * fibres + k] = v217 != 0.0 ? ((v280 * v97) + (v283 * v99)) : 0.0;
-            e[entries * i + 41 + 21 * fibres + k] = v217 != 0.0 ? ((v280 * v102) + (v283 * v104)) : 0.0;
-            e[entries * i + 41 + 26 * fibres + k] = v217 != 0.0 ? ((v280 * v107) + (v283 * v109)) : 0.0;
-            e[entries * i + 41 + 31 * fibres + k] = v217 != 0.0 ? (-v360) : 0.0;
-            e[entries * i + 41 + 30 * fibres + k] = v383;
-            e[entries * i + 41 + 35 * fibres + k] = v389;
-            e[entries * i + 41 + 32 * fibres + k] = v394;
-            e[entries * i + 41 + 28 * fibres + k] = v217 != 0.0 ? ((v371 * v92) + (v374 * v94)) : 0.0;
-            e[entries * i + 41 + 33 * fibres + k] = v217 != 0.0 ? ((v371 * v97) + (v374 * v99)) : 0.0;
-            e[entries * i + 41 + 29 * fibres + k] = v217 != 0.0 ? ((v371 * v102) + (v374 * v104)) : 0.0;
-            e[entries * i + 41 + 34 * fibres + k] = v217 != 0.0 ? ((v371 * v107) + (v374 * v109)) : 0.0;
             sum0 += v412 * v45;
             sum1 += v412 * v113;
             sum10 += 0.9128709291752768 * (v173 * v25);
@@ -1040,39 +1043,73 @@ static void jacobian_10(int n, int fibres, const double *p, const double *g, dou
         const double v14 = 1.0 / (2.0 * g[7 * i + 2]);
         const double v15 = g[7 * i - 6] * v14;
         const double v18 = g[7 * i + 1] * v14;
-        const double v20 = (v15 * v1) + (v18 * v0);
-        const double v21 = squared(v20);
-        const double v23 = 1.0 / squared(v21);
-        const double v24 = ((((v0 - v1) * v4) * c7) * c10) * v23;
-        const double v30 = v24 * c29;
         const double v36 = (v15 * w10[i - 1]) + (v18 * w10[i]);
-        const double v37 = larger(0.0, v36);
         const double v40 = (double)(0.0 <= v36);
-        const double v45 = (v40 / ((double)(v36 <= 0.0) + v40)) * (v30 * c7);
-        const double v46 = v15 * v45;
-        const double v49 = v18 * v45;
-        const double v71 = c29 * (v37 * c7);
-        const double v74 = (2.0 * v20) * ((2.0 * v21) * ((v24 * v23) * v71));
-        const double v79 = ((c10 * (v71 * v23)) * c7) * v4;
-        const double v80 = (v15 * v74) + v79;
-        const double v85 = v79 - (v18 * v74);
-        const double v93 = ((v85 * w30[i]) - (v80 * w31[i - 1])) + (v46 * w55[i - 1]);
-        const double v114 = ((v85 * w32[i]) - (v80 * w33[i - 1])) + (v46 * w57[i - 1]);
-        w13[i] = (v30 * v37) * c7;
-        w70[i] = v46 * w52[i - 1];
-        w71[i] = (v46 * w53[i - 1]) + (v49 * w52[i]);
-        w72[i] = v49 * w53[i];
-        w73[i] = (v46 * w54[i - 1]) - (v80 * w30[i - 1]);
-        w74[i] = v93 + (v49 * w54[i]);
-        w75[i] = (v85 * w31[i]) + (v49 * w55[i]);
-        w76[i] = (v46 * w56[i - 1]) - (v80 * w32[i - 1]);
-        w77[i] = v114 + (v49 * w56[i]);
-        w78[i] = (v85 * w33[i]) + (v49 * w57[i]);
+        double v39 = 0.0;
+        double v46 = 0.0;
+        double v49 = 0.0;
+        double v53 = 0.0;
+        double v58 = 0.0;
+        double v60 = 0.0;
+        double v83 = 0.0;
+        double v96 = 0.0;
+        double v101 = 0.0;
+        double v106 = 0.0;
+        double v117 = 0.0;
+        double v122 = 0.0;
+        if (v40 != 0.0) {
+            const double v20 = (v15 * v1) + (v18 * v0);
+            const double v21 = squared(v20);
+            const double v23 = 1.0 / squared(v21);
+            const double v24 = ((((v0 - v1) * v4) * c7) * c10) * v23;
+            const double v30 = v24 * c29;
+            const double v37 = larger(0.0, v36);
+            v39 = (v30 * v37) * c7;
+            const double v45 = (v40 / ((double)(v36 <= 0.0) + v40)) * (v30 * c7);
+            v46 = v15 * v45;
+            v49 = v18 * v45;
+            v53 = v46 * w52[i - 1];
+            v58 = (v46 * w53[i - 1]) + (v49 * w52[i]);
+            v60 = v49 * w53[i];
+            const double v71 = c29 * (v37 * c7);
+            const double v74 = (2.0 * v20) * ((2.0 * v21) * ((v24 * v23) * v71));
+            const double v79 = ((c10 * (v71 * v23)) * c7) * v4;
+            const double v80 = (v15 * v74) + v79;
+            v83 = (v46 * w54[i - 1]) - (v80 * w30[i - 1]);
+            const double v85 = v79 - (v18 * v74);
+            const double v93 = ((v85 * w30[i]) - (v80 * w31[i - 1])) + (v46 * w55[i - 1]);
+            v96 = v93 + (v49 * w54[i]);
+            v101 = (v85 * w31[i]) + (v49 * w55[i]);
+            v106 = (v46 * w56[i - 1]) - (v80 * w32[i - 1]);
+            const double v114 = ((v85 * w32[i]) - (v80 * w33[i - 1])) + (v46 * w57[i - 1]);
+            v117 = v114 + (v49 * w56[i]);
+            v122 = (v85 * w33[i]) + (v49 * w57[i]);
+        }
+        w13[i] = v39;
+        w70[i] = v53;
+        w71[i] = v58;
+        w72[i] = v60;
+        w73[i] = v83;
+        w74[i] = v96;
+        w75[i] = v101;
+        w76[i] = v106;
+        w77[i] = v117;
+        w78[i] = v122;
         for (int k = 0; k < fibres; k++) {
-            each12[fibres * i + k] = v46 * each6[fibres * (i - 1) + k];
-            each13[fibres * i + k] = v49 * each6[fibres * i + k];
-            each14[fibres * i + k] = v46 * each7[fibres * (i - 1) + k];
-            each15[fibres * i + k] = v49 * each7[fibres * i + k];
+            double v48 = 0.0;
+            double v51 = 0.0;
+            double v62 = 0.0;
+            double v64 = 0.0;
+            if (v40 != 0.0) {
+                v48 = v46 * each6[fibres * (i - 1) + k];
+                v51 = v49 * each6[fibres * i + k];
+                v62 = v46 * each7[fibres * (i - 1) + k];
+                v64 = v49 * each7[fibres * i + k];
+            }
+            each12[fibres * i + k] = v48;
+            each13[fibres * i + k] = v51;
+            each14[fibres * i + k] = v62;
+            each15[fibres * i + k] = v64;
         }
     }
 }
@@ -1930,23 +1967,29 @@ static void work_slope_0(int n, int fibres, int slots, const double *zeta, const
             const double v49 = squared(v34) + (3.0 * squared(v46));
             const double v54 = sqrt(larger(v49, c52));
             const double v55 = (double)(c1 < v54);
-            const double v57 = (double)(c52 <= v49);
-            const double v64 = (v54 - c1) * c63;
             const double v65 = weight[k];
-            const double v72 = (v57 / (v57 + (double)(v49 <= c52))) * (((v64 * v65) + ((v54 * v65) * c63)) / (2.0 * v54));
-            const double v74 = (2.0 * v46) * (3.0 * v72);
-            const double v78 = v28 * v74;
-            const double v83 = c2 * ((v38 * v78) + ((2.0 * v34) * v72));
-            const double v92 = (0.5 * ((c43 * v78) + (v34 * v78))) + ((2.0 * v30) * (0.25 * v83));
-            const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
-            const double v149 = (v14 * v13) * v96;
-            const double v155 = (((v96 * v23) - (v145 * v92)) - (v11 * v149)) - ((v10 * v149) / v153);
-            each28[fibres * i + k] = v55 != 0.0 ? (-v96) : 0.0;
-            each29[fibres * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
-            sum12 += v55 != 0.0 ? ((v54 * v64) * v65) : 0.0;
-            sum13 += v55 != 0.0 ? v155 : 0.0;
-            sum14 += v55 != 0.0 ? (0.9128709291752768 * (v92 * v23)) : 0.0;
-            sum15 += v55 != 0.0 ? ((-0.5) * (v6 * (c8 * (v96 * v13)))) : 0.0;
+            double v98 = 0.0;
+            double v120 = 0.0;
+            if (v55 != 0.0) {
+                const double v57 = (double)(c52 <= v49);
+                const double v64 = (v54 - c1) * c63;
+                const double v72 = (v57 / (v57 + (double)(v49 <= c52))) * (((v64 * v65) + ((v54 * v65) * c63)) / (2.0 * v54));
+                const double v74 = (2.0 * v46) * (3.0 * v72);
+                const double v78 = v28 * v74;
+                const double v83 = c2 * ((v38 * v78) + ((2.0 * v34) * v72));
+                const double v92 = (0.5 * ((c43 * v78) + (v34 * v78))) + ((2.0 * v30) * (0.25 * v83));
+                const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
+                v98 = -v96;
+                v120 = -(v28 * v92);
+                sum12 += (v54 * v64) * v65;
+                const double v149 = (v14 * v13) * v96;
+                const double v155 = (((v96 * v23) - (v145 * v92)) - (v11 * v149)) - ((v10 * v149) / v153);
+                sum13 += v155;
+                sum14 += 0.9128709291752768 * (v92 * v23);
+                sum15 += (-0.5) * (v6 * (c8 * (v96 * v13)));
+            }
+            each28[fibres * i + k] = v98;
+            each29[fibres * i + k] = v120;
         }
         const double v99 = sum13;
         const double v102 = sum14;

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 4529a3d0f7f783271f383f5f867da358e0e6c884bbcc26de83bd0835023a4f53
+ * Digest of the structure: a920ebcfddf630b0f0356432d36beb7d2f50be09f8016929771c9379a2959e6b
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: fe68b58015fe443962b517c5688c3b4b7d61dd4de9800ff17daa48b57e10bf46
+ * Digest of the structure: 3b96fb7cb3f859ad79e60c6974c712c276e742180b0f090a86b79e7d65fd119d
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -11,7 +11,7 @@ from typing import Any, Literal, TypeGuard
 import numpy as np
 from pydantic_core import to_json
 
-from softcat_sym.effects.choosing import (
+from softcat_sym.effects.selection import (
     Effects,
     choose_effects,
     refuse_together,

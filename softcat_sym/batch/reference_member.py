@@ -14,8 +14,8 @@ from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.run import Run
 from softcat_sym.simulate import recalled
-from softcat_sym.solvers.run import Prepared, structure_for
 from softcat_sym.solvers.settings import settings_for
+from softcat_sym.solvers.solve import Prepared, structure_for
 
 RESOLUTION = {
     "cells": RecordColumn("1", "cells per half span"),

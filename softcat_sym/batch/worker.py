@@ -24,9 +24,9 @@ from softcat_sym.results.motion import beyond_noise, has_yielded, midpoint_extre
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Assembled, Code, Prepared, assembled, prepare
 from softcat_sym.solvers.settings import Settings, settings_for
 from softcat_sym.solvers.solution import Extremes, Solution
+from softcat_sym.solvers.solve import Assembled, Code, Prepared, assembled, prepare
 
 REFUSED, FAILED = "refused", "failed"
 """Outcomes of members without a run: an invalid scene, an error of the program."""

@@ -29,7 +29,7 @@ with lazy_imports():
     from importlib import metadata
 
     from softcat_sym import files, store
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.scene import reading
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
@@ -156,6 +156,7 @@ OutputOption = Annotated[Path | None, output_option("softcat-out/SCENE-COMMAND")
 FreshOption = Annotated[
     bool, switch("Run everything again, even what an earlier command has finished (see softcat cache).", "--fresh")
 ]
+MaxSagOption = Annotated[str, option("LENGTH", "Largest sag allowed: '0.2 mm', or '5 %' of the span.")]
 QuietOption = Annotated[bool, switch("Print no progress and no summary.", "--quiet", "-q")]
 VerboseOption = Annotated[bool, switch("Print everything, with reasons and formulas.", "--verbose", "-v")]
 
@@ -191,7 +192,7 @@ def output_directory(
         check_directory(output)
     except OSError:
         if resolved is not None:
-            choosing.choose_effects(resolved)
+            selection.choose_effects(resolved)
         raise
     return output
 

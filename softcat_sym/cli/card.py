@@ -30,9 +30,10 @@ def card(
     context: typer.Context,
     scene: cli.OptionalScene = None,
     output: cli.OutputOption = None,
-    sag: Annotated[
+    max_sag: Annotated[
         cli.Text, cli.option("LENGTH", "Largest sag allowed: '1 mm', or '5 %' of the span (default).")
     ] = None,
+    sag: Annotated[cli.Text, cli.option("LENGTH", "The same as --max-sag.", hidden=True)] = None,
     density: Annotated[cli.Text, _value("Density, where no SCENE is given: '1900 kg/m^3'.")] = None,
     span: Annotated[cli.Text, _value("Span, where no SCENE is given: '2 mm'.")] = None,
     diameter: Annotated[cli.Text, _value("Diameter of the round filament: '250 um'.")] = None,
@@ -54,6 +55,9 @@ def card(
     flow_curve: Annotated[
         cli.Text, cli.option("CSV", "Flow curve of the material: columns shear_rate_1_s, shear_stress_Pa.")
     ] = None,
+    pillars: Annotated[
+        cli.Text, _value("Radius of the edges of two pillars, --span apart, on which it lies: '0 mm' if sharp.")
+    ] = None,
     ends: Annotated[cli.Text, _value("Ends: clamped (default) or pinned.")] = None,
     duration: Annotated[
         cli.Text, _value("Duration of the run: '1 s'. Without the option the program chooses it.")
@@ -71,11 +75,14 @@ def card(
     card.csv and card.png.
     After Ctrl-C the same command resumes from the finished runs, and gives the same card.
     """
+    if None not in (max_sag, sag):
+        raise typer.BadParameter("given twice; accepted: one of the two", param_hint="--max-sag with --sag")
+    sag = max_sag or sag
     if no_span and sag is not None:
         raise typer.BadParameter(
-            "it limits the longest span, which --no-span leaves out", param_hint="--sag with --no-span"
+            "it limits the longest span, which --no-span leaves out", param_hint="--max-sag with --no-span"
         )
-    others = {"scene", "output", "sag", "no_span", "fresh", "changes", "quiet"}
+    others = {"scene", "output", "max_sag", "sag", "no_span", "fresh", "changes", "quiet"}
     flags = {
         name.replace("_", "-"): text for name, text in context.params.items() if name not in others and text is not None
     }
@@ -92,7 +99,7 @@ def card(
         resolved, notes = study.scene_from_flags(flags, changes or [])
         output = cli.output_directory(output, "card", resolved=resolved)
     words = ["softcat", "card", *([scene] if scene else [])]
-    options = {**flags, **({"sag": sag} if sag is not None else {})}
+    options = {**flags, **({"max-sag": sag} if sag is not None else {})}
     words += [word for name, text in options.items() for word in (f"--{name}", text)]
     words += [word for change in changes or [] for word in ("--set", change)]
     command, printer = shlex.join([*words, "-o", "DIR"]), drawn.CardPrinter(quiet=quiet)

@@ -15,7 +15,7 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.bundled import bundled_names
 
 with lazy_imports():
-    from softcat_sym.effects import choosing
+    from softcat_sym.effects import selection
     from softcat_sym.plotting import pricing as tables
     from softcat_sym.plotting import terminal
     from softcat_sym.studies import effect_importance
@@ -56,7 +56,7 @@ def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -
     errors: list[SoftcatError] = []
     for name in bundled_names():
         try:
-            choosing.choose_effects(cli.scene_of(name, changes))
+            selection.choose_effects(cli.scene_of(name, changes))
         except SoftcatError as error:
             errors.append(error)
     if len(errors) == len(bundled_names()):

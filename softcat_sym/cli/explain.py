@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from softcat_sym.cli import application as cli
 from softcat_sym.lazy import lazy_imports
 
 if TYPE_CHECKING:
-    from softcat_sym.effects.expected_regime import ExpectedRegime
+    from softcat_sym.estimates.expected_regime import ExpectedRegime
     from softcat_sym.physics.equation import Stated
 
 with lazy_imports():
@@ -128,8 +128,9 @@ def print_explanation(
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
     for title, heads, rows, whole in tables:
-        styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
-        out.print(terminal.text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+        table = terminal.TextTable(heads, rows, kinds=[row[1] if rows is effects else "" for row in rows])
+        looks: dict[str, Any] = {"whole": range(whole), "padding": (0, 1)}
+        out.print(table.printed(title, title_style="none", styles={"off": "dim"}, **looks))
     for what, note in notes:
         out.print(rich_text.Text(f"{what}: {note}"))
     for warning in explanation.warnings:
@@ -154,8 +155,15 @@ def _short_rows(explanation: study.Explanation) -> list[tuple[str, str]]:
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
+        ("longest span", _span_words(explanation.longest_span)),
     ]
     return [row for row in rows if row[1]]
+
+
+def _span_words(span: float | None) -> str:
+    return (
+        "" if span is None else f"roughly {units.length_unit(span).text(span)} for a sag of 5 %; softcat span finds it"
+    )
 
 
 def _regime_rows(explanation: study.Explanation) -> Rows:

@@ -19,11 +19,15 @@ from softcat_sym.progress import StudyDisplay
 if TYPE_CHECKING:
     from softcat_sym.fitting.result import Fit
     from softcat_sym.scene.scene import Scene
+    from softcat_sym.tracking.result import Track
 
 with lazy_imports():
-    from softcat_sym.fitting import closed_form, collapse_test, least_squares, measurements, model_selection
+    from softcat_sym.fitting import closed_form, collapse_test, likelihood, measurements, model_selection
     from softcat_sym.fitting import fit as fitting
     from softcat_sym.fitting import posterior as bayes
+    from softcat_sym.tracking import calibration
+    from softcat_sym.tracking import film as filmed
+    from softcat_sym.tracking import track as tracking
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -35,7 +39,9 @@ def fit(
     data: Annotated[
         list[Path],
         typer.Argument(
-            metavar="DATA...", help="CSV files, one for each filament, with columns time_s, midpoint_m and others."
+            metavar="DATA...",
+            help="CSV files, one for each filament, with columns time_s, midpoint_m and others; or films, with "
+            "--film-scale.",
         ),
     ],
     scene: Annotated[
@@ -58,6 +64,10 @@ def fit(
             "Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
         ),
     ] = None,
+    film_scale: Annotated[
+        cli.Text,
+        cli.option("WHAT=LENGTH", "Scale of DATA that are films, which are tracked: 'span=50 mm' (see softcat track)."),
+    ] = None,
     test: Annotated[
         cli.Text,
         cli.option(
@@ -77,6 +87,9 @@ def fit(
     starts: Annotated[
         int, cli.option(None, "Initial guesses besides the scene's values and the closed form's.", min=0)
     ] = STARTS,
+    method: Annotated[
+        str, cli.option("METHOD", "Search for the optimum: least-squares (SciPy), or ipopt, which takes longer.")
+    ] = "least-squares",
     no_profiles: Annotated[
         bool,
         cli.switch(
@@ -134,6 +147,7 @@ def fit(
     limits, robust, before = _bounds(bounds or []), _loss(loss, scale), _priors(prior or [])
     known, output = cli.scene_and_directory(scene, changes, output, "fit")
     command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
+    data, tracks = _tracked(data, film_scale, output, quiet=quiet)
     if features_only:
         report = drawing.report(closed_form.closed_form(data[0], known), command=command)
         cli.present(report, report.write(output), output, quiet=quiet)
@@ -149,6 +163,7 @@ def fit(
             "loss": robust,
             "starts": starts,
             "seed": seed,
+            "method": method,  # type: ignore[typeddict-item]
             "progress": progress,
             "profiles": not no_profiles,
             "calibrated": calibrated,
@@ -160,7 +175,9 @@ def fit(
         found, compared, collapse = _fitted(films, known, free or [], law or [], how)
         drawn = bayes.posterior_of(found, seed=seed, progress=progress) if posterior else None
         progress.stage("drawing")
-        report = drawing.report(found, command=command, laws=compared, posterior=drawn, collapse=collapse)
+        report = drawing.report(
+            found, command=command, laws=compared, posterior=drawn, collapse=collapse, tracks=tracks
+        )
         written = report.write(output)
     cli.present(report, written, output, quiet=quiet)
     if not found.outcome.converged:
@@ -169,6 +186,22 @@ def fit(
         raise typer.Exit(cli.UNTRUSTED)
     if drawn is not None and not drawn.outcome.is_success:
         raise typer.Exit(cli.UNTRUSTED)
+
+
+def _tracked(data: list[Path], scale: str | None, output: Path, *, quiet: bool) -> tuple[list[Path], dict[int, Track]]:
+    """Track the films among the data and write their tables into DIR; the tracks by their places in the data."""
+    places = [place for place, path in enumerate(data) if filmed.is_film(path)]
+    if bool(places) != (scale is not None):
+        what = f"{data[places[0]]} is a film: name its scale" if places else "no film among DATA: leave it out"
+        raise typer.BadParameter(f"{what}; accepted: {calibration.SCALES}", param_hint="--film-scale")
+    tables, tracks = list(data), {}
+    with StudyDisplay(quiet=quiet) as progress:
+        for place in places:
+            progress.stage(f"tracking {data[place].name}")
+            tracks[place] = tracking.track(data[place], scale or "", progress=progress)
+            name = data[place].stem if len(places) == 1 else f"{data[place].stem}-{place + 1}"
+            tables[place] = tracks[place].save(output / f"{name}.csv")
+    return tables, tracks
 
 
 def _check_features(data: list[Path], given: dict[str, object]) -> None:
@@ -224,11 +257,11 @@ def _fitted(
     return compared.best, compared, None
 
 
-def _loss(kind: str, scale: float | None) -> least_squares.Loss:
+def _loss(kind: str, scale: float | None) -> likelihood.Loss:
 
     if scale is not None and kind == "linear":
         raise typer.BadParameter("the linear loss has no scale: name --loss soft-l1 or cauchy", param_hint="--scale")
-    return least_squares.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
+    return likelihood.Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
 
 
 def _priors(texts: list[str]) -> dict[str, str]:

@@ -120,8 +120,8 @@ def samples(
 ) -> None:
     """Copy sample files: a scene, a film, a flow curve.
 
-    my-ink.toml is an ink, film.csv a film of its fall across a wider gap, my-curve.csv its flow curve. This package
-    computed film and curve, with added noise, as their first lines say.
+    my-ink.toml is an ink, film.mov a film of its fall across a gap of 10 mm, film.csv the numbers of such a film,
+    my-curve.csv its flow curve. This package computed films and curve, with added noise.
     """
     output = cli.output_directory(output, "samples")
     folder = resources.files("softcat_sym") / "samples"

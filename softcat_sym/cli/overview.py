@@ -28,10 +28,13 @@ COMMANDS: Final = {
         "keys": "List the keys of a scene: unit, default and meaning.",
         "explain": "Explain before a run what to expect, and which effects are on.",
         "card": "Find how far, when and over which gap a filament sags.",
+        "span": "Find the longest gap that a filament spans with a sag below a limit.",
         "sweep": "Simulate a filament for every value of some parameters.",
     },
     "Fitting": {
+        "track": "Track a strand through a film: midpoint and thickness over time, with errors.",
         "fit": "Fit a material to films of a falling filament.",
+        "material": "Make the table [material] of a scene from a rheometer's files.",
         "flow-curve": "Fit a law to a rheometer's flow curve.",
         "experiment": "Design the film that determines a material best.",
     },

@@ -49,7 +49,7 @@ def scenes(
         with cli.study(output, fresh=False), terminal.StepProgress(len(names), "gallery", quiet=quiet) as progress:
             for name in names:
                 progress.step(name)
-                shown.append(gallery.exhibit_of(name, changes or []))
+                shown.append(gallery.scene_run(name, changes or []))
             written = gallery.gallery_report(shown, changes or []).write(output)
         if not quiet:
             files = ", ".join(path.name for path in written[:4])

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
 import casadi as ca
 
+from softcat_sym.codegen.branches import branches_of
 from softcat_sym.codegen.c_text import number
 from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_reciprocals
 from softcat_sym.discretization.cell import Program
@@ -65,40 +65,123 @@ class Target:
     text: str  # C text
     each: bool = False  # Whether there is one for each fibre
     adds: bool = False  # Whether the result is added to it
+    zeroed: bool = False  # Whether it is zero before, so that a zero need not be assigned
 
 
 def statements(
     code: Code, inputs: Sequence[str], known: Sequence[When], targets: Sequence[Target]
 ) -> dict[When, list[str]]:
     """Statements by when they are executed."""
-    uses = Counter(argument for one in code.instructions if one.operation != "INPUT" for argument in one.arguments)
-    uses.update(result for result in code.results if result >= 0)
     when = _when(code, known)
-    by_fibres = {a for k, one in enumerate(code.instructions) if when[k] == When.FIBRE and one.operation != "INPUT"
-                 for a in one.arguments}  # fmt: skip
-    text: dict[int, str] = {}
-    found: dict[When, list[str]] = {at: [] for at in When}
-    for k, one in enumerate(code.instructions):
-        if one.operation == "INPUT":
-            written = inputs[one.arguments[0]]
-        else:
-            written = _expression(one, [text[a] for a in one.arguments])
-        plain = one.operation in ("INPUT", "CONST")
+    stages = [
+        _stage(target, when[result] if result >= 0 else When.BEFORE)
+        for target, result in zip(targets, code.results, strict=True)
+    ]
+    lines = _Lines(code, inputs, when, list(zip(targets, stages, strict=True)))
+    for stage in When:
+        lines.write(stage)
+    for target, stage, result in zip(targets, stages, code.results, strict=True):
+        if not lines.is_within_branch(target, stage, result):
+            lines.found[stage].append(lines.assignment(target, result))
+    return lines.found
+
+
+def _stage(target: Target, ready: When) -> When:
+    """When a result is assigned."""
+    if ready == (When.AFTER if target.each else When.FIBRE):
+        raise PrintingError(f"{target.text} is computed when its fibres are not, or for each of them")
+    return When.FIBRE if target.each else max(When.SITE, ready)
+
+
+class _Lines:
+    """Statements under way."""
+
+    def __init__(
+        self, code: Code, inputs: Sequence[str], when: Sequence[When], targets: Sequence[tuple[Target, When]]
+    ) -> None:
+        self._code, self._inputs, self._when = code, inputs, when
+        self._branch = branches_of(code, when, When.SITE)
+        self._conditions = set(self._branch)
+        self._targets: list[list[tuple[Target, When]]] = [[] for _ in code.instructions]
+        for target, result in zip(targets, code.results, strict=True):
+            if result >= 0:
+                self._targets[result].append(target)
+        self._text: dict[int, str] = {}
+        self.found: dict[When, list[str]] = {at: [] for at in When}
+
+    def write(self, stage: When) -> None:
+        """What is always executed as soon as it can be, and else one branch after the other."""
+        waiting = [k for k, at in enumerate(self._when) if at == stage]
+        while waiting:
+            waiting = self._write_branch(waiting, None, stage)
+            branch = next((self._branch[k] for k in waiting if self._is_ready(k)), None)
+            if branch is not None:
+                waiting = self._write_branch(waiting, branch, stage)
+
+    def is_within_branch(self, target: Target, stage: When, result: int) -> bool:
+        """Whether a result is assigned in a branch, as nothing else need be where that is not executed."""
+        if result < 0 or self._branch[result] is None:
+            return False
+        return (target.adds or target.zeroed) and self._when[result] == stage
+
+    def assignment(self, target: Target, result: int) -> str:
+        """The statement that assigns a result."""
+        return f"{target.text} {'+=' if target.adds else '='} {_bare(self._text[result]) if result >= 0 else '0.0'};"
+
+    def _is_ready(self, k: int, written: Collection[int] = ()) -> bool:
+        branch = self._branch[k]
+        known = all(one in self._text or one in written for one in self._code.instructions[k].operands)
+        return known and (branch is None or branch in self._text)
+
+    def _write_branch(self, waiting: Sequence[int], branch: int | None, stage: When) -> list[int]:
+        """Write the instructions of a branch, or those of none, as far as they can be; those that are left."""
+        block: dict[int, None] = {}
+        for k in waiting:
+            if self._branch[k] == branch and self._is_ready(k, block):
+                block[k] = None
+        outside, inside = list[str](), list[str]()
+        for k in block:
+            self._write_instruction(k, block, outside, inside)
+            for target, at in self._targets[k]:
+                if self.is_within_branch(target, at, k):
+                    inside.append(self.assignment(target, k))
+        if branch is not None and inside:
+            inside = [f"if ({self._text[branch]} != 0.0) {{", *(f"    {line}" for line in inside), "}"]
+        self.found[stage] += outside + inside
+        return [k for k in waiting if k not in block]
+
+    def _write_instruction(self, k: int, block: Collection[int], outside: list[str], inside: list[str]) -> None:
+        """Text of an instruction: where it is used, or else a name; of what is zero without a branch, outside of it."""
+        one, stage = self._code.instructions[k], self._when[k]
+        written = self._inputs[one.arguments[0]] if one.operation == "INPUT" else self._expression(k)
+        plain, users = one.is_given, self._code.users[k]
+        leaves = self._leaves(k, block)
         # What is known early is computed early, not where it is used.
-        crosses = (when[k] == When.BEFORE and not plain) or (when[k] == When.SITE and k in by_fibres)
-        if one.operation == "CONST" or (uses[k] <= 1 and not crosses and (plain or len(written) < _LONGEST)):
-            text[k] = written
-            continue
-        text[k] = f"{'c' if when[k] == When.BEFORE else 'v'}{k}"
-        found[when[k]].append(f"const double {text[k]} = {_bare(written)};")
-    for target, result in zip(targets, code.results, strict=True):
-        ready = when[result] if result >= 0 else When.BEFORE
-        if ready == (When.AFTER if target.each else When.FIBRE):
-            raise PrintingError(f"{target.text} is computed when its fibres are not, or for each of them")
-        at = When.FIBRE if target.each else max(When.SITE, ready)
-        sign = "+=" if target.adds else "="
-        found[at].append(f"{target.text} {sign} {_bare(text[result]) if result >= 0 else '0.0'};")
-    return found
+        crosses = (stage == When.BEFORE and not plain) or (
+            stage == When.SITE and any(self._when[user] == When.FIBRE for user in users)
+        )
+        named = k in self._conditions or leaves or crosses or len(users) + len(self._targets[k]) > 1
+        if one.operation == "CONST" or not (named or (len(written) >= _LONGEST and not plain)):
+            self._text[k] = written
+            return
+        self._text[k] = name = f"{'c' if stage == When.BEFORE else 'v'}{k}"
+        if leaves:
+            outside.append(f"double {name} = 0.0;")
+        inside.append(f"{'' if leaves else 'const double '}{name} = {_bare(written)};")
+
+    def _leaves(self, k: int, block: Collection[int]) -> bool:
+        """Whether something outside of the block of statements of its branch uses it."""
+        if self._branch[k] is None:
+            return False
+        used = any(user not in block for user in self._code.users[k])
+        return used or not all(self.is_within_branch(*target, k) for target in self._targets[k])
+
+    def _expression(self, k: int) -> str:
+        one = self._code.instructions[k]
+        args = [self._text[argument] for argument in one.arguments]
+        if one.operation == "IF_ELSE_ZERO" and one.arguments[0] == self._branch[k]:
+            return args[1]
+        return _expression(one, args)
 
 
 def _when(code: Code, known: Sequence[When]) -> list[When]:
@@ -176,6 +259,7 @@ class Writer:
 
     def __init__(self, program: Program) -> None:
         self._leaves = program.leaves
+        self._results = {item.name for items in (program.rates, *program.powers.values()) for item in items}
         self.slots = Row("slots", [slot.name for slot in program.slots])
         self._place = {name: k for k, name in enumerate(program.places)}
         self._parameter = {name: k for k, name in enumerate(program.parameters)}
@@ -191,7 +275,7 @@ class Writer:
 
     def is_field(self, name: str) -> bool:
         """Whether it is a staged field, not a rate or a power."""
-        return not name.startswith(("f_", "power_", "shown_"))
+        return name not in self._results
 
     def field(self, name: str) -> Target:
         """A field at the site that is looked at."""
@@ -225,7 +309,7 @@ class Writer:
         """Write a function that computes values at its sites; the call of it."""
         sums = [leaf for leaf in self._leaves.within(ca.vertcat(*values)) if leaf.kind == SUM]
         values = [*values, *(self._leaves.summed(leaf) for leaf in sums)]
-        targets = [*targets, *(Target(self.leaf(leaf), each=True, adds=True) for leaf in sums)]
+        targets = [*targets, *(Target(self.leaf(leaf), each=True, adds=True, zeroed=True) for leaf in sums)]
         leaves = self._leaves.within(ca.vertcat(*values))
         plain = code_of([self._leaves.symbol(leaf) for leaf in leaves], list(values))
         code, leaves = with_reciprocals(plain, leaves)

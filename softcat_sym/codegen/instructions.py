@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -24,6 +25,16 @@ class Instruction:
     arguments: tuple[int, ...]  # Numbers of earlier instructions; of an input its number
     value: float = 0.0  # Of a constant
 
+    @property
+    def is_given(self) -> bool:
+        """Whether it is an input or a constant."""
+        return self.operation in ("INPUT", "CONST")
+
+    @property
+    def operands(self) -> tuple[int, ...]:
+        """Numbers of the instructions that it is made of."""
+        return () if self.is_given else self.arguments
+
 
 @dataclass(frozen=True)
 class Code:
@@ -31,6 +42,15 @@ class Code:
 
     instructions: tuple[Instruction, ...]  # In the order of evaluation
     results: tuple[int, ...]  # Number of the instruction that gives each output; -1 for a zero
+
+    @cached_property
+    def users(self) -> list[list[int]]:
+        """Instructions that each instruction is an argument of."""
+        found: list[list[int]] = [[] for _ in self.instructions]
+        for k, one in enumerate(self.instructions):
+            for argument in one.operands:
+                found[argument].append(k)
+        return found
 
 
 def code_of(inputs: list[ca.SX], outputs: list[ca.SX]) -> Code:

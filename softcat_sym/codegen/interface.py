@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import jinja2
 import numpy as np
 
+from softcat_sym.codegen.c_model import Model, Structure
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
-from softcat_sym.codegen.structure import Model, Structure
 from softcat_sym.discretization.assembly import asked_points, in_halves
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import choose_grading, towards_middle
@@ -30,9 +30,9 @@ from softcat_sym.discretization.supports import (
     TIP_TORQUE,
 )
 from softcat_sym.discretization.unknowns import PER_FIBRE, TURN
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.initial_stress import initial_strain
+from softcat_sym.effects.selection import Effects
 from softcat_sym.errors import PrintingError
+from softcat_sym.estimates.initial_stress import initial_strain
 from softcat_sym.scene.material import NamedConstant, constant_in_c
 from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
@@ -103,7 +103,7 @@ class Given:
     value: float  # That of the scene
 
 
-class Steps(NamedTuple):
+class StepSettings(NamedTuple):
     """How a scene is integrated."""
 
     relative: float  # Tolerances
@@ -122,7 +122,7 @@ class Description:
     graph: Graph  # On the scene's grid
     structure: Structure  # What its text depends on
     model: Model  # Its physics as C text
-    steps: Steps
+    steps: StepSettings
 
     @property
     def title(self) -> str:

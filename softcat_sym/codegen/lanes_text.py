@@ -15,6 +15,8 @@ _TABLE = re.compile(r"static const double fibre_(\w+)\[\]")
 _NUMBER = re.compile(r" = (\(?-?(?:HUGE_VAL|\d+\.\d+(?:e[-+]?\d+)?|\d+e[-+]?\d+)\)?);")
 _MODEL = re.compile(r"^const softcat_model softcat_filament_model = \{(.*?)^\};", re.MULTILINE | re.DOTALL)
 _FUNCTIONS = re.compile(r"^    (rates, jacobian, .*),$", re.MULTILINE)
+_BRANCH = re.compile(r"^( +)if \((\w+) != 0\.0\) \{\n(.*?)^\1\}\n", re.MULTILINE | re.DOTALL)
+_ASSIGNED = re.compile(r"^( +(?!const )[^=]*=) (.*);$", re.MULTILINE)
 _ASKS, _ELSE = " != 0.0 ? ", " : 0.0"
 
 
@@ -28,6 +30,7 @@ def lanes_text(text: str) -> str:
     body = body.replace("#include <math.h>\n\n", "")
     body = body.replace('#include "softcat_model.h"', '#include "softcat_lanes_math.h"')
     names = _TABLE.findall(body)
+    body = _BRANCH.sub(_branch_of_any, body)
     body = _without_conditions(body.replace("(double)", "truth").replace(" && ", " & ").replace(" || ", " | "))
     body = re.sub(r"\bdouble\b", "real", body.replace("const softcat_filament *", "const softcat_lanes_filament *"))
     body = _NUMBER.sub(r" = REAL(\1);", body)
@@ -41,6 +44,13 @@ def lanes_text(text: str) -> str:
     one = f"static const softcat_model one = {{{_FUNCTIONS.sub('    0, 0, 0, 0,', model)}}};"
     lanes = f"const softcat_lanes_model {SYMBOL} = {{\n    &one, LANES, {functions[1]},\n}};\n"
     return "\n".join([body, tables, one, "", lanes])
+
+
+def _branch_of_any(found: re.Match[str]) -> str:
+    """A branch that is executed where any lane asks for it: the others assign nothing, or zero."""
+    indent, condition, lines = found.groups()
+    first = f"{indent}if (lanes_any((lanes_mask)({condition} != 0.0))) {{\n"
+    return first + _ASSIGNED.sub(rf"\1 where({condition}, \2);", lines) + f"{indent}}}\n"
 
 
 def _parts(text: str) -> tuple[str, str, str]:

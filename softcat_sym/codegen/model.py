@@ -31,7 +31,7 @@ def template_of(program: Program, made_of: Callable[..., Template]) -> Template:
         return (
             writer.field(name)
             if writer.is_field(name)
-            else Target(f"f[{writer.slots.at(name[2:])}]", PER_FIBRE in name)
+            else Target(f"f[{writer.slots.at(name[2:])}]", PER_FIBRE in name, zeroed=True)
         )
 
     calls = [
@@ -93,7 +93,7 @@ def _observables(program: Program) -> tuple[tuple[Shown, ...], str, tuple[int, i
         for k, part in enumerate(of if isinstance(of, tuple) else (of,)):
             name = f"shown_{row}_{k}{PER_FIBRE if each else ''}"
             items.append(replace(part, name=name))
-            targets[name] = Target(f"o[{place}]", each, adds=one.summed)
+            targets[name] = Target(f"o[{place}]", each, adds=one.summed, zeroed=True)
     fields = needed(leaves, program.fields, items)
     loops = [loop for level in levels_of(leaves, [*fields, *items]) for loop in level]
     calls = [
@@ -162,7 +162,7 @@ def _jacobian(
 
     def target(name: str, one: Entry) -> Target:
         label = (name[2:], *one)
-        return Target(f"e[{mark}{marks.setdefault(label, len(marks))}]", PER_FIBRE in entry_label(label))
+        return Target(f"e[{mark}{marks.setdefault(label, len(marks))}]", PER_FIBRE in entry_label(label), zeroed=True)
 
     calls = _derivatives(writer, chain, levels, "jacobian", target)
     outputs = [name for level in levels for loop in level for name in loop.names if not writer.is_field(name)]

@@ -8,11 +8,11 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.codegen.c_model import Model
 from softcat_sym.codegen.c_text import VERSIONS, CSource, c_array, number
 from softcat_sym.codegen.export import runtime_files
 from softcat_sym.codegen.interface import comment, rendered
 from softcat_sym.codegen.sites import places_in_rows, sites_of
-from softcat_sym.codegen.structure import Model
 from softcat_sym.discretization.graph import Graph
 
 RHS, JACOBIAN, POWERS = "softcat_rhs", "softcat_jacobian", "softcat_powers"

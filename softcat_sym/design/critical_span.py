@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -27,16 +27,21 @@ from softcat_sym.design.information import (
     read_share,
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.forecast import expected_sag
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.results.breaking import breakable
+from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, length_text, shown
-from softcat_sym.simulate import identity_of, simulated, without_estimate
+from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.reading import SceneLike
 
 
 def crossings(values: Sequence[float]) -> tuple[int, ...]:
@@ -71,16 +76,21 @@ def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
 
     def measured() -> Sag:
-        try:
-            run = simulated(without_estimate(scene))
-        except SceneError as error:
-            return Sag(np.inf, (), str(error))
+        run = simulated(without_estimate(scene))
         names, midpoint = tuple(run.summary["effects"]), run.fields["midpoint"]
         if not run.outcome.is_success:
             return Sag(np.inf, names, run.outcome.name)
         return Sag(abs(float(_extreme(midpoint, at_end=at_end) @ midpoint)), names, "")
 
     return store.stored(store.key_of("sag", identity_of(scene), at_end), measured, _SAG)
+
+
+def _sag_at(scene: Scene, span: float, *, at_end: bool) -> Sag:
+    """The sag of another span [m], without an answer where the scene cannot have it."""
+    try:
+        return sag_of_run(with_span(scene, span), at_end=at_end)
+    except SceneError as error:
+        return Sag(math.inf, (), "; ".join(map(str, error.faults)))
 
 
 class FrozenSag:
@@ -188,6 +198,10 @@ class Limit:
     def slope(self, by_span: float) -> float:
         """Slope of the excess by log span, from that of log sag."""
         return by_span - 1.0 if self.of_span else by_span
+
+
+DEFAULT_LIMIT = Limit(0.05, of_span=True)
+"""The largest sag of a span that is called good where nothing else is asked for."""
 
 
 def read_limit(value: object) -> Limit:
@@ -334,6 +348,7 @@ _COARSE = 2e-3
 _CLEAR = 2.0  # of log sag over the limit: clearly more, or less
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
+_GUESS = 0.03  # of log span: the least step of a search, and how well the forecast is solved
 
 
 @dataclass(frozen=True, eq=False)
@@ -348,13 +363,18 @@ class CriticalSpan:
     scan: tuple[tuple[float, float], ...]  # Span and sag [m]; infinite where the run has no answer
     effects: tuple[str, ...]  # In force at the critical span
     notes: tuple[str, ...]  # What to know beside the numbers
+    limit: Limit  # Of the sag
     breaks: bool = False  # Whether a longer one breaks before it sags so much
+    error: float | None = None  # Of the span [m], by the error of the sag there; None where it was not estimated
+    limited_by: str = ""  # What keeps a longer one from the limit, in words; empty where it was not sought
 
     def to_dict(self) -> dict[str, Any]:
         """What JSON holds of it, in SI; the gradient is of logarithms."""
         return {
             "span_m": self.span,
+            "error_m": self.error,
             "sag_m": self.sag,
+            "limited_by": self.limited_by,
             "gradient": dict(self.gradient),
             "crossings_m": [list(pair) for pair in self.crossings],
             "effects": list(self.effects),
@@ -371,6 +391,10 @@ class CriticalSpan:
     @property
     def text(self) -> tuple[str, ...]:
         """Plain sentences."""
+        if self.error is not None:
+            number, unit = length_text(self.span, 4).split()
+            error = self.error / self.span * float(number)
+            return (f"longest span {number} {unit} +- {error:.1g} {unit}", self.limited_by, *self.notes)
         if self.breaks:
             head = f"A span of {length_text(self.span)} sags {length_text(self.sag)}; a longer one breaks."
             return (head, *self.notes)
@@ -388,56 +412,43 @@ def critical_span(
     progress: Progress | None = None,
     *,
     exponents: bool = True,
+    scan: bool = True,
 ) -> CriticalSpan:
     """Find the largest span that sags less than a limit: a length with its unit, or a fraction of the span.
 
     Spans are scanned by whole runs, the first crossing is closed in by them, and the root is polished with the effects
     that are in force there; the gradient follows by implicit differentiation, -(d sag/d p)/(d sag/d span), from the
     sensitivities of the discrete solution at the root. Without `exponents`, which take most of the time, the span is
-    known to 0.2 %, and the scan ends at the first crossing.
+    known to 0.2 %. Without `scan` the runs begin at the span that the forecast gives, and end at the first crossing.
 
     The sag is that at a `time` [s], by default the largest until the end of the run; spans `within` two, by default
     thirty times smaller and larger than the scene's own. SoftcatError if all spans sag less than the limit, or even the
     smallest sags more.
     """
     read, allowed, bounds = _read(scene, limit, time, within)
-    paths = _parameters(read) if exponents else ()
-    return _closed_in(read, allowed, bounds, paths, at_end=time is not None, progress=progress or Silence())
+    paths, runs = _parameters(read) if exponents else (), dict[float, Sag]()
+    at_end, progress = time is not None, progress or Silence()
 
-
-def _closed_in(
-    scene: Scene,
-    allowed: Limit,
-    bounds: tuple[float, float],
-    paths: tuple[str, ...],
-    *,
-    at_end: bool,
-    progress: Progress,
-) -> CriticalSpan:
-    """Scan, close in and polish."""
-
-    @functools.cache
     def at(x: float) -> Sag:
-        return sag_of_run(with_span(scene, math.exp(x)), at_end=at_end)
-
-    low, high = map(math.log, bounds)
-    count = math.ceil((high - low) / math.log(_RATIO)) + 1
-    logs = np.linspace(low, high, max(count, _FEWEST)).tolist()
-    spans, scanned = [math.exp(x) for x in logs], list[Sag]()
-    for x, span in zip(logs, spans, strict=True):
-        progress.doing(f"sag of a span of {span:.3g} m")
-        scanned.append(at(x))
-        if not paths and allowed.excess(span, scanned[-1].value) >= 0:
-            break
-    spans = spans[: len(scanned)]
-    excess = [allowed.excess(span, one.value) for span, one in zip(spans, scanned, strict=True)]
-    _refuse_without_crossing(allowed, spans, scanned, excess)
-    found = crossings(excess)
-    first = found[0]
+        if x not in runs:
+            progress.doing(f"sag of a span of {length_text(math.exp(x))}")
+            runs[x] = _sag_at(read, math.exp(x), at_end=at_end)
+        return runs[x]
 
     def left(x: float) -> float:
         # Of an infinite sag the sign is enough.
         return float(np.clip(allowed.excess(math.exp(x), at(x).value), -_CLEAR, _CLEAR))
+
+    low, high = map(math.log, bounds)
+    if scan:
+        logs = np.linspace(low, high, max(math.ceil((high - low) / math.log(_RATIO)) + 1, _FEWEST)).tolist()
+        excess = [left(x) for x in logs]
+    else:
+        logs, excess = _towards_the_limit(left, allowed, _foreseen(read, allowed, (low, high)), (low, high))
+    spans, scanned = [math.exp(x) for x in logs], [at(x) for x in logs]
+    _refuse_without_crossing(allowed, bounds, spans, scanned, excess)
+    found = crossings(excess)
+    first = found[0]
 
     def critical(root: Root, effects: tuple[str, ...], *, breaks: bool = False) -> CriticalSpan:
         many = f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span."
@@ -446,9 +457,10 @@ def _closed_in(
             sag=root.sag,
             gradient={} if breaks else {path: root.gradient.get(path, 0.0) for path in paths},
             crossings=tuple((spans[i], spans[i + 1]) for i in found),
-            scan=tuple((span, one.value) for span, one in zip(spans, scanned, strict=True)),
+            scan=tuple((math.exp(x), runs[x].value) for x in sorted(runs)),
             effects=effects,
             notes=(*root.notes, many) if len(found) > 1 else root.notes,
+            limit=allowed,
             breaks=breaks,
         )
 
@@ -464,9 +476,96 @@ def _closed_in(
     closed = at(near)
     root = Root(math.exp(near), closed.value, {}, ())
     if paths:
-        frozen = FrozenSag(with_span(scene, root.span), closed.effects, paths, at_end=at_end)
+        frozen = FrozenSag(with_span(read, root.span), closed.effects, paths, at_end=at_end)
         root = polished(frozen, allowed, root.span)
     return critical(root, closed.effects)
+
+
+def longest_span(scene: SceneLike, max_sag: object = "5 %", progress: Progress | None = None) -> CriticalSpan:
+    """Find the longest span of a filament whose sag stays below a limit, with its error and what limits it.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        The filament; its own span is where the search begins, and says nothing else.
+    max_sag : str or float
+        Largest sag allowed during the run: a length with its unit, or a fraction of the span such as ``"5 %"``.
+    progress : Progress, optional
+        Receiver of progress reports.
+
+    Returns
+    -------
+    CriticalSpan
+        `span` and `error` [m]. The error is that of the sag at this span, as companion runs estimate it, over the slope
+        of the sag by the span, and what the search leaves open (0.2 %).
+
+    Raises
+    ------
+    SceneError
+        If the limit is neither a length nor a fraction, or the scene cannot have the effects that it names.
+    SoftcatError
+        If no span between a thirtieth and thirty times the scene's own reaches the limit, if all of them sag more, or
+        if the answer at the longest one cannot be trusted.
+    """
+    scene, progress = as_scene(scene), progress or Silence()
+    found, allowed = critical_span(scene, max_sag, progress=progress, exponents=False, scan=False), read_limit(max_sag)
+    progress.doing(f"the error at a span of {length_text(found.span)}")
+    run = recalled(with_span(scene, found.span), progress)
+    total = (run.summary["error_estimate"] or {}).get("total")
+    if not run.outcome.is_success or total is None:
+        raise SoftcatError(f"a span of {length_text(found.span)} is no answer: {run.outcome.name}: {run.outcome.value}")
+    known = [(math.log(span), allowed.excess(span, sag)) for span, sag in found.scan if 0 < sag < math.inf]
+    (x0, y0), (x1, y1) = sorted(sorted(known, key=lambda pair: abs(pair[1]))[:2])
+    error = found.span * (_COARSE + (total * (x1 - x0) / (y1 - y0) if y1 > y0 else math.inf))
+    if found.breaks:
+        why = f"a longer one breaks; at this span it sags {length_text(found.sag)}"
+    else:
+        why = f"a longer one sags more than {length_text(allowed.at(found.span))} ({run.summary['regime']})"
+    return replace(found, error=error, limited_by=why)
+
+
+def foreseen_span(scene: Scene, limit: Limit) -> float | None:
+    """The span [m] at which the forecast's sag reaches a limit; None where it does not within a factor of thirty."""
+    ends = math.log(scene.filament.span / _FACTOR), math.log(scene.filament.span * _FACTOR)
+    found = _foreseen(scene, limit, ends)
+    return None if found in ends else math.exp(found)
+
+
+def _foreseen(scene: Scene, limit: Limit, within: tuple[float, float]) -> float:
+    """Logarithm of the span at which the forecast's sag reaches the limit, else of the end nearest to it."""
+
+    @functools.cache
+    def excess(x: float) -> float:
+        span = math.exp(x)
+        try:
+            sag = span * expected_sag(with_span(scene, span))
+        except SceneError:  # A span that this scene cannot have.
+            return _CLEAR
+        return float(np.clip(limit.excess(span, sag), -_CLEAR, _CLEAR))
+
+    logs, values = _towards_the_limit(excess, limit, math.log(scene.filament.span), within)
+    turns = crossings(values)
+    if not turns:
+        return logs[0] if values[0] >= 0 else logs[-1]
+    return float(brentq(excess, logs[turns[0]], logs[turns[0] + 1], xtol=_GUESS))
+
+
+def _towards_the_limit(
+    excess: Callable[[float], float], limit: Limit, start: float, within: tuple[float, float]
+) -> tuple[list[float], list[float]]:
+    """Steps from a first guess until the sag has crossed the limit: logarithms of spans, ascending, and the excesses.
+
+    A step is the one that a sag as the span to the power of 1.8 calls for: rather too long, as most sags grow faster.
+    """
+    x = min(max(start, within[0]), within[1])
+    seen = {x: excess(x)}
+    upwards = seen[x] < 0
+    while (seen[x] < 0) == upwards and x != within[upwards]:
+        step = min(max(abs(seen[x]) / limit.slope(1.8), _GUESS), math.log(_RATIO))
+        x = min(max(x + (step if upwards else -step), within[0]), within[1])
+        seen[x] = excess(x)
+    logs = sorted(seen)
+    return logs, [seen[x] for x in logs]
 
 
 def _read(
@@ -483,6 +582,8 @@ def _read(
             scene = scene.replace({"run.duration": f"{read_positive(time, 'time', 's')!r} s"})
         except NotAQuantity as found:
             faults.append(Fault("time", str(found), 'a positive time such as "10 s"'))
+    if scene.pillars.present:
+        faults.append(Fault("pillars", "given, whose gap no search varies", "softcat sweep over pillars.gap"))
     span, least = scene.filament.span, _THICK * scene.filament.thickness
     try:
         pair = within or (span / _FACTOR, span * _FACTOR)
@@ -497,16 +598,19 @@ def _read(
     return scene, allowed, bounds
 
 
-def _refuse_without_crossing(allowed: Limit, spans: list[float], scanned: list[Sag], excess: list[float]) -> None:
-    low, high = length_text(spans[0]), length_text(spans[-1])
+def _refuse_without_crossing(
+    allowed: Limit, bounds: tuple[float, float], spans: list[float], scanned: list[Sag], excess: list[float]
+) -> None:
+    low, high = map(length_text, bounds)
     if excess[0] >= 0:
-        how = f"sags {length_text(scanned[0].value)}" if math.isfinite(excess[0]) else f"fails ({scanned[0].note})"
-        raise SoftcatError(f"even a span of {low} {how}: give smaller spans, or a limit above that")
+        sag = scanned[0].value
+        how = f"sags {length_text(sag)}" if math.isfinite(sag) else f"fails ({scanned[0].note})"
+        raise SoftcatError(f"even a span of {length_text(spans[0])} {how}: give smaller spans, or a limit above that")
     if not crossings(excess):
-        most = max(zip(spans, scanned, strict=True), key=lambda pair: pair[1].value / allowed.at(pair[0]))
+        span, most = max(zip(spans, scanned, strict=True), key=lambda pair: pair[1].value / allowed.at(pair[0]))
         raise SoftcatError(
-            f"no span from {low} to {high} reaches the limit: at {length_text(most[0])} it sags "
-            f"{length_text(most[1].value)}, against {length_text(allowed.at(most[0]))}; give larger spans or a smaller "
+            f"no span from {low} to {high} reaches the limit: at {length_text(span)} it sags "
+            f"{length_text(most.value)}, against {length_text(allowed.at(span))}; give larger spans or a smaller "
             "limit"
         )
 

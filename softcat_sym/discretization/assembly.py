@@ -22,13 +22,14 @@ from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.terms import Formulation, Terms
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, carries_moment, is_symmetric, rest_length
+from softcat_sym.scene.tables import bodies_of
 
 if TYPE_CHECKING:
     from softcat_sym.discretization.cell import Program
@@ -110,9 +111,11 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     left, right = scene.ends.supports
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
+    edges = [one.edge_place / rest_length(scene) for one in bodies_of(scene) if one.edge_place is not None]
+    edge = min(edges, default=0.5)
     if is_symmetric(scene) and all(one.symmetric for one in densities):
-        return half_span(cells, right, grading, middle=middle)
-    return whole_span(cells, left, right, grading, middle=middle)
+        return half_span(cells, right, grading, middle=middle, edge=edge)
+    return whole_span(cells, left, right, grading, middle=middle, edge=edge)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:
@@ -246,14 +249,14 @@ class Recorded:
             return self.sampled_by(self.theory.rule)
         # Imported here and below: a run whose library is cached does without SymPy and CasADi.
         from softcat_sym.discretization.small_deflection import SmallDeflection
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.physics.section_equations import equations_of
 
         return SmallDeflection(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body)
 
     def sampled_by(self, rule: SectionRule | None) -> Program:
         """What its sites compute with other points of the section, or one that stands for all."""
         from softcat_sym.discretization.filament_graph import build
-        from softcat_sym.physics.filament import equations_of
+        from softcat_sym.physics.section_equations import equations_of
 
         return build(equations_of(self.formulation), (self.grid.first, self.grid.last), self.body, rule)
 

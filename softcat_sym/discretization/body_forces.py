@@ -186,9 +186,10 @@ def _audit(
     if densities.stored != 0:
         energy = Field(f"energy_{name}_{part}", where, share * printed(densities.stored, values))
         outer.energies.setdefault(name, []).append(energy)
-    lost = sum((slope * values[rate] for slope, rate in zip(by_rate, rates, strict=True)), ca.SX(0))
+    given = by_rate[0] * printed(densities.carried, values)
+    lost = sum((slope * values[rate] for slope, rate in zip(by_rate, rates, strict=True)), ca.SX(0)) - given
     if densities.dissipation != 0:
         outer.dissipation.setdefault(name, []).append(Field(f"lost_{name}_{part}", where, share * lost))
     stored = densities.stored
     changing = printed(sp.diff(stored, sy.t) + sp.diff(stored, sy.g_t) * _LOAD_RATE, values)
-    outer.power.append(Field(f"power_{name}_{part}", where, share * changing))
+    outer.power.append(Field(f"power_{name}_{part}", where, share * (changing - given)))

@@ -48,11 +48,11 @@ from softcat_sym.discretization.unknowns import (
     Slot,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.conformation import Direction
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
+from softcat_sym.physics.polymer_chains import Direction
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import SYMMETRY, Support
 

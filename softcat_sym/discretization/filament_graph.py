@@ -36,7 +36,7 @@ from softcat_sym.discretization.unknowns import (
     Slot,
 )
 from softcat_sym.physics import symbols
-from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support
 

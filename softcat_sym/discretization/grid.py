@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.forecast import shaken_share
-from softcat_sym.effects.quasi_static_sag import load_factor
-from softcat_sym.effects.scaling_estimates import beam_of, first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.forecast import shaken_share
+from softcat_sym.estimates.quasi_static_sag import load_factor
+from softcat_sym.estimates.scaling import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.scene.ends import SYMMETRY, Support
 from softcat_sym.scene.scene import Scene, carries_moment, groups_of
 
@@ -53,17 +53,36 @@ class Grid:
         return np.asarray((self.nodes[1:] + self.nodes[:-1]) / 2, dtype=float)
 
 
-def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: bool = False) -> Grid:
+def half_span(cells: int, support: Support, grading: float = 1.0, *, middle: bool = False, edge: float = 0.5) -> Grid:
     """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2."""
-    return Grid(_graded(cells, grading, middle=middle), SYMMETRY, support)
+    return Grid(_edged(cells, grading, middle=middle, edge=edge), SYMMETRY, support)
 
 
 def whole_span(
-    cells_per_half: int, left: Support, right: Support, grading: float = 1.0, *, middle: bool = False
+    cells_per_half: int,
+    left: Support,
+    right: Support,
+    grading: float = 1.0,
+    *,
+    middle: bool = False,
+    edge: float = 0.5,
 ) -> Grid:
     """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal."""
-    half = _graded(cells_per_half, grading, middle=middle)
+    half = _edged(cells_per_half, grading, middle=middle, edge=edge)
     return Grid(np.concatenate([-half[:0:-1], half]), left, right)
+
+
+def _edged(cells: int, grading: float, *, middle: bool, edge: float) -> Floats:
+    """X/L from 0 to 1/2 with a node at the edge of a body, towards which the lengths decrease from either side.
+
+    A node presses on a sharp edge where the edge is, only if it is there: elsewhere the span would be a cell longer.
+    """
+    inner = round(2 * cells * edge)
+    if edge >= 0.5 or not 0 < inner < cells:
+        return _graded(cells, grading, middle=middle)
+    before = 2 * edge * _graded(inner, grading, middle=middle)
+    behind = 0.5 - (1 - 2 * edge) * _graded(cells - inner, grading, middle=False)[::-1]
+    return np.concatenate([before, behind[1:]])
 
 
 def _graded(cells: int, grading: float, *, middle: bool) -> Floats:

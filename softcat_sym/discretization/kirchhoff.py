@@ -22,8 +22,8 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.stencil import Field, Neighbours, Same
 from softcat_sym.discretization.unknowns import CELLS, Slot
-from softcat_sym.physics import conformation, symbols
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics import polymer_chains, symbols
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.section_response import BranchResponse, ViscousResponse
 
 
@@ -141,9 +141,9 @@ def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: SectionPa
     slots = [Slot(chain_state(one), "cell", (False, False), True, "", section=False) for one in chains.states]
     taken = {one.taken: b.unknown(slot)[0] for one, slot in zip(chains.states, slots, strict=True)}
     cell = {**b.values, **taken, symbols.s: at.s[0], symbols.h0: b.h_cell}
-    (pull,) = derivatives(response.volume * chains.stored.subs(conformation.strain, strain), (symbols.s,), cell)
-    fibre = {**cell, conformation.strain: printed(strain, cell)}
-    (stress,) = derivatives(chains.stored, (conformation.strain,), fibre)
+    (pull,) = derivatives(response.volume * chains.stored.subs(polymer_chains.strain, strain), (symbols.s,), cell)
+    fibre = {**cell, polymer_chains.strain: printed(strain, cell)}
+    (stress,) = derivatives(chains.stored, (polymer_chains.strain,), fibre)
     if not b.equations.conserves_energy:
         pull = printed(response.tension, {**cell, symbols.sigma_0: stress})
     found.tension += b.stage("tension_chains", CELLS, b.area_cell * pull)[0]

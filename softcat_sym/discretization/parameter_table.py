@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from softcat_sym.discretization.parameters import REST_LENGTH
 from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.spatial import natural_twist
 
 

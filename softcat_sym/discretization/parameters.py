@@ -21,7 +21,8 @@ from softcat_sym.discretization.supports import (
     path_name,
     turn_name,
 )
-from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.estimates.free_vibration import solid_viscosity
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.natural_curve import has_shape, natural_curve
@@ -92,6 +93,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         **_of_temperature(scene),
         **scene.material.values(),
         **history_values(scene.material),
+        **{name: one for effect in REGISTRY if effect.applies(scene) for name, one in effect.values(scene).items()},
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
         **_of_clamps(scene),

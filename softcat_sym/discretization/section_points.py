@@ -21,11 +21,11 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.section_rule import POINT, SectionRule
 from softcat_sym.discretization.stencil import FIBRE, Leaf
 from softcat_sym.discretization.unknowns import Slot
-from softcat_sym.physics import conformation, hardening_rule, reissner, spatial, symbols
+from softcat_sym.physics import hardening_rule, polymer_chains, reissner, spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, SampledSection
-from softcat_sym.physics.structure_parameter import speed
+from softcat_sym.physics.structure_kinetics import speed
 from softcat_sym.physics.time_dependent_constants import Clock, State
 
 _NO_STRESS = 1e-12
@@ -282,10 +282,10 @@ class _Point:
     def carry(self, section: SampledSection, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
         values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
-        values |= {conformation.strain: self.strain[0] - printed(section.relaxed, values)}
+        values |= {polymer_chains.strain: self.strain[0] - printed(section.relaxed, values)}
         values |= {reissner.gamma: self.strain[1]}
-        stored = chains.stored + conformation.modulus() * reissner.gamma**2 / 2
-        self._press(derivatives(stored, (conformation.strain, reissner.gamma), values))
+        stored = chains.stored + polymer_chains.modulus() * reissner.gamma**2 / 2
+        self._press(derivatives(stored, (polymer_chains.strain, reissner.gamma), values))
         self.energy += printed(stored, values)
         self.conformation = [printed(extension, values) for extension in chains.extensions]
         if not chains.relaxes:

@@ -22,8 +22,8 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Signature, Slot
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.filament import FilamentEquations
-from softcat_sym.physics.laws import growth_of
+from softcat_sym.physics.constitutive_laws import growth_of
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.section_response import shrunk
 from softcat_sym.scene.ends import Support
 

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
+Numbers = npt.NDArray[np.int64]
 
 PER_FIBRE = "#"
 """In the name of what stands for all fibres: the place of the fibre's number."""

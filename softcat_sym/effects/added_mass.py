@@ -6,20 +6,15 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import added_mass_ratio
 from softcat_sym.scene.scene import Scene
-
-
-def mass_ratio(scene: Scene) -> float:
-    """Added mass over the filament's own mass."""
-    filament = scene.filament
-    coefficient = math.pi / 4 * filament.width / filament.thickness if filament.section == "rectangle" else 1.0
-    return coefficient * scene.surroundings.density / filament.density
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # It changes the phase of a ringing by this share; without ringing, it matters as much as inertia does.
-    slower = math.sqrt(1 + mass_ratio(scene)) - 1
+    slower = math.sqrt(1 + added_mass_ratio(scene)) - 1
     value = slower * max(motion.missed, motion.swings)
     return Estimate(
         min(1.0, value),

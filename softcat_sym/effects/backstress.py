@@ -9,7 +9,8 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, held_up
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, held_up
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.scene.scene import Scene
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.scaling_estimates import weight_stress
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import weight_stress
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 
 _FASTEST = 2e5

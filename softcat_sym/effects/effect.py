@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.errors import Fault
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene
@@ -19,34 +23,6 @@ if TYPE_CHECKING:
     from softcat_sym.physics.densities import Densities
 
 # SymPy is imported only for densities, which no effect of the package has, so that runs do not load it.
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """Quantities from which the estimates of all effects are computed; lengths are in spans."""
-
-    sag: float  # Largest displacement of the midpoint, from the line between the supports where two hold it
-    scale: float  # Largest displacement of any node, the unit of errors
-    strain: float  # Largest mean strain of the centreline
-    slope: float  # Largest slope against the horizontal
-    tension_share: float  # Share of the load that is carried in tension at the largest sag
-    swings: float  # Phase of the ringing times its share of the sag
-    missed: float  # Change of the midpoint, in scales, if the filament were in equilibrium at every instant
-    risen: float  # Share of the largest sag that a suddenly loaded filament would reach by the end of the ramp
-    relaxed: float  # Share of the stress that flow relaxes, 0 to 1
-    overstress: float  # Largest fibre stress over the yield stress; infinite without one
-    flowing_overstress: float  # Mean stress of the flowing filament over the yield stress; infinite without one
-    retarded: float  # Change of the midpoint, in scales, if the solid had no viscous stress
-    damped: float  # Change of the midpoint, in scales, if the solid had no loss below yield
-    sheared: float  # Share of the sag by shear, for a filament that does not flow beyond a yield stress
-    folds: float  # Growth of a neck, e-folds
-    speed: float  # Largest speed of the midpoint [m/s]
-    capillary: float  # Share by which surface tension reduces the sag
-    rings_on: bool = False
-
-    def amplified(self, change: float) -> float:
-        """Change of the midpoint by a relative change of the sag, with the phase of the ringing; at most 1."""
-        return min(1.0, change * self.sag / self.scale * (1 + self.swings))
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,6 +144,23 @@ class EffectConstant:
         return sy.enter(self.symbol_name, self.symbol_name, (kilogram, metre, second), self.meaning, "[effects]")
 
 
+Fields = Mapping[str, npt.NDArray[np.float64]]
+"""Variables of a trajectory by name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Observed:
+    """What an effect adds to a finished run."""
+
+    fields: Fields = field(default_factory=dict)  # Further variables
+    summary: Mapping[str, Any] = field(default_factory=dict)  # Further entries of the summary
+    doubt: str = ""  # Why the answer is not to be trusted; empty if it is
+
+
+def _nothing(_scene: Scene, _fields: Fields) -> Observed:
+    return Observed()
+
+
 def never(scene: Scene) -> bool:
     """Apply to no scene: the default of an effect, which then applies to scenes with its table."""
     del scene
@@ -224,6 +217,10 @@ class Effect:
         Outcome of a run that may be due to its absence, ``"failure"`` for any; `auto` then adds the effect.
     dear : bool
         Whether "everything" omits it, as it makes runs with yielding hinges many times longer.
+    values : callable
+        ``scene -> {name: value}``: numbers of its terms that the scene does not state itself.
+    observe : callable
+        ``(scene, fields) -> Observed``: what it adds to a finished run in which it is in force.
     causes : tuple of str
         Causes under which a card counts the effect if a rule of thumb fails. Inertia is also left out with flow, as a
         filament without losses would oscillate for ever.
@@ -254,14 +251,16 @@ class Effect:
     cures: str = ""
     dear: bool = False
     causes: tuple[str, ...] = ()
+    values: Callable[[Scene], dict[str, float]] = lambda _scene: {}
+    observe: Callable[[Scene, Fields], Observed] = _nothing
 
     @property
     def densities(self) -> Densities:
         """Densities of the effect, with the constants of its table."""
         import sympy as sp
 
+        from softcat_sym.physics.constitutive_laws import Constant
         from softcat_sym.physics.densities import Densities
-        from softcat_sym.physics.laws import Constant
 
         given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
         stored, dissipation, kinetic = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 
 from softcat_sym.effects.bending import BENDING
-from softcat_sym.effects.choosing import bare, why_not
 from softcat_sym.effects.effect import Effect
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
@@ -14,6 +13,7 @@ from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
 from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.selection import bare, why_not
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.forecast import shaken_share
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.estimates.forecast import shaken_share
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.scene.scene import Scene
 
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, OfMotion, always
-from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import Fault
+from softcat_sym.estimates.scaling import instant_modulus
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.tables import bodies_of
 
 
 def outrunning_faults(scene: Scene) -> list[Fault]:
@@ -31,6 +32,15 @@ def outrunning_faults(scene: Scene) -> list[Fault]:
     return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
 
 
+def _indispensable(scene: Scene) -> str:
+    """What needs velocities, or begins out of balance."""
+    if scene.initial.centreline:
+        return "initial.centreline need not be an equilibrium"
+    # A fluid's viscous stress tells its velocities, too.
+    rubs = [body.table_name for body in bodies_of(scene) if body.resists_sliding and scene.material.spec.is_elastic]
+    return f"the bond or friction of [{rubs[0]}] acts on velocities" if rubs else ""
+
+
 INERTIA = Effect(
     name="inertia",
     summary="acceleration of the filament",
@@ -45,6 +55,6 @@ INERTIA = Effect(
     example="maxwell-slow",
     derivation="01_balance",
     causes=("inertia", "flow"),
-    indispensable=lambda scene: "initial.centreline need not be an equilibrium" if scene.initial.centreline else "",
+    indispensable=_indispensable,
     faults=outrunning_faults,
 )

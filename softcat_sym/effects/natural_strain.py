@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import instant_modulus, weight_stress
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.history import extremes_of
 from softcat_sym.scene.scene import Scene, groups_of, is_held

@@ -6,10 +6,11 @@ import math
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, held_up
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, held_up
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.scene.scene import Scene, carries_moment, is_held, rest_length
 
 _UNEVENNESS = 4e-4

@@ -10,6 +10,7 @@ from softcat_sym.effects.added_mass import ADDED_MASS
 from softcat_sym.effects.backstress import BACKSTRESS
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.buoyancy import BUOYANCY
+from softcat_sym.effects.contact import CONTACT
 from softcat_sym.effects.curing import CURING
 from softcat_sym.effects.drag import DRAG
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, never
@@ -62,6 +63,7 @@ REGISTRY: list[Effect] = [
     STRUCTURE,
     BACKSTRESS,
     NATURAL_STRAIN,
+    CONTACT,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"

@@ -5,15 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion, held_up
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.effects.effect import Effect, Estimate, held_up
+from softcat_sym.errors import Fault
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import (
     instant_modulus,
     pull_of_surface,
     static_modulus,
     surface_stress,
     yield_stress_of,
 )
-from softcat_sym.errors import Fault
 from softcat_sym.scene.scene import Scene
 
 _UNSTABLE = 2.0

@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.natural_strain import shrinking
-from softcat_sym.effects.scaling_estimates import gravity_of
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.scaling import gravity_of
 from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast, neck_draw
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.effects.scaling_estimates import viscous_number
+from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.estimates.forecast import expected_sag, expected_strain, forecast, neck_draw
+from softcat_sym.estimates.scaling import viscous_number
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, groups_of
 
@@ -124,7 +124,7 @@ def _rupture(scene: Scene, regime: ExpectedRegime) -> str:
 def _descent(regime: ExpectedRegime) -> str:
     """Warning about a filament beyond the threshold of arrest, whose descent does not end in the theory."""
     threshold, number = regime.arrest_exact, regime.gravity_number
-    if threshold is None or number is None or number < threshold:
+    if threshold is None or number is None or number < threshold or regime.until:
         return ""
     return (
         f"it never stops (G = {number:.3g}, nothing rests beyond {threshold:.4g}): in a longer run it thins until "

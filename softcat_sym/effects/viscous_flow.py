@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion, OfMotion
-from softcat_sym.effects.quasi_static_sag import elastic_sag_under, load_factor
-from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
+from softcat_sym.effects.effect import Effect, Estimate, OfMotion
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.quasi_static_sag import elastic_sag_under, load_factor
+from softcat_sym.estimates.scaling import instant_modulus, weight_stress
 from softcat_sym.scene.scene import Scene
 
 

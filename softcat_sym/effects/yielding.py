@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.law import law_in
+from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.law import law_in
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.scene.scene import Scene
 
 

@@ -6,7 +6,7 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.control import frames_of_first, refine_to_accuracy
 from softcat_sym.error_control.estimate import LOOSER, Resolution
 from softcat_sym.progress import Stopwatch

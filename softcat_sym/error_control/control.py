@@ -8,11 +8,11 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.selection import Effects
 from softcat_sym.error_control.estimate import Differences, Judge, Resolution, resolution_of
 from softcat_sym.error_control.price import Timed, next_digit
 from softcat_sym.error_control.refinement import controlled
+from softcat_sym.estimates.free_vibration import ringing
 from softcat_sym.progress import Stopwatch
 from softcat_sym.results.breaking import breakable
 from softcat_sym.results.motion import MIN_PERIODS
@@ -57,7 +57,8 @@ def refine_to_accuracy(first: Run, effects: Effects, clock: Stopwatch, progress:
     start = replace(guess, rtol=first.summary["rtol"])
 
     def judged(seen: Series) -> Judge:
-        return Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        judge = Judge.of(seen, runs.last.watched, periods, scene.run.accuracy)
+        return replace(judge, of_modes=runs.last.summary["tail_error"])
 
     found = controlled(scene, start, runs.answer, runs.companion, grading, judged)
     clock.lap("estimate")

@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.selection import Effects
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.observed import DISPLACEMENT, OWN, Series, Watched
 from softcat_sym.scene.scene import Scene
@@ -85,6 +85,7 @@ class Judge:
     scale: Mapping[str, float]  # Largest value of each quantity
     # Stretches over which height and amplitude are taken; none where it is compared instant by instant.
     windows: tuple[slice, ...]
+    of_modes: float = 0.0  # Error of an answer that ends by its modes of vibration, as companions do that share it
 
     @classmethod
     def of(cls, answer: Series, watched: Watched, periods: float, accuracy: float) -> Judge:
@@ -96,7 +97,7 @@ class Judge:
             return cls(scale, ())
         edges = np.linspace(0, frames, number + 1).astype(int)
         windows = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
-        rings = max(_swing(each[windows[-1]])[1] for each in moved.T) > accuracy * scale[DISPLACEMENT]
+        rings = np.max(_swings(moved[windows[-1]].T)[:, 1]) > accuracy * scale[DISPLACEMENT]
         return cls(scale, windows if rings else ())
 
     def between(self, one: Series, other: Series) -> Deviation:
@@ -107,38 +108,49 @@ class Judge:
         sizes, phase, widest = dict[str, float](), 0.0, 0.0
         for name, scale in self.scale.items():
             for ours, theirs in zip(one[name].T, other[name].T, strict=True):
-                a, b = (np.array([_swing(run[window]) for window in self.windows]) for run in (ours, theirs))
+                a, b = (self._swings(run) for run in (ours, theirs))
                 sizes[name] = max(sizes.get(name, 0.0), float(np.max(np.abs(a[:, :2] - b[:, :2]))) / scale)
                 if name == DISPLACEMENT and a[-1, 1] > widest:
                     turned = np.unwrap(a[:, 2] - b[:, 2]) / (2 * np.pi)
                     widest, phase = a[-1, 1], abs(float(turned[-1]))
         return Deviation(sizes, phase)
 
+    def _swings(self, run: Floats) -> Floats:
+        """Height, amplitude and phase in each window, shape (windows, 3)."""
+        lengths, found = np.array([each.stop - each.start for each in self.windows]), np.empty((len(self.windows), 3))
+        for length in np.unique(lengths):
+            alike = np.flatnonzero(lengths == length)
+            found[alike] = _swings(np.stack([run[self.windows[k]] for k in alike]))
+        return found
 
-def _swing(heights: Floats) -> tuple[float, float, float]:
-    """Height, amplitude and phase in the middle of a window.
+
+def _swings(heights: Floats) -> Floats:
+    """Height, amplitude and phase in the middle of windows of one length, shape (windows, 3).
 
     A constant, a drift and one oscillation are fitted by least squares, weighted towards the middle of the window, so
     that it matters little where in their swing other modes are cut off. What they leave counts as amplitude too.
     """
-    count = len(heights)
+    windows, count = heights.shape
     along, weight = np.arange(count) - (count - 1) / 2, np.hanning(count + 2)[1:-1]
-    root = np.sqrt(weight)
+    base = np.stack([np.ones(count), along / count], axis=1)
 
     def fitted(columns: Floats) -> Floats:
-        return np.asarray(np.linalg.lstsq(columns * root[:, None], heights * root, rcond=None)[0])
+        """Coefficients (windows, columns) of columns (windows, count, columns)."""
+        weighted = np.swapaxes(columns * weight[:, None], 1, 2)
+        # Of what does not swing, or from frame to frame, one column is nothing.
+        matrix = weighted @ columns + 1e-13 * np.sum(weight) * np.eye(columns.shape[-1])
+        return np.asarray(np.linalg.solve(matrix, weighted @ heights[..., None])[..., 0])
 
-    base = np.vstack([np.ones(count), along]).T
-    flat = heights - base @ fitted(base)
+    flat = heights - fitted(base + np.zeros((windows, 1, 1))) @ base.T
     spectrum = np.abs(np.fft.rfft(flat * weight, _FINER * count))
     # Less than a cycle a window is drift.
-    spectrum[:_FINER] = 0.0
-    turn = 2 * np.pi * int(np.argmax(spectrum)) / (_FINER * count) * along
-    columns = np.hstack([base, np.cos(turn)[:, None], np.sin(turn)[:, None]])
+    spectrum[:, :_FINER] = 0.0
+    turn = 2 * np.pi * np.argmax(spectrum, axis=1)[:, None] / (_FINER * count) * along
+    columns = np.stack([*np.broadcast_arrays(*base.T, turn)[:2], np.cos(turn), np.sin(turn)], axis=-1)
     found = fitted(columns)
-    left = float(np.average((heights - columns @ found) ** 2, weights=weight))
-    amplitude = float(np.sqrt(found[2] ** 2 + found[3] ** 2 + 2 * left))
-    return float(found[0]), amplitude, float(np.arctan2(-found[3], found[2]))
+    left = (heights - (columns @ found[..., None])[..., 0]) ** 2 @ weight / np.sum(weight)
+    amplitude = np.sqrt(found[:, 2] ** 2 + found[:, 3] ** 2 + 2 * left)
+    return np.stack([found[:, 0], amplitude, np.arctan2(-found[:, 3], found[:, 2])], axis=1)
 
 
 Runner = Callable[[Resolution], Series | None]
@@ -259,6 +271,8 @@ def differences(
     if section is None and (other := _other_fibres(coarser, before)) != coarser:
         ratio = (other.fibres or 1) / (coarser.fibres or 1) if other.order is None else MORE
         section = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
+    if time is not None:
+        time = replace(time, sizes={**time.sizes, DISPLACEMENT: time.size + judge.of_modes})
     phases = [part.phase for part in (space, time) if part is not None and part.phase is not None]
     own = {name: part.sizes for name, part in zip(PARTS, (space, time, section), strict=True) if part is not None}
     a, b, c = (None if part is None else part.size for part in (space, time, section))

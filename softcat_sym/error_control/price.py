@@ -9,7 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
-from softcat_sym.effects.choosing import SHARE, Effects, choose_effects
+from softcat_sym.effects.selection import SHARE, Effects, choose_effects
 from softcat_sym.error_control.estimate import ORDER, Deviation, Differences, Judge, Resolution, resolution_of
 from softcat_sym.error_control.refinement import EXPECTED_ORDER, STATES, controlled, errors_expected
 from softcat_sym.progress import seconds_text

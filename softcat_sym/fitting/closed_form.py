@@ -12,8 +12,8 @@ from scipy.optimize import brentq
 
 from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.scaling_estimates import beam_of, section_of
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.scaling import beam_of, section_of
 from softcat_sym.fitting.features import FEWEST, Features, Floats, Oscillation, read_features
 from softcat_sym.fitting.measurements import Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken

@@ -321,7 +321,19 @@ def yield_stress_name(scene: Scene) -> str:
 
 
 def measurements_of(contour: Contour, gaps: Sequence[Gap], scene: Scene) -> Measurements:
-    """Whole shapes, one film for each gap, of which the only frame is the photograph."""
+    """Whole shapes, one film for each gap, of which the only frame is the photograph.
+
+    A strand of a scene with pillars lies on those of each gap, as much longer than it as the scene's is; otherwise the
+    ends of the scene hold it at their edges.
+    """
+    over = scene.filament.span / scene.pillars.gap if scene.pillars.gap else None
+
+    def placed(gap: Gap) -> dict[str, str]:
+        drop = {"ends.drop": f"{gap.drop!r} m"}
+        if over is None:
+            return {"filament.span": f"{gap.span!r} m", **drop}
+        return {"filament.span": f"{over * gap.span!r} m", "pillars.gap": f"{gap.span!r} m", **drop}
+
     when = scene.run.duration if contour.time is None else contour.time
     return Measurements(
         tuple(
@@ -329,7 +341,7 @@ def measurements_of(contour: Contour, gaps: Sequence[Gap], scene: Scene) -> Meas
                 np.empty(0),
                 np.empty(0),
                 shapes=Shapes(np.full(one.x.size, when), one.x, one.y, level_std=one.level_std),
-                overrides={"filament.span": f"{one.span!r} m", "ends.drop": f"{one.drop!r} m"},
+                overrides=placed(one),
                 path=contour.path,
                 label=f"gap {one.number}, {1e3 * one.span:.3g} mm",
             )
@@ -347,9 +359,9 @@ def collapse_test(
     """Find the yield stress and the modulus of a strand from its contour over gaps between pillars.
 
     The scene is the strand on one gap: thickness, section, density, surface tension, how it is held, and rough values
-    of its constants; its span is replaced by that of each gap. `also_free` names what is fitted besides, such as
-    ``["viscosity"]``; the options are those of :func:`softcat_sym.fit`. A strand on the bed, and a law without a yield
-    stress, are refused.
+    of its constants; its span, or the gap of its ``[pillars]``, is replaced by that of each gap. `also_free` names what
+    is fitted besides, such as ``["viscosity"]``; the options are those of :func:`softcat_sym.fit`. A strand on the bed,
+    and a law without a yield stress, are refused.
     """
     seen = contour if isinstance(contour, Contour) else read_contour(contour)
     scene = as_scene(scene)

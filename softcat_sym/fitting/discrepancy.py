@@ -29,37 +29,39 @@ class Discrepancy:
     def covariance(self, time: Floats, heights: Floats) -> Floats:
         """Covariance of the error at times since the onset of gravity, for heights of the model, shape (n, n).
 
-        It is amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'); before the onset there is no error of pace.
+        It is amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'), where h_t is the difference quotient over two standard
+        deviations of the pace, so that t h_t of a fast ringing is no larger than the ringing itself.
         """
         logarithm = np.log(np.maximum(time, np.finfo(float).tiny))
         apart = _FALLEN * np.abs(np.subtract.outer(logarithm, logarithm)) / self.correlation
         correlation = (1 + apart) * np.exp(-apart)
-        pace = np.where(time > 0, time * np.gradient(heights, time), 0.0) if time.size > 1 else np.zeros(time.size)
+        pace = self._pace(time, heights)
         return np.asarray(self.amplitude**2 * correlation * (np.outer(heights, heights) + np.outer(pace, pace)))
 
+    def _pace(self, time: Floats, heights: Floats) -> Floats:
+        """Change of height for a relative change of pace, t h_t; none before the onset, or of a single time."""
+        if time.size < 2:
+            return np.zeros(time.size)
+        sooner = np.clip((1 - self.amplitude) * time, time[0], time[-1])
+        later = np.clip((1 + self.amplitude) * time, time[0], time[-1])
+        apart = later - sooner
+        rise = np.interp(later, time, heights) - np.interp(sooner, time, heights)
+        return np.where((time > 0) & (apart > 0), time * rise / np.where(apart > 0, apart, 1.0), 0.0)
 
-# Over the span: a hinge is a few thicknesses long. Points between which modes are computed, and the least of them.
-_CORRELATION_LENGTH, _GRID, _NEGLIGIBLE = 1 / 8, 33, 1e-3
+
+_CORRELATION_LENGTH = 1 / 8  # Over the span: a hinge is a few thicknesses long
 
 
-def shape_modes(place: Floats, span: float) -> Floats:
-    """Modes M of the theory's error at places from halfway between the supports, NaN of a midpoint, shape (n, modes).
+def shape_covariance(place: Floats, span: float) -> Floats:
+    """Covariance of the relative errors of two points of a shape over that of the midpoint, shape (n, n).
 
-    M M^T = 1 + k(x, x') - k(x, 0) k(0, x') is the covariance of the relative errors of two points over that of the
-    midpoint, where k is Gaussian with a standard deviation of an eighth of the span; the same on both sides of the
-    midpoint. Elements sag less by some share everywhere, and near their clamps by up to twice of it.
+    It is 1 + k(x, x') - k(x, 0) k(0, x') at places x from halfway between the supports (NaN of a midpoint), where k is
+    Gaussian with a standard deviation of an eighth of the span; the same on both sides of the midpoint. Elements sag
+    less by some share everywhere, and near their clamps by up to twice of it.
     """
-    grid = np.linspace(0.0, 0.5, _GRID)
-    size, vectors = np.linalg.eigh(_covariance(grid, grid))
-    kept = size > _NEGLIGIBLE * size[-1]
-    return np.asarray(_covariance(np.abs(np.nan_to_num(place)) / span, grid) @ vectors[:, kept] / np.sqrt(size[kept]))
-
-
-def _covariance(one: Floats, other: Floats) -> Floats:
-    def nearby(distance: Floats) -> Floats:
-        return np.asarray(np.exp(-0.5 * (distance / _CORRELATION_LENGTH) ** 2))
-
-    return 1 + nearby(np.subtract.outer(one, other)) - np.outer(nearby(one), nearby(other))
+    x = np.abs(np.nan_to_num(place)) / (span * _CORRELATION_LENGTH)
+    beside = np.exp(-0.5 * x**2)
+    return np.asarray(1 + np.exp(-0.5 * np.subtract.outer(x, x) ** 2) - np.outer(beside, beside))
 
 
 def discrepancy(scene: Scene, effects: Collection[str], terms: Terms) -> Discrepancy:

@@ -10,10 +10,9 @@ from dataclasses import dataclass, replace
 from typing import Any, TypedDict
 
 import numpy as np
-from scipy import stats
 
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import everything, named
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import ClosedForm, constants_of, features_of
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
@@ -23,20 +22,21 @@ from softcat_sym.fitting.free_parameters import with_values
 from softcat_sym.fitting.identifiability import Information, ResidualChecks, check_residuals
 from softcat_sym.fitting.inference import Inference, infer, information_at
 from softcat_sym.fitting.least_squares import (
-    LINEAR,
+    METHODS,
     OUT_OF_TIME,
     STUCK,
     Floats,
-    Loss,
     Method,
     Optimum,
     minimise,
     multi_start,
+    polished,
 )
+from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.fitting.priors import read_priors
-from softcat_sym.fitting.problem import CAMERA, FilamentProblem
+from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.fitting.resolution import SHARE, Moved, beside_optimum, finer, first_look, moved, tighter
 from softcat_sym.fitting.result import (
     MIN_READINGS,
@@ -55,8 +55,9 @@ from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, counting
 
-# A search ends if the next step would lower chi^2 by less: a twentieth of a standard error.
-_GAIN = 3e-3
+# A search ends if the next step would lower chi^2 by less: a twentieth of a standard error; after an update of the
+# covariance a tenth.
+_GAIN, _GAIN_OF_UPDATE = 3e-3, 1e-2
 # Evaluations with derivatives that an optimum with all its rounds and a profile typically take.
 _PER_OPTIMUM, _PER_PROFILE = 14, 12
 # Largest mean square residual of a fit within the noise.
@@ -104,7 +105,7 @@ class _Task:
     @property
     def search(self) -> dict[str, Any]:
         """Options of every search for an optimum."""
-        return {"loss": self.options["loss"], "method": self.options["method"], "gain": _GAIN}
+        return {"method": self.options["method"], "gain": _GAIN}
 
     def problem(self, scene: Scene) -> FilamentProblem:
         """The problem; with more effects if a parameter depends on some that a film's own values do not call for.
@@ -135,6 +136,7 @@ class _Task:
             options["rtol"],
             camera=not options["calibrated"],
             theory=options["discrepancy"],
+            loss=options["loss"],
             flow_curve=self.curve,
             deadline=self.deadline,
         )
@@ -152,7 +154,7 @@ def fit(
     backend: str = "auto",
     rtol: float | None = None,
     seed: int = 0,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     calibrated: bool = False,
     discrepancy: bool = True,
     time_limit: float | None = None,
@@ -192,7 +194,7 @@ def fit(
     profiles, progress : bool, Progress, optional
         Whether intervals come from profile likelihoods, or from the curvature alone; receiver of progress reports.
     method : str
-        ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
+        ``"least-squares"`` (SciPy), or ``"ipopt"``: the same likelihood and derivatives, a few times the evaluations.
     calibrated, discrepancy : bool
         Whether the camera's parameters are known exactly; whether the likelihood includes the theory's error.
     time_limit : float, optional
@@ -218,6 +220,8 @@ def fit(
     """
     if not 0 <= starts <= MAX_STARTS:
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
+    if method not in METHODS:
+        raise SoftcatError(f"no method {method!r}; accepted: {', '.join(METHODS)}")
     if time_limit is not None and not time_limit > 0:
         raise SoftcatError(f"a time limit of {time_limit!r} s; accepted: a positive number")
     scene = as_scene(scene, changes)
@@ -303,20 +307,19 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     """Fit once, with the effects that the scene's own values call for."""
     problem, options, loss = task.problem(scene), task.options, task.options["loss"]
     priors = options["priors"] or {}
-    read_priors(priors, problem.free[: problem.asked])
+    read_priors(priors, problem.free)
     begin = time.perf_counter()
     first = _initial_guesses(problem, scene, task)
     started = time.perf_counter()
     problem.linearised(problem.typical)
     one = time.perf_counter() - started
-    evaluations = _PER_OPTIMUM + (_PER_PROFILE * problem.asked if options["profiles"] else 0)
-    task.progress.doing(f"about {one * evaluations:.2g} s for {problem.asked} unknowns")
+    evaluations = _PER_OPTIMUM + (_PER_PROFILE * len(problem.free) if options["profiles"] else 0)
+    task.progress.doing(f"about {one * evaluations:.2g} s for {len(problem.free)} unknowns")
     starts = multi_start(
         problem,
         first,
         count=options["starts"],
         seed=options["seed"],
-        asked=problem.asked,
         enough=lambda best: _fits_within_noise(problem, best),
         on_progress=counting(task.progress, "starts"),
         **task.search,
@@ -330,38 +333,34 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     of_profiles = counting(task.progress, "profiles")
     inferred = infer(problem, starts, profiles=options["profiles"], on_progress=of_profiles, **task.search)
     best, known = inferred.starts.best, inferred.information
-    reading = known.spread.reading
-    unit = reading if reading > 0 else 1.0
+    unit = known.noise
     fitted = [
-        FittedFilm.of(film, film.heights(best.q), unit, seen, closed, name=film.name or f"film {number}")
+        FittedFilm.of(film, best.q, unit, seen, closed, name=film.name or f"film {number}")
         for number, (film, seen, closed) in enumerate(
             zip(problem.films, task.features, task.closed, strict=True), start=1
         )
     ]
-    left = [film.residuals for film in fitted]
-    if loss.kind == "linear":
-        left = [part / unit for part in problem.innovations(best.residuals, best.jacobian)]
+    left = [part / unit for part in problem.by_film(best.residuals)]
     # Residuals below what cameras tell need no cause, unless the theory is taken for exact.
     least = options["discrepancy"] and not problem.noise_known and problem.noise.deviation <= problem.least_noise
-    checks = check_residuals([] if least else left, problem.asked, noise_known=problem.noise_known)
+    checks = check_residuals([] if least else left, len(problem.free), noise_known=problem.noise_known)
     spent = time.perf_counter() - begin
     task.progress.stage("done")
-    asked = problem.free[: problem.asked]
-    shifts = np.zeros(problem.asked) if resolution is None else resolution.total
+    shifts = np.zeros(len(problem.free)) if resolution is None else resolution.total
     shift = 0.0 if resolution is None else resolution.shares.total
     # A scene cannot hold the values of single films.
-    shared = [(free, free.value(float(x))) for free, x in zip(asked, best.q, strict=False) if free.film is None]
+    shared = [(free, free.value(float(x))) for free, x in zip(problem.free, best.q, strict=True) if free.film is None]
     return Fit(
         scene=given,
         fitted_scene=with_values(given, [free for free, _ in shared], [value for _, value in shared]),
         measurements=task.films,
         parameters={
             free.name: fitted_parameter(free, verdict, float(change), widened=shift > SHARE)
-            for free, verdict, change in zip(asked, inferred.verdicts, shifts, strict=True)
+            for free, verdict, change in zip(problem.free, inferred.verdicts, shifts, strict=True)
         },
         correlation=known.correlation,
         combinations=tuple(combination_text(one, problem) for one in known.combinations),
-        noise=reading * problem.unit,
+        noise=unit * problem.unit,
         noise_known=problem.noise_known,
         loss=loss,
         outcome=_outcome(problem, inferred, checks, fitted, shift=shift, loss=loss),
@@ -375,8 +374,8 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         backend=problem.films[0].model.backend,
         repeats=(_RESTARTED,) * inferred.restarts + (_ALTERNATIVE,) * inferred.alternatives,
         seconds=spent,
-        camera=_camera_values(problem, best),
-        theory=max((film.theory_size for film in problem.films), default=0.0),
+        camera=problem.camera_at(best.q, known.covariance),
+        theory=max(film.theory_error for film in problem.films),
         resolution=resolution,
         priors=priors,
         late=inferred.late or time.monotonic() > task.deadline,
@@ -386,53 +385,49 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
 def _refined(
     problem: FilamentProblem, best: Optimum, scene: Scene, task: _Task
 ) -> tuple[FilamentProblem, Optimum, Moved | None]:
-    """Repeat the fit from its optimum until noise, theory error and resolution are consistent with that optimum."""
-    loss, has_rtol = task.options["loss"], task.options["rtol"] is not None
+    """Repeat the fit from its optimum until noise, theory error and resolution are those of that optimum."""
+    has_rtol = task.options["rtol"] is not None
     resolution, fine, spent = None, has_rtol, best.evaluations
-    again: tuple[FilamentProblem, Floats] | None
     looser: tuple[FilamentProblem, Optimum] | None = None
+    # After the first search; later, whether anything but the covariance was changed, or the optimum has moved.
+    is_new = True
     for number in range(ROUNDS):
         again = None
         # Smaller steps may free a stuck search if they are untried, or have led much nearer to the optimum.
         helpful = looser is None or best.offset < _HELPFUL * looser[1].offset
-        if best.status == STUCK and not has_rtol and helpful:
-            looser, again = (problem, best), problem.at(tighter(problem), best.q)
-        elif best.converged:
-            looser = None
-            now = problem.noise_at(best.residuals, best.jacobian, loss)
-            # The discretization error looks like correlated noise: the correlation waits for the final resolution.
-            alone = now if fine else replace(now, correlation=problem.noise.correlation)
-            if not problem.has(alone, best.q) and (fine or number < _UNTIL_GRID):
-                again = problem.settled(best.q, alone)
-            elif not fine:
+        try:
+            if best.status == STUCK and not has_rtol and helpful:
+                looser, again = (problem, best), problem.at(tighter(problem))
+            elif best.converged and is_new and (fine or number < _UNTIL_GRID):
+                looser = None
+                # The discretization error looks like correlated noise: the correlation waits for the final resolution.
+                again = problem.updated(best.q, correlated=fine)
+            elif best.converged and not fine:
                 task.progress.stage("grid, fibres and time steps")
-                resolution = _moved_in_time(problem, best, information_at(problem, best, loss))
+                resolution = _moved_in_time(problem, best, information_at(problem, best))
                 at = None if resolution is None else finer(resolution, scene)
                 fine = at is None
-                if at is not None:
-                    again = problem.at(at, best.q)
-                elif not problem.has(now, best.q):
-                    again = problem.settled(best.q, now)
-        if again is None:
-            break
-        try:
-            problem, best = again[0], minimise(*again, **task.search)
+                again = problem.updated(best.q) if at is None else problem.at(at)
+            if again is None:
+                break
+            found = minimise(again, best.q, **{**task.search, "gain": _GAIN_OF_UPDATE})
         except TimeLimitError:
             break
-        spent += best.evaluations
+        is_new = found.evaluations > 1 or not np.array_equal(found.q, best.q)
+        problem, best, spent = again, found, spent + found.evaluations - 1
     # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
     pairs = (looser or (problem, best), (problem, best))
     problem, best = min(pairs, key=lambda pair: (not pair[1].converged, pair[1].offset))
-    return problem, *_accept_if_near(problem, replace(best, evaluations=spent), resolution, loss)
+    best, resolution = _accept_if_near(problem, replace(best, evaluations=spent), resolution)
+    # After the time limit there is none left to evaluate the model where it was not yet.
+    return problem, best if time.monotonic() > task.deadline else polished(problem, best), resolution
 
 
-def _accept_if_near(
-    problem: FilamentProblem, best: Optimum, resolution: Moved | None, loss: Loss
-) -> tuple[Optimum, Moved | None]:
+def _accept_if_near(problem: FilamentProblem, best: Optimum, resolution: Moved | None) -> tuple[Optimum, Moved | None]:
     """Accept a stuck search within a standard error of the optimum; that distance adds to the discretization error."""
     if best.status != STUCK or best.offset >= 1:
         return best, resolution
-    known = information_at(problem, best, loss)
+    known = information_at(problem, best)
     found = resolution or _moved_in_time(problem, best, known)
     if found is None:
         return best, None
@@ -450,22 +445,8 @@ def _moved_in_time(problem: FilamentProblem, best: Optimum, known: Information) 
 
 def _fits_within_noise(problem: FilamentProblem, best: Optimum) -> bool:
     """Whether the residuals at an optimum are within the noise, so that no other optimum can be much better."""
-    data = best.residuals[: problem.readings]
+    data = best.residuals
     return data.size >= MIN_READINGS and float(data @ data) < _MAX_MEAN_SQUARE * data.size
-
-
-def _camera_values(problem: FilamentProblem, best: Optimum) -> dict[str, tuple[float, float, float]]:
-    """Value, standard error and prior standard deviation of each of the camera's parameters."""
-    covariance = np.linalg.pinv(best.jacobian.T @ best.jacobian)
-    return {
-        free.name: (
-            free.value(float(q)),
-            abs(free.slope(float(q))) * float(np.sqrt(variance)),
-            abs(free.slope(free.scaled(free.typical))) * free.prior,
-        )
-        for free, q, variance in zip(problem.free, best.q, np.diag(covariance), strict=True)
-        if free.path in CAMERA and np.isfinite(free.prior)
-    }
 
 
 def _outcome(
@@ -495,10 +476,9 @@ def _outcome(
         return FitOutcome.contradiction
     # A theory error that is allowed for but absent makes neighbouring residuals anticorrelated: only a positive
     # correlation indicates a model error.
-    alike = best.residuals.size == problem.readings or (checks.autocorrelation or 0.0) > 0
-    # Fitted errors of theory and camera may be larger than their priors allow.
-    known = best.residuals[problem.readings :]
-    beyond = bool(known.size) and float(stats.chi2.sf(float(known @ known), known.size)) < SIGNIFICANT
+    alike = not problem.systematic or (checks.autocorrelation or 0.0) > 0
+    # The film may show larger errors of theory and camera than are allowed for.
+    beyond = problem.excess(best.residuals) < SIGNIFICANT
     # Residuals that are correlated over a long part of a film show a model error, not noise.
     correlation, frames = problem.noise.correlation, min(film.data.size for film in problem.films)
     for_long = correlation > 0 and -1 / np.log(correlation) > _MAX_CORRELATION_TIME * frames
@@ -548,13 +528,15 @@ def _tuned_to_frequency(
     problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
 ) -> Floats | None:
     """Initial guess whose modulus reproduces a measured frequency: a fit that is off by a period is an optimum, too."""
-    column = next((k for k, free in enumerate(problem.free[: problem.asked]) if free.name == "youngs_modulus"), None)
+    column = next(
+        (k for k, free in enumerate(problem.free[: len(problem.free)]) if free.name == "youngs_modulus"), None
+    )
     number = next((k for k, one in enumerate(features) if one is not None and one.frequency.value), None)
     if column is None or number is None:
         return None
     film, seen, q = problem.films[number], features[number], start.copy()
     for _ in range(_TUNINGS):
-        count, heights = film.series.time.size, film.heights(q)
+        count, heights = film.series.time.size, film.values(q)
         if not np.isfinite(heights).all():
             return None
         own = features_of(

@@ -14,10 +14,10 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.scaling_estimates import pull_of_surface
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.scaling import pull_of_surface
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
@@ -65,7 +65,6 @@ class FreeParameter:
     logarithmic: bool  # Whether it is positive by nature: q = log(value/typical); otherwise q = value/scale
     scale: float  # Positive, SI
     bounds: tuple[float, float]  # Of the value, SI
-    prior: float = math.inf  # Prior standard deviation of q about the typical one; infinite without a prior
     film: int | None = None  # Number of the only film that has it, from 1; None if all films share it
     limits: tuple[float, float] = (-math.inf, math.inf)  # The widest bounds that make sense; SI
     constant: str = ""  # The constant that it determines: the same for shear data and for the tensile constant

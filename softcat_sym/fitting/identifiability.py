@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss
+from softcat_sym.fitting.least_squares import Floats
 
 Determination = Literal["determined", "poorly determined", "undetermined", "on a bound"]
 
@@ -96,70 +96,39 @@ def two_sided_quantile(freedom: int | None) -> float:
 
 # Accuracy of the model over its change by a unit of q: the smallest noise that can be estimated.
 _MODEL_ACCURACY = 1e-7
-# Smallest mean slope of psi: below it nearly all residuals count as outliers, and the covariance has no meaning.
-_MIN_SLOPE = 1e-3
-# Standard deviation of a normal distribution over the median of magnitudes.
-_MEDIAN_TO_DEVIATION = 1.4826
 
 
 @dataclass(frozen=True)
-class ResidualSpread:
-    """The noise of a fit, in the unit of its residuals r."""
+class ResidualNoise:
+    """The noise of the residuals of a fit."""
 
-    # tau: the covariance of the unknowns is tau^2 (J^T J)^-1. For least squares, the standard deviation of r.
-    deviation: float
-    score: float  # Standard deviation of psi(r), the weighted residuals; for least squares, that of r
-    # Rise of twice the minimised value for each unit of chi^2: tau^2 times the mean of psi'.
-    per_chi_square: float
-    reading: float  # Standard deviation of r without outliers: one if the noise is known
+    deviation: float  # Standard deviation of a residual
     freedom: int | None  # m - k; None where the noise is known
 
-
-def leverages(jacobian: Floats) -> Floats:
-    """Diagonal of the hat matrix, shape (m,): the degrees of freedom that the unknowns take from each residual."""
-    # By singular values, as J^T J loses poorly determined directions to rounding.
-    left = np.linalg.svd(jacobian / np.maximum(np.linalg.norm(jacobian, axis=0), 1e-300), full_matrices=False)[0]
-    return np.asarray(np.sum(left**2, axis=1))
+    @property
+    def variance(self) -> float:
+        """Rise of the sum of squares for each unit of chi^2."""
+        return self.deviation**2
 
 
-def taken(jacobian: Floats, readings: int) -> float:
-    """Degrees of freedom that the unknowns take from the readings: less than one for an unknown with a prior."""
-    return float(jacobian.shape[1] if readings == len(jacobian) else leverages(jacobian)[:readings].sum())
+def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, systematic: float = 0.0) -> ResidualNoise:
+    """Estimate the noise at an optimum.
 
-
-def noise_of(
-    residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR, readings: int | None = None
-) -> ResidualSpread:
-    """Estimate the noise at an optimum from the first residuals, which are those of readings; the others are priors'.
-
-    For a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with identically distributed
-    residuals (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m
-    var(psi')/mean(psi')^2. It is estimated from the data even where errors are stated, as it includes the outliers.
+    If the residuals are whitened by a covariance with systematic errors, which take some degrees of freedom, they are
+    in units of the estimated noise, and their deviation is at least one.
     """
-    readings = residuals.size if readings is None else readings
-    unknowns = taken(jacobian, readings)
-    residuals, freedom = residuals[:readings], math.floor(readings - unknowns + 1e-6)
-    # With no more data than unknowns the model meets all data: none is an outlier.
-    if noise_known and (loss.kind == "linear" or freedom < 1):
-        return ResidualSpread(1.0, 1.0, 1.0, 1.0, None)
+    points, unknowns = jacobian.shape
+    freedom = math.floor(points - unknowns - systematic + 1e-6)
+    if noise_known:
+        return ResidualNoise(1.0, None)
     if freedom < 1:
         raise SoftcatError(
-            f"{readings} data for {unknowns:.3g} unknowns do not determine the noise; accepted: at least "
-            f"{math.ceil(unknowns) + 1} data, or their standard errors"
+            f"{points} data for {unknowns + systematic:.3g} unknowns do not determine the noise; accepted: at least "
+            f"{math.ceil(unknowns + systematic) + 1} data, or their standard errors"
         )
     least = max(_MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2))), float(np.finfo(float).tiny))
-    psi = residuals if loss.kind == "linear" else loss.weights(residuals) * residuals
-    # With priors the residuals are already in units of the estimated noise, whose deviation is at least one then.
-    least = max(least, 1.0 if readings < len(jacobian) and loss.kind == "linear" else 0.0)
-    score = max(math.sqrt(float(psi @ psi) / freedom), least)
-    if loss.kind == "linear":
-        return ResidualSpread(score, score, score**2, score, freedom)
-    slopes = loss.slopes(residuals)
-    slope = max(float(slopes.mean()), _MIN_SLOPE)
-    few = 1 + unknowns / residuals.size * float(slopes.var()) / slope**2
-    tau = few * score / slope
-    middle = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(residuals))) * math.sqrt(residuals.size / freedom)
-    return ResidualSpread(tau, score, tau**2 * slope, 1.0 if noise_known else max(middle, least), freedom)
+    deviation = math.sqrt(float(residuals @ residuals) / (points - unknowns))
+    return ResidualNoise(max(deviation, 1.0 if systematic else least), freedom)
 
 
 # Largest standard error, of a logarithm, of a combination that is reported.
@@ -285,7 +254,7 @@ class Information:
     """
 
     names: tuple[str, ...]  # The k unknowns
-    spread: ResidualSpread  # Of the residuals
+    spread: ResidualNoise  # Of the residuals
     # shape (k, k); Inverse of J^T J/s^2, s being `noise`, with the errors of undetermined directions cut as above.
     covariance: Floats
     standard_errors: Floats  # shape (k,); Square roots of its diagonal, of q
@@ -296,7 +265,7 @@ class Information:
 
     @property
     def noise(self) -> float:
-        """Standard deviation s of the residuals, one if it is known; for a robust loss tau, of its M-estimator."""
+        """Standard deviation s of the residuals, one if it is known."""
         return self.spread.deviation
 
     @property
@@ -322,15 +291,6 @@ class Information:
         return two_sided_quantile(self.freedom)
 
 
-def marginal(jacobian: Floats, asked: int) -> Floats:
-    """Jacobian of the first unknowns, with the others projected out: J^T J is their marginal precision."""
-    others = jacobian[:, asked:]
-    if not others.size:
-        return jacobian
-    left: Floats = jacobian[:, :asked] - others @ np.linalg.lstsq(others, jacobian[:, :asked], rcond=None)[0]
-    return left
-
-
 def information(
     names: tuple[str, ...],
     q: Floats,
@@ -340,13 +300,10 @@ def information(
     *,
     noise_known: bool,
     logarithmic: tuple[bool, ...] | None = None,
-    loss: Loss = LINEAR,
-    readings: int | None = None,
+    systematic: float = 0.0,
 ) -> Information:
-    """Fisher information of the first unknowns at an optimum, from its Jacobian; the others are integrated out."""
-    spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss, readings=readings)
-    unknowns = len(names)
-    jacobian = marginal(jacobian, unknowns)
+    """Fisher information of the unknowns at an optimum, from its Jacobian."""
+    spread, unknowns = noise_of(residuals, jacobian, noise_known=noise_known, systematic=systematic), len(names)
     scaled = jacobian / spread.deviation
     # Rows of zeros, so that there are as many singular values as unknowns even for fewer data.
     _, singular, rows = np.linalg.svd(np.vstack([scaled, np.zeros((unknowns, unknowns))]), full_matrices=False)

@@ -21,12 +21,10 @@ from softcat_sym.fitting.identifiability import (
     two_sided_quantile,
 )
 from softcat_sym.fitting.least_squares import (
-    LINEAR,
     SAME_FIT,
     Fixed,
     Floats,
     LeastSquares,
-    Loss,
     Method,
     MultiStartResult,
     Optimum,
@@ -84,8 +82,7 @@ class Profile:
     optimum: float  # Its q in the best fit
     q: Floats  # shape (points,); Values at which the unknown was held, increasing, the optimum among them
     # shape (points,); (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k))
-    # otherwise. For a robust loss, the rise of sum rho over
-    # :attr:`softcat_sym.fitting.identifiability.ResidualSpread.per_chi_square`.
+    # otherwise.
     increase: Floats
     others: Floats  # shape (points, k - 1); The other unknowns there
     threshold: float  # Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k)
@@ -114,9 +111,8 @@ def profile(
     index: int,
     *,
     noise_known: bool,
-    loss: Loss = LINEAR,
+    systematic: float = 0.0,
     max_evaluations: int | None = None,
-    readings: int | None = None,
     best: Floats | None = None,
 ) -> Profile:
     """Follow the profile of one unknown from an optimum outwards, to the threshold or the bounds.
@@ -124,7 +120,7 @@ def profile(
     The increase is counted from that optimum, or from a better one, `best`.
     """
     start = np.array(q, dtype=np.float64)
-    path = _Path(problem, start, index, noise_known, loss, max_evaluations, readings, best)
+    path = _Path(problem, start, index, noise_known, systematic, max_evaluations, best)
     (below, lower), (above, upper) = (path.branch(bound) for bound in (problem.lower[index], problem.upper[index]))
     points = sorted([*below, path.start, *above], key=lambda held: held.q)
     lowest = min(points, key=lambda held: held.increase)
@@ -173,20 +169,19 @@ class _Path:
         q: Floats,
         index: int,
         noise_known: bool,
-        loss: Loss,
+        systematic: float,
         max_evaluations: int | None,
-        readings: int | None,
         best: Floats | None,
     ) -> None:
-        self.problem, self.index, self.loss = problem, index, loss
+        self.problem, self.index = problem, index
         self.left = self.budget = math.inf if max_evaluations is None else max_evaluations // 2
         residuals, jacobian = problem.linearised(q)
         lowest = (residuals, jacobian) if best is None or np.array_equal(best, q) else problem.linearised(best)
-        noise = noise_of(*lowest, noise_known=noise_known, loss=loss, readings=readings)
+        noise = noise_of(*lowest, noise_known=noise_known, systematic=systematic)
         self.threshold = two_sided_quantile(noise.freedom) ** 2
-        self.variance = noise.per_chi_square
-        self.minimum = 2 * loss.value(lowest[0])
-        value = 2 * loss.value(residuals)
+        self.variance = noise.variance
+        self.minimum = float(lowest[0] @ lowest[0])
+        value = float(residuals @ residuals)
         others = np.delete(jacobian, index, axis=1)
         slope = -np.asarray(np.linalg.lstsq(others, jacobian[:, index], rcond=1e-8)[0], dtype=np.float64)
         increase, root = self._increase(value), self._root(value)
@@ -271,7 +266,7 @@ class _Path:
             self.left -= 1
             if not np.isfinite(residuals).all():
                 return None
-            value = 2 * self.loss.value(residuals)
+            value = float(residuals @ residuals)
             # Along an undetermined direction a point that fits well is not re-optimised.
             if not start.size or abs(self._root(value)) < _SUFFICIENT:
                 return start, value, True
@@ -280,7 +275,7 @@ class _Path:
             return None
         allowed = int(max(min(self.left, _MAX_EVALUATIONS), 1))
         gain = _GAIN * self.threshold * self.variance
-        found = minimise(fixed, start, loss=self.loss, gain=gain, max_evaluations=allowed)
+        found = minimise(fixed, start, gain=gain, max_evaluations=allowed)
         self.left -= found.evaluations
         # A search that got stuck is good enough where even the predicted decrease leaves it beyond the threshold.
         predicted = 2 * found.value * max(1 - found.offset**2 / found.residuals.size, 0.0)
@@ -315,14 +310,13 @@ def verdicts(
     optimum: Optimum,
     known: Information,
     profiles: Sequence[Profile] | None = None,
-    loss: Loss = LINEAR,
 ) -> tuple[ParameterVerdict, ...]:
     """Judge every unknown, by its profile or by the curvature alone."""
     if not optimum.converged:
         reason = "the fit did not converge, so that its last values have no meaning"
         last = zip(known.names, optimum.q.tolist(), strict=False)
         return tuple(ParameterVerdict(name, "not identified", None, q, None, None, None, reason) for name, q in last)
-    scores = _score_statistics(optimum, known, loss)
+    scores = _score_statistics(optimum, known)
     found = []
     for k in range(len(known.names)):
         one = profiles[k] if profiles else None
@@ -382,12 +376,11 @@ def judged(verdict: ParameterVerdict, logarithmic: bool) -> ParameterVerdict:
     return replace(verdict, word="poorly determined", reason=reason)
 
 
-def _score_statistics(optimum: Optimum, known: Information, loss: Loss) -> Floats:
-    """Score statistic of each unknown, shape (k,): weighted residuals along its column, the free others projected out.
+def _score_statistics(optimum: Optimum, known: Information) -> Floats:
+    """Score statistic of each unknown, shape (k,): residuals along its column, the free others projected out.
 
     It is near zero where the optimum lies inside the box, and large where a bound holds the unknown back (Rao 1948).
     """
-    weighted = loss.weights(optimum.residuals) * optimum.residuals
     others = optimum.jacobian[:, ~optimum.at_bound]
     scores = np.zeros(optimum.q.size)
     for k in np.flatnonzero(optimum.at_bound):
@@ -396,7 +389,7 @@ def _score_statistics(optimum: Optimum, known: Information, loss: Loss) -> Float
         length = float(np.linalg.norm(alone))
         # Where the data hardly depend on the unknown, the score is that of a single datum, and is ignored.
         if length * MAX_ERROR > known.noise:
-            scores[k] = abs(float(alone @ weighted)) / (length * known.spread.score)
+            scores[k] = abs(float(alone @ optimum.residuals)) / (length * known.noise)
     return scores
 
 
@@ -419,12 +412,8 @@ class Judged(LeastSquares, Protocol):
         """Which unknowns are logarithms."""
 
     @property
-    def asked(self) -> int:
-        """Number of free parameters, which are the first unknowns; the others have priors among the residuals."""
-
-    @property
-    def readings(self) -> int:
-        """Number of residuals of readings, which come first; the others are those of priors."""
+    def systematic(self) -> float:
+        """Degrees of freedom that systematic errors take from the readings, as :func:`noise_of` counts them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -440,29 +429,26 @@ class Inference:
     late: bool = False  # Whether the time limit passed before all profiles
 
 
-def information_at(problem: Judged, best: Optimum, loss: Loss) -> Information:
-    """Information of the free parameters at an optimum."""
-    asked = problem.asked
+def information_at(problem: Judged, best: Optimum) -> Information:
+    """Information of the unknowns at an optimum."""
     return information(
-        problem.names[:asked],
-        best.q[:asked],
+        problem.names,
+        best.q,
         best.residuals,
         best.jacobian,
-        (problem.lower[:asked], problem.upper[:asked]),
+        (problem.lower, problem.upper),
         noise_known=problem.noise_known,
-        logarithmic=problem.logarithmic[:asked],
-        loss=loss,
-        readings=problem.readings,
+        logarithmic=problem.logarithmic,
+        systematic=problem.systematic,
     )
 
 
 def infer(
     problem: Judged,
     starts: MultiStartResult,
-    loss: Loss,
     *,
     profiles: bool = True,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     gain: float | None = None,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:
@@ -471,10 +457,10 @@ def infer(
     Former optima that are nearly as good have profiles too: intervals reach over all of them.
     """
     former, restarts = list[Optimum](), 0
-    how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
+    how: dict[str, Any] = {"method": method, "gain": gain}
     while True:
         best = starts.best
-        known = information_at(problem, best, loss)
+        known = information_at(problem, best)
         allowed, traced, better, also = None, list[Profile](), None, list[Optimum]()
         if not (known.determined.all() and known.identified.all()):
             allowed = max(_MIN_EVALUATIONS, sum(result.optimum.evaluations for result in starts.results))
@@ -489,9 +475,9 @@ def infer(
                         break
                     traced = [_joined(one, another) for one, another in zip(traced, more, strict=True)]
         except TimeLimitError:
-            return Inference(starts, known, (), verdicts(problem, best, known, None, loss), restarts, late=True)
+            return Inference(starts, known, (), verdicts(problem, best, known), restarts, late=True)
         if better is None:
-            judged = verdicts(problem, best, known, traced or None, loss)
+            judged = verdicts(problem, best, known, traced or None)
             return Inference(starts, known, tuple(traced), judged, restarts, len(also))
         former, starts, restarts = [best, *former], better, restarts + 1
 
@@ -507,17 +493,16 @@ def _traced(
 ) -> tuple[list[Profile], MultiStartResult | None]:
     """Profiles through an optimum; up to one that finds a better optimum than the best, if the fit may restart."""
     found = list[Profile]()
-    for k in range(problem.asked):
-        on_progress(k, problem.asked)
+    for k in range(len(problem.names)):
+        on_progress(k, len(problem.names))
         found.append(
             profile(
                 problem,
                 optimum.q,
                 k,
                 noise_known=problem.noise_known,
-                loss=how["loss"],
+                systematic=problem.systematic,
                 max_evaluations=max_evaluations,
-                readings=problem.readings,
                 best=starts.best.q,
             )
         )
@@ -536,7 +521,7 @@ def _nearly_as_good(
         low, high = one.lower.crossing, one.upper.crossing
         return (low is not None and q < low) or (high is not None and q > high)
 
-    allowed = best.value + 0.5 * known.quantile**2 * known.spread.per_chi_square
+    allowed = best.value + 0.5 * known.quantile**2 * known.spread.variance
     near = [one for one in former if one.value < allowed]
     return [one for one in near if any(is_beyond(float(q), each) for q, each in zip(one.q, traced, strict=False))]
 

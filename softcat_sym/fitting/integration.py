@@ -20,7 +20,7 @@ from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats, Layout
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.interrupts import check_time
@@ -36,9 +36,9 @@ from softcat_sym.solvers.compiled import (
 )
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.initial_state import is_straight, starting_state
-from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
 from softcat_sym.solvers.solution import watched
+from softcat_sym.solvers.solve import Assembled, assembled
 from softcat_sym.solvers.start import Newton, Start
 
 _Unknown = tuple[str, int]

@@ -17,7 +17,8 @@ from softcat_sym.errors import Fault, SoftcatError
 from softcat_sym.interrupts import TimeLimitError
 
 Floats = NDArray[np.float64]
-Method = Literal["gauss-newton", "ipopt"]
+Method = Literal["least-squares", "ipopt"]
+METHODS: tuple[Method, ...] = ("least-squares", "ipopt")
 
 
 class LeastSquares(Protocol):
@@ -44,46 +45,6 @@ class LeastSquares(Protocol):
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives with respect to q, shape (m, k)."""
-
-
-@dataclass(frozen=True)
-class Loss:
-    """Loss rho in the sum 1/2 sum rho(r^2) that is minimised, with z = (r/scale)^2.
-
-    ``"linear"``: rho = r^2. ``"soft-l1"``: rho = 2 scale^2 (sqrt(1 + z) - 1). ``"cauchy"``: rho = scale^2 log(1 + z).
-    Outliers beyond `scale` weigh less (Triggs et al. 2000, section 3; the forms are those of SciPy).
-    """
-
-    kind: Literal["linear", "soft-l1", "cauchy"] = "linear"
-    scale: float = 1.0  # Residual from which on a point counts as an outlier, in the unit of the residuals
-
-    def __post_init__(self) -> None:
-        if self.kind not in ("linear", "soft-l1", "cauchy"):
-            raise SoftcatError(f"no loss {self.kind!r}; accepted: linear, soft-l1, cauchy")
-        if not 0 < self.scale < math.inf:
-            raise SoftcatError(f"the scale of a loss is {self.scale!r}; accepted: a positive number")
-
-    def value(self, residuals: Floats) -> float:
-        """1/2 sum rho(r^2)."""
-        if self.kind == "linear":
-            return 0.5 * float(residuals @ residuals)
-        z = (residuals / self.scale) ** 2
-        # This form avoids cancellation for small residuals.
-        rho = 2 * z / (np.sqrt(1 + z) + 1) if self.kind == "soft-l1" else np.log1p(z)
-        return 0.5 * self.scale**2 * float(rho.sum())
-
-    def weights(self, residuals: Floats) -> Floats:
-        """Weight rho'(r^2) of each squared residual in the gradient, shape (m,), at most one."""
-        z = (residuals / self.scale) ** 2
-        return {"linear": np.ones_like(z), "soft-l1": 1 / np.sqrt(1 + z), "cauchy": 1 / (1 + z)}[self.kind]
-
-    def slopes(self, residuals: Floats) -> Floats:
-        """Derivative rho' + 2 r^2 rho'' of psi(r) = rho'(r^2) r, shape (m,); negative for Cauchy's outliers."""
-        z = (residuals / self.scale) ** 2
-        return {"linear": np.ones_like(z), "soft-l1": (1 + z) ** -1.5, "cauchy": (1 - z) / (1 + z) ** 2}[self.kind]
-
-
-LINEAR = Loss()
 
 
 class Fixed:
@@ -121,8 +82,8 @@ _GAIN = 1e-12
 _DAMPING = 1e-6
 # The search ends if so many accepted steps lower twice the loss by less than this share of the residuals' variance.
 _PATIENCE, _LITTLE = 6, 0.25
-# Tolerances of SciPy: relative decrease of the loss, and relative length of a step.
-_FTOL, _XTOL = 1e-14, 1e-8
+# Tolerances of SciPy: relative decrease of the loss, and relative length of a step; and of IPOPT.
+_FTOL, _XTOL, _IPOPT_TOLERANCE = 1e-14, 1e-8, 1e-7
 # Share of the loss at the start below which a loss is rounding error.
 _ROUNDING = 1e-18
 
@@ -132,8 +93,8 @@ class Optimum:
     """Result of one optimisation."""
 
     q: Floats  # shape (k,); The unknowns
-    value: float  # 1/2 sum rho(r^2)
-    residuals: Floats  # shape (m,); At `q`, without the loss
+    value: float  # 1/2 |r|^2
+    residuals: Floats  # shape (m,); At `q`
     jacobian: Floats  # shape (m, k); Their derivatives
     iterations: int  # Steps of the method, and evaluations of the model with or without derivatives
     evaluations: int
@@ -158,40 +119,58 @@ class _Point:
 
 
 class _Model:
-    """A problem with its loss, which counts evaluations."""
+    """A problem; it counts evaluations, keeps the best point, and knows when a search is over."""
 
-    def __init__(self, problem: LeastSquares, loss: Loss, start: Floats, gain: float | None) -> None:
-        self.problem, self.loss, self.gain, self.evaluations = problem, loss, gain, 0
-        self.last = self.first = self.at(check_in_box(problem, start))
+    def __init__(self, problem: LeastSquares, start: Floats, gain: float | None, max_evaluations: int) -> None:
+        self.problem, self.gain, self.evaluations = problem, gain, 0
+        self.max_evaluations, self._accepted = max_evaluations, list[float]()
+        self.last = self.first = self.best = self._evaluated(check_in_box(problem, start))
         if not math.isfinite(self.first.value):
             raise SoftcatError("the model has no answer where the fit starts; accepted: another starting point")
 
     def at(self, q: Floats) -> _Point:
-        """Evaluate with derivatives."""
-        if self.evaluations and np.array_equal(q, self.last.q):
-            return self.last
+        """Evaluate with derivatives, in the box."""
+        q = np.clip(q, self.problem.lower, self.problem.upper)
+        if not np.array_equal(q, self.last.q):
+            self.last = self._evaluated(q)
+            if self.last.value < self.best.value:
+                self.best = self.last
+        return self.last
+
+    def _evaluated(self, q: Floats) -> _Point:
         self.evaluations += 1
         residuals, jacobian = self.problem.linearised(q.copy())
         finite = np.isfinite(residuals).all() and np.isfinite(jacobian).all()
-        self.last = _Point(q, self.loss.value(residuals) if finite else math.nan, residuals, jacobian)
-        return self.last
+        return _Point(q, 0.5 * float(residuals @ residuals) if finite else math.nan, residuals, jacobian)
+
+    def accepts(self) -> bool:
+        """Count the best point as a step; whether it is the last one, as the next would gain too little."""
+        variance = self.variance(self.best)
+        self._accepted.append(self.best.value)
+        if len(self._accepted) > _PATIENCE and self.gain is not None:
+            together = 2 * (self._accepted[-1 - _PATIENCE] - self.best.value)
+            if together < _LITTLE * variance:
+                # The accepted steps follow the model's integration error.
+                return True
+        return self._predicted_decrease() <= (_GAIN * variance if self.gain is None else self.gain)
+
+    def is_hidden_by_noise(self) -> bool:
+        """Whether a step that fails does so by the model's integration error: no search could come closer."""
+        return self.gain is not None and self._predicted_decrease() < REACHED**2 * self.variance(self.best)
+
+    def _predicted_decrease(self) -> float:
+        return _gauss_newton_step(self.problem, self.best, self.variance(self.best))[1]
 
     def variance(self, point: _Point) -> float:
         """Mean square of the residuals, at least that of rounding errors."""
         least = float(np.finfo(float).tiny) + _ROUNDING * self.first.value
         return 2 * max(point.value, least) / point.residuals.size
 
-    def system(self, point: _Point) -> tuple[Floats, Floats]:
-        """Matrix A and vector b; 1/2 |A s + b|^2 is the loss after a step s, to second order and up to a constant."""
-        weights = self.loss.weights(point.residuals)
-        # Where the loss of an outlier curves downwards its Hessian would be indefinite.
-        roots = np.sqrt(np.maximum(self.loss.slopes(point.residuals), 0.01 * weights))
-        return roots[:, None] * point.jacobian, weights * point.residuals / roots
-
-    def optimum(self, point: _Point, iterations: int, status: str) -> Optimum:
-        """Return the result of a search that ended at a point."""
+    def optimum(self, status: str) -> Optimum:
+        """Return the result of a search that has ended."""
+        point = self.best
         variance = self.variance(point)
-        fall = max(_gauss_newton_step(self, point, variance)[1], 0.0)
+        fall = max(_gauss_newton_step(self.problem, point, variance)[1], 0.0)
         offset = math.sqrt(fall / variance)
         # A point is an optimum, too, where the next step gains too little, or where the residuals are rounding errors.
         met = offset < REACHED or fall <= (self.gain or 0.0) or point.value <= 1e4 * _ROUNDING * self.first.value
@@ -200,7 +179,7 @@ class _Model:
             value=point.value,
             residuals=point.residuals,
             jacobian=point.jacobian,
-            iterations=iterations,
+            iterations=len(self._accepted),
             evaluations=self.evaluations,
             status=STUCK if status == SOLVED and not met else status,
             converged=status == SOLVED and met,
@@ -214,94 +193,85 @@ def minimise(
     problem: LeastSquares,
     start: Floats,
     *,
-    loss: Loss = LINEAR,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     gain: float | None = None,
     max_evaluations: int = 100,
 ) -> Optimum:
-    """Minimise 1/2 sum rho(r^2) in the box of the problem, from one start.
+    """Minimise 1/2 |r|^2 in the box of the problem, from one start.
 
     The method is SciPy's ``least_squares`` (dogbox: Gauss-Newton steps in a rectangular trust region), or IPOPT
     (``method="ipopt"``), which takes three times as many evaluations. The search ends where the next step would lower
     twice the loss by less than `gain`, by default 1e-12 of the residuals' variance, so that it does not follow
     undetermined unknowns to their bounds.
     """
-    model = _Model(problem, loss, start, gain)
-    if method == "ipopt":
-        return _by_ipopt(model, max_evaluations)
-    search, status = _Search(model), SOLVED
-    how: dict[str, Any] = {"loss": loss.kind.replace("-", "_"), "f_scale": loss.scale, "method": "dogbox"}
-    how |= {"ftol": _FTOL, "xtol": _XTOL, "gtol": None, "max_nfev": max_evaluations}
+    model = _Model(problem, start, gain, max_evaluations)
     try:
-        found = least_squares(search.residuals, model.first.q, search.jacobian, (problem.lower, problem.upper), **how)
-        status = SOLVED if found.success else _CUT_SHORT
+        status = (_by_ipopt if method == "ipopt" else _by_scipy)(model)
     except _EndOfSearchError:
-        pass
+        status = SOLVED
     except TimeLimitError:
         status = OUT_OF_TIME
-    return model.optimum(search.best, search.iterations, status)
+    return model.optimum(status)
+
+
+def polished(problem: LeastSquares, optimum: Optimum) -> Optimum:
+    """The point to which the last linearisation leads from a converged optimum, without an evaluation of the model.
+
+    A search ends where its next step, of a few hundredths of a standard error, would gain too little.
+    """
+    point = _Point(optimum.q, optimum.value, optimum.residuals, optimum.jacobian)
+    step, fall = _gauss_newton_step(problem, point, 2 * optimum.value / optimum.residuals.size)
+    if not optimum.converged or optimum.status != SOLVED or fall <= 0:
+        return optimum
+    q = np.clip(optimum.q + step, problem.lower, problem.upper)
+    return replace(
+        optimum,
+        q=q,
+        value=optimum.value - 0.5 * fall,
+        residuals=optimum.residuals + optimum.jacobian @ step,
+        at_bound=on_bound(problem, q),
+    )
 
 
 class _EndOfSearchError(Exception):
-    """Raised by a callback to end SciPy's search."""
+    """Raised by a callback to end a search."""
 
 
-class _Search:
-    """Callbacks of SciPy's search; they keep the best point and end the search."""
+def _by_scipy(model: _Model) -> str:
+    """Dogbox steps of SciPy; the status."""
 
-    def __init__(self, model: _Model) -> None:
-        self._model, self._gain = model, model.gain
-        self.best, self._accepted = model.first, list[float]()
-
-    def residuals(self, q: Floats) -> Floats:
-        """Residuals; NaN where the model has no answer or no derivatives, so that SciPy shortens its step."""
-        point = self._model.at(np.clip(q, self._model.problem.lower, self._model.problem.upper))
-        if point.value < self.best.value:
-            self.best = point
-        elif (
-            point is not self.best
-            and self._gain is not None
-            and self._predicted_decrease() < REACHED**2 * self._variance
-        ):
-            # The step fails by the model's integration error: the search cannot come closer to the optimum.
+    def residuals(q: Floats) -> Floats:
+        # SciPy shortens its step where the model has no answer or no derivatives.
+        point = model.at(q)
+        if point is not model.best and model.is_hidden_by_noise():
             raise _EndOfSearchError
         found: Floats = np.where(np.isfinite(point.value), point.residuals, np.nan)
         return found
 
-    def jacobian(self, q: Floats) -> Floats:
-        """Derivatives at the point that SciPy has accepted, which is the best."""
-        self._accepted.append(self.best.value)
-        if len(self._accepted) > _PATIENCE and self._gain is not None:
-            together = 2 * (self._accepted[-1 - _PATIENCE] - self.best.value)
-            if together < _LITTLE * self._variance:
-                # The accepted steps follow the model's integration error.
-                raise _EndOfSearchError
-        if self._predicted_decrease() <= (_GAIN * self._variance if self._gain is None else self._gain):
+    def jacobian(q: Floats) -> Floats:
+        # At the point that SciPy has accepted, which is the best.
+        if model.accepts():
             raise _EndOfSearchError
-        return self.best.jacobian
+        return model.best.jacobian
 
-    @property
-    def iterations(self) -> int:
-        """Number of accepted points."""
-        return len(self._accepted)
-
-    @property
-    def _variance(self) -> float:
-        return self._model.variance(self.best)
-
-    def _predicted_decrease(self) -> float:
-        return _gauss_newton_step(self._model, self.best, self._variance)[1]
+    how: dict[str, Any] = {"method": "dogbox"} | {
+        "ftol": _FTOL,
+        "xtol": _XTOL,
+        "gtol": None,
+        "max_nfev": model.max_evaluations,
+    }
+    bounds = model.problem.lower, model.problem.upper
+    return SOLVED if least_squares(residuals, model.first.q, jacobian, bounds, **how).success else _CUT_SHORT
 
 
-def _gauss_newton_step(model: _Model, point: _Point, variance: float) -> tuple[Floats, float]:
+def _gauss_newton_step(problem: LeastSquares, point: _Point, variance: float) -> tuple[Floats, float]:
     """Step inside the box, of at most one, and the decrease of twice the loss that it predicts to second order."""
-    columns, values = model.system(point)
-    damped = np.vstack([columns, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
-    low = np.maximum(model.problem.lower - point.q, -1.0)
-    high = np.minimum(model.problem.upper - point.q, 1.0)
-    step = lsq_linear(damped, np.append(-values, np.zeros(point.q.size)), (low, high), method="bvls").x
-    moved = columns @ step
-    return step, -float(2 * values @ moved + moved @ moved)
+    damped = np.vstack([point.jacobian, math.sqrt(_DAMPING * variance) * np.eye(point.q.size)])
+    low = np.maximum(problem.lower - point.q, -1.0)
+    high = np.minimum(problem.upper - point.q, 1.0)
+    step = lsq_linear(damped, np.append(-point.residuals, np.zeros(point.q.size)), (low, high), method="bvls").x
+    moved = point.jacobian @ step
+    return step, -float(2 * point.residuals @ moved + moved @ moved)
 
 
 def on_bound(problem: LeastSquares, q: Floats) -> NDArray[np.bool_]:
@@ -327,95 +297,93 @@ def check_in_box(problem: LeastSquares, q: Floats) -> Floats:
     return at
 
 
-def _by_ipopt(model: _Model, max_evaluations: int) -> Optimum:
-    """Minimise by IPOPT within the box; the loss is scaled to half the number of data at the start."""
-    problem, start, raised = model.problem, model.first.q, list[BaseException]()
+def _by_ipopt(model: _Model) -> str:
+    """Minimise by IPOPT within the box, with the Hessian of Gauss and Newton; the status."""
+    size, raised = model.first.q.size, list[BaseException]()
+    # The loss in units of half the number of data at the start.
     scale = 1 / model.variance(model.first)
 
-    def outputs(kind: str, arguments: Sequence[ca.DM]) -> list[ca.DM]:
-        if model.evaluations >= max_evaluations:
-            return []
-        # Rounding must not take the unknowns out of the box.
-        point = model.at(np.clip(np.asarray(arguments[0], dtype=float).ravel(), problem.lower, problem.upper))
-        columns, values = model.system(point)
-        if kind == "hessian":
-            return [ca.triu(ca.DM(scale * float(arguments[2]) * (columns.T @ columns)))]
-        return [ca.DM(scale * point.value), ca.DM(scale * (columns.T @ values))]
+    def at(q: ca.DM) -> _Point:
+        if model.evaluations >= model.max_evaluations:
+            raise _EndOfSearchError
+        return model.at(np.asarray(q, dtype=float).ravel())
 
-    x = ca.MX.sym("x", start.size)
-    value, gradient, hessian = (
-        _Callback(outputs, kind, start.size, raised) for kind in ("value", "gradient", "hessian")
-    )
+    def value(q: ca.DM) -> ca.DM:
+        return ca.DM(scale * at(q).value)
+
+    def gradient(q: ca.DM, *_: ca.DM) -> list[ca.DM]:
+        point = at(q)
+        return [ca.DM(scale * point.value), ca.DM(scale * (point.jacobian.T @ point.residuals))]
+
+    def hessian(q: ca.DM, _: ca.DM, factor: ca.DM, *__: ca.DM) -> ca.DM:
+        columns = at(q).jacobian
+        return ca.triu(ca.DM(scale * float(factor) * (columns.T @ columns)))
+
+    def is_over(*_: ca.DM) -> ca.DM:
+        return ca.DM(model.accepts())
+
+    q, one, none = ca.Sparsity.dense(size, 1), ca.Sparsity.dense(1, 1), ca.Sparsity(0, 0)
+    x = ca.MX.sym("x", size)
+    objective = _Callback("objective", value, [q], [one], raised)
+    of_gradient = _Callback("gradient", gradient, [q, none], [one, q], raised)
+    of_hessian = _Callback("hessian", hessian, [q, none, one, none], [ca.Sparsity.upper(size)], raised)
+    steps = _Callback("steps", is_over, [q, one, none, q, none, none], [one], raised)
     # The model is not evaluated outside the box, and the loss is already scaled.
     own = {"print_level": 0, "sb": "yes", "bound_relax_factor": 0.0, "nlp_scaling_method": "none", "max_soc": 0}
-    quiet = {"print_time": False, "show_eval_warnings": False, "error_on_fail": False}
-    settings: dict[str, Any] = {
-        "grad_f": gradient,
-        "hess_lag": hessian,
-        "calc_lam_p": False,
-        "no_nlp_grad": True,
-        "ipopt": {**own, "tol": 1e-7, "max_iter": max_evaluations, "mu_init": 1e-2},
-        **quiet,
-    }
-    solver = ca.nlpsol("fit", "ipopt", {"x": x, "f": value(x)}, settings)
+    own |= {"tol": _IPOPT_TOLERANCE, "max_iter": model.max_evaluations, "mu_init": 1e-2}
+    settings: dict[str, Any] = {"grad_f": of_gradient, "hess_lag": of_hessian, "iteration_callback": steps}
+    settings |= {"ipopt": own, "calc_lam_p": False, "no_nlp_grad": True, "print_time": False}
+    settings |= {"show_eval_warnings": False, "error_on_fail": False}
+    solver = ca.nlpsol("fit", "ipopt", {"x": x, "f": objective(x)}, settings)
     try:
-        found = solver(x0=start, lbx=problem.lower, ubx=problem.upper)
+        solver(x0=model.first.q, lbx=model.problem.lower, ubx=model.problem.upper)
     except (RuntimeError, KeyboardInterrupt):
         # CasADi wraps what a callback raised.
-        if raised:
-            raise raised[0] from None
-        raise
-    if raised:
+        if not raised:
+            raise
+    if raised and not isinstance(raised[0], _EndOfSearchError):
         raise raised[0]
-    status, solved = str(solver.stats()["return_status"]), ("Solve_Succeeded", "Solved_To_Acceptable_Level")
-    if model.evaluations >= max_evaluations:
-        status = _CUT_SHORT
-    end = model.at(np.clip(np.asarray(found["x"], dtype=float).ravel(), problem.lower, problem.upper))
-    best = end if math.isfinite(end.value) else model.first
-    optimum = model.optimum(best, int(solver.stats()["iter_count"]), SOLVED if status in solved else status)
-    # The model's integration error may keep IPOPT from its tolerance, long after it has reached the optimum.
-    return replace(optimum, converged=True) if status == _CUT_SHORT and optimum.offset < REACHED else optimum
+    status = str(solver.stats()["return_status"])
+    ends = {"Solve_Succeeded", "Solved_To_Acceptable_Level", "User_Requested_Stop"}
+    return _CUT_SHORT if raised else SOLVED if status in ends else status
 
 
 class _Callback(ca.Callback):
-    """Value, gradient or Hessian of the loss as a CasADi function, with the inputs that nlpsol gives it."""
+    """A function of Python as one of CasADi; what it raises is kept for the caller of IPOPT, as CasADi swallows it."""
 
     def __init__(
         self,
-        outputs: Callable[[str, Sequence[ca.DM]], list[ca.DM]],
-        kind: str,
-        unknowns: int,
+        name: str,
+        function: Callable[..., ca.DM | list[ca.DM]],
+        given: Sequence[ca.Sparsity],
+        found: Sequence[ca.Sparsity],
         raised: list[BaseException],
     ) -> None:
         ca.Callback.__init__(self)
-        of_all, one = ca.Sparsity.dense(unknowns, 1), ca.Sparsity.dense(1, 1)
-        none = ca.Sparsity(0, 0)
-        self._given = {"value": [of_all], "gradient": [of_all, none], "hessian": [of_all, none, one, none]}[kind]
-        self._taken = {"value": [one], "gradient": [one, of_all], "hessian": [ca.Sparsity.upper(unknowns)]}[kind]
-        self._outputs, self._kind, self._raised = outputs, kind, raised
-        self.construct(f"model_{kind}", {})
+        self._function, self._given, self._found, self._raised = function, given, found, raised
+        self.construct(name, {})
 
     def get_n_in(self) -> int:
         return len(self._given)
 
     def get_n_out(self) -> int:
-        return len(self._taken)
+        return len(self._found)
 
     def get_sparsity_in(self, k: int) -> ca.Sparsity:
         return self._given[k]
 
     def get_sparsity_out(self, k: int) -> ca.Sparsity:
-        return self._taken[k]
+        return self._found[k]
 
     def eval(self, arguments: Sequence[ca.DM]) -> list[ca.DM]:
         if not self._raised:
             try:
-                if found := self._outputs(self._kind, arguments):
-                    return found[: len(self._taken)]
-            except BaseException as error:  # noqa: BLE001 - CasADi would swallow it; the caller of IPOPT raises it
+                answer = self._function(*arguments)
+                return answer if isinstance(answer, list) else [answer]
+            except BaseException as error:  # noqa: BLE001 - the caller of IPOPT raises it
                 self._raised.append(error)
         # IPOPT shortens its step at NaN, and ends soon if every further value is NaN.
-        return [ca.DM(one, np.nan) for one in self._taken]
+        return [ca.DM(one, np.nan) for one in self._found]
 
 
 SAME_FIT = 0.1
@@ -466,27 +434,22 @@ def multi_start(
     *,
     count: int = 0,
     seed: int = 0,
-    loss: Loss = LINEAR,
-    method: Method = "gauss-newton",
+    method: Method = "least-squares",
     gain: float | None = None,
-    asked: int | None = None,
     enough: Callable[[Optimum], bool] = lambda best: False,
     on_progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> MultiStartResult:
     """Minimise from the given starts and from a Latin hypercube of the box (McKay et al. 1979).
 
     No further start is tried once the best has converged and `enough` accepts it. The search from a drawn start ends
-    early if its loss is still far above the best after some steps. Only the first `asked` unknowns are drawn; the
-    others have priors and start at their expected values.
+    early if its loss is still far above the best after some steps.
     """
     starts = [check_in_box(problem, start) for start in given]
     if count:
-        asked = problem.lower.size if asked is None else asked
-        drawn = qmc.LatinHypercube(asked, seed=np.random.default_rng(seed)).random(count)
-        box = problem.lower[:asked], problem.upper[:asked]
-        starts += [np.concatenate([row, starts[0][asked:]]) for row in qmc.scale(drawn, *box)]
+        drawn = qmc.LatinHypercube(problem.lower.size, seed=np.random.default_rng(seed)).random(count)
+        starts += list(qmc.scale(drawn, problem.lower, problem.upper))
     ended, timed_out = list[tuple[Floats, Optimum]](), False
-    how: dict[str, Any] = {"loss": loss, "method": method, "gain": gain}
+    how: dict[str, Any] = {"method": method, "gain": gain}
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
         # A stuck search is limited by integration error, and continues with smaller time steps.

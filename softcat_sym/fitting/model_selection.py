@@ -18,11 +18,12 @@ from softcat_sym.fitting.fit import FitOptions, fit
 from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.free_parameters import candidates
 from softcat_sym.fitting.identifiability import SIGNIFICANCE
-from softcat_sym.fitting.least_squares import LINEAR, OUT_OF_TIME, Floats, Loss
+from softcat_sym.fitting.least_squares import OUT_OF_TIME, Floats
+from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.priors import read_priors
-from softcat_sym.fitting.problem import Filmed
+from softcat_sym.fitting.problem import Film
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
 from softcat_sym.scene.scene import Scene
@@ -338,12 +339,12 @@ def _ranked(
             independent = (1 - r) / (1 + r)
     values = loss_values(loss, fits, known=known)
     rows = [
-        FittedLaw(law, fits[law].problem.asked, 2 * values[law])
+        FittedLaw(law, len(fits[law].problem.free), 2 * values[law])
         if law in fits
         else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
         for law in laws
     ]
-    return choose_model(rows, first.problem.readings, noise_known=known, independent=independent)
+    return choose_model(rows, first.starts.best.residuals.size, noise_known=known, independent=independent)
 
 
 def loss_values(loss: Loss, fits: Mapping[str, Fit], *, known: bool) -> dict[str, float]:
@@ -351,21 +352,23 @@ def loss_values(loss: Loss, fits: Mapping[str, Fit], *, known: bool) -> dict[str
 
     With the linear loss those of -2 log L, and every law is allowed the same error of the theory, the largest that any
     of them has: otherwise a law that may err more would fit better, or pay for it where it need not. The loss of a
-    robust fit is that of its residuals, with the scale of the smallest noise. What the camera's errors take up counts
-    against a law.
+    robust fit is that of its residuals, with the scale of the smallest noise.
     """
     units = {name: 1.0 if known else one.problem.unit for name, one in fits.items()}
     if loss.kind != "linear":
         loss = Loss(loss.kind, loss.scale * min(units.values()))
-        return {name: loss.value(units[name] * one.starts.best.residuals) for name, one in fits.items()}
+        return {
+            name: loss.value(np.concatenate([units[name] * film.residuals for film in one.films]))
+            for name, one in fits.items()
+        }
     problems = [one.problem for one in fits.values()]
     widest = [
-        max(films, key=lambda film: film.theory_size) for films in zip(*(one.films for one in problems), strict=True)
+        max(films, key=lambda film: film.theory_error) for films in zip(*(one.films for one in problems), strict=True)
     ]
     std, is_force = (np.concatenate([getattr(film, name) for film in widest]) for name in ("std", "is_force"))
     unit = float(np.mean(std if is_force.all() else std[~is_force]))
     limits = 1.0 if known else min(units.values()) / unit, 1.0 if known else _NOISIER * max(units.values()) / unit
-    count = problems[0].readings
+    count = next(iter(fits.values())).starts.best.residuals.size
     found = {}
     for name, one in fits.items():
         value = _misfit(one, widest, limits)
@@ -377,32 +380,24 @@ _NOISIER = 3.0
 """By how much more than any of the laws found the noise may be."""
 
 
-def _misfit(one: Fit, widest: Sequence[Filmed], limits: tuple[float, float]) -> float:
+def _misfit(one: Fit, widest: Sequence[Film], limits: tuple[float, float]) -> float:
     """-2 log L with given covariances of the theory's error, for the best standard deviation of the noise in limits.
 
     In units of the standard deviations of the films whose covariances are given, and without the constant.
     """
     q, problem = one.starts.best.q, one.problem
-    sizes, inside, outside, free = list[Floats](), list[Floats](), 0.0, 0
-    for film, seen, wide in zip(problem.films, one.films, widest, strict=True):
-        residual = (seen.model - film.error(q) - film.data) / wide.std
-        components = np.zeros((residual.size, 0)) if wide.components is None else wide.components / wide.std[:, None]
-        vectors, size, _ = np.linalg.svd(components, full_matrices=False)
-        along = vectors.T @ residual
-        sizes.append(size**2)
-        inside.append(along**2)
-        outside += float(residual @ residual - along @ along)
-        free += residual.size - size.size
-    size, along = np.concatenate(sizes), np.concatenate(inside)
-    known = problem.squares_of_camera(q)
-    if problem.flow is not None:
-        known += float(np.sum(problem.flow.residuals(q) ** 2))
+    sizes, along = list[Floats](), list[Floats]()
+    for film, wide in zip(problem.films, widest, strict=True):
+        residual = (film.values(q) - film.data) / wide.std
+        size, vectors = np.linalg.eigh(wide.covariance.systematic / np.outer(wide.std, wide.std))
+        sizes.append(np.maximum(size, 0.0))
+        along.append((vectors.T @ residual) ** 2)
+    size, squares = np.concatenate(sizes), np.concatenate(along)
+    known = 0.0 if problem.flow is None else float(np.sum(problem.flow.residuals(q) ** 2))
 
     def value(log_noise: float) -> float:
         variance = math.exp(2 * log_noise)
-        return float(
-            free * 2 * log_noise + outside / variance + np.sum(np.log(variance + size) + along / (variance + size))
-        )
+        return float(np.sum(np.log(variance + size) + squares / (variance + size)))
 
     low, high = (math.log(limit) for limit in limits)
     return known + (minimize_scalar(value, bounds=(low, high), method="bounded").fun if low < high else value(low))

@@ -21,10 +21,9 @@ from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.identifiability import ResidualSpread, is_identified
+from softcat_sym.fitting.identifiability import ResidualNoise, is_identified
 from softcat_sym.fitting.least_squares import Floats, LeastSquares
 from softcat_sym.fitting.priors import Prior, read_priors, refuse_excluded
-from softcat_sym.fitting.problem import Marginal
 from softcat_sym.solvers.solution import Progress, Silence
 
 if TYPE_CHECKING:
@@ -172,9 +171,8 @@ def posterior_of(
         raise SoftcatError(f"the likelihood of a posterior is Gaussian, but the loss of the fit is {fit.loss.kind!r}")
     if not fit.outcome.converged:
         raise SoftcatError(f"a posterior starts at an optimum, but the fit ended as {fit.outcome.word!r}")
-    problem = Marginal(fit.problem, fit.starts.best)
-    fit.problem.deadline = math.inf
-    best = fit.starts.best.q[: fit.problem.asked]
+    problem, best = fit.problem, fit.starts.best.q
+    problem.deadline = math.inf
     read = read_priors(fit.priors if priors is None else priors, problem.free)
     seen = {film.name: film.measured for film in fit.films}
     how: dict[str, Any] = {"draws": draws, "seed": seed, "time_limit": time_limit}
@@ -192,16 +190,16 @@ def sample(
     chains: int = CHAINS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
-    noise: ResidualSpread | None = None,
+    noise: ResidualNoise | None = None,
     observed: Mapping[str, Floats] | None = None,
     progress: Progress | None = None,
 ) -> Posterior:
     """Draw from the posterior of a problem of least squares, around its best fit.
 
     The likelihood is Gaussian. Where the noise is not known, its deviation has Jeffreys' prior 1/s and is integrated
-    out: the logarithm is then -m/2 log(r.r) of m residuals r. If r has rows of priors, which do not tell the noise, it
-    is -(f + k)/2 log(f s^2 + r.r - r0.r0), where s and f are the deviation and degrees of freedom of the readings at
-    the best fit (`noise`), and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
+    out: the logarithm is then -m/2 log(r.r) of m residuals r. If r is whitened by systematic errors too, it is
+    -(f + k)/2 log(f s^2 + r.r - r0.r0), where s and f are the deviation and degrees of freedom of the noise at the best
+    fit (`noise`), and r0 its residuals: in the linear case Student's distribution of f degrees of freedom.
     Where residuals are NaN the model has no answer, and there is no density.
 
     Unknowns are mapped from their bounds to the real line, and whitened by the curvature at the mode, so that a short
@@ -276,7 +274,7 @@ class _Density:
     With y = logit((q - lower)/(upper - lower)): y = centre + spread z.
     """
 
-    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: ResidualSpread | None = None) -> None:
+    def __init__(self, problem: Sampled, priors: Sequence[Prior], noise: ResidualNoise | None = None) -> None:
         self._problem, self._priors, self._noise = problem, priors, noise
         # Added to r.r, and the number of readings that count, where the noise is integrated out.
         self._added, self._count = 0.0, 0

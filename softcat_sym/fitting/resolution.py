@@ -8,7 +8,7 @@ import numpy as np
 
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.estimate import (
     LOOSER,
     MORE,
@@ -24,7 +24,7 @@ from softcat_sym.error_control.refinement import refined
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.identifiability import Information
 from softcat_sym.fitting.least_squares import Floats, Optimum
-from softcat_sym.fitting.problem import FilamentProblem, Filmed, time_steps
+from softcat_sym.fitting.problem import FilamentProblem, Film, time_steps
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.settings import compiled_settings
@@ -56,7 +56,7 @@ class Moved:
 
 def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
     """Estimate the shifts by runs of the best fit on half the cells, with a looser tolerance and with more fibres."""
-    shifts, found = np.zeros((3, len(known.names))), list[Resolution]()
+    shifts, found, offset = np.zeros((3, len(known.names))), list[Resolution](), 0
     for film in problem.films:
         scene, begin = film.run_scene(best.q)
         steps = time_steps(film.series, scene, None)
@@ -64,12 +64,11 @@ def moved(problem: FilamentProblem, best: Optimum, known: Information) -> Moved:
         effects = choose_effects(scene)
         at = resolution_of(scene, effects, compiled=film.model.compiled)
         found.append(at)
-        rows = np.full((3, best.residuals.size), 0.0)
-        offset = sum(one.data.size for one in problem.films[: problem.films.index(film)])
-        rows[:, offset : offset + film.data.size] = [
-            film.whitened(change) for change in _changes(film, scene, effects, at, begin, best.q)
-        ]
-        shifts += np.linalg.lstsq(best.jacobian, rows.T, rcond=1e-8)[0][: len(known.names)].T
+        rows = np.zeros((best.residuals.size, 3))
+        changes = np.array(_changes(film, scene, effects, at, begin)).T
+        rows[offset : offset + film.data.size] = film.covariance.whitened(changes)
+        offset += film.data.size
+        shifts += np.linalg.lstsq(best.jacobian, rows, rcond=1e-8)[0].T
     first = found[0]
     sure = known.identified
     over = np.abs(shifts[:, sure]) / known.standard_errors[sure] if sure.any() else np.zeros((3, 1))
@@ -121,7 +120,7 @@ def finer(found: Moved, given: Scene) -> Resolution | None:
     return None if following == found.at else following
 
 
-def _changes(film: Filmed, scene: Scene, effects: Effects, at: Resolution, begin: float, q: Floats) -> list[Floats]:
+def _changes(film: Film, scene: Scene, effects: Effects, at: Resolution, begin: float) -> list[Floats]:
     """Error of the readings from grid, time steps and fibres each; NaN where a run has no answer."""
     # A grid too coarse to be halved is compared with a finer one, by the same formula.
     coarse = replace(at, cells=at.cells // 2 if at.cells >= _FEWEST_HALVED else 2 * at.cells)

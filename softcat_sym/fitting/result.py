@@ -23,9 +23,10 @@ from softcat_sym.fitting.identifiability import (
     ResidualChecks,
 )
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judged
-from softcat_sym.fitting.least_squares import Floats, Loss, MultiStartResult
+from softcat_sym.fitting.least_squares import Floats, MultiStartResult
+from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import FilamentProblem, Filmed
+from softcat_sym.fitting.problem import FilamentProblem, Film
 from softcat_sym.fitting.resolution import Moved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import counted
@@ -127,9 +128,14 @@ class FittedFilm:
 
     @classmethod
     def of(
-        cls, film: Filmed, model: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
+        cls, film: Film, q: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
     ) -> FittedFilm:
-        """Compare a film with the heights of its model; `unit` is the noise over the film's standard errors."""
+        """Compare a film with its model and the errors of camera and theory that it shows.
+
+        `unit` is the noise over the film's standard errors.
+        """
+        values = film.values(q)
+        model = values + film.systematic_part(values)
         residuals = (model - film.data) / (unit * film.std)
         return cls(film.time, film.place, film.data, model, residuals, film.is_force, features, closed, name)
 
@@ -257,7 +263,7 @@ class Fit(drawing.Drawable):
 
     @property
     def squares(self) -> float:
-        """Sum of the squared residuals, those of priors included: chi^2 where the noise is known, otherwise [m^2]."""
+        """Sum of the squared whitened residuals: chi^2 where the noise is known, otherwise [m^2]."""
         residuals = self.starts.best.residuals
         return float(residuals @ residuals) * (1.0 if self.noise_known else self.problem.unit**2)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from softcat_sym.physics.beams import PINNED, Beam
-from softcat_sym.physics.laws import K, n
+from softcat_sym.physics.constitutive_laws import K, n
 from softcat_sym.physics.regimes import CATENARY_SAG, K_I, delta, gyration, tau_star, u_L
 from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
 from softcat_sym.physics.sections import CIRCLE, Section

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.necking import aspect
 
 _OF_A_POINT = (sy.x, sy.y, sy.x_t, sy.y_t, sy.X)
@@ -30,6 +30,7 @@ class Densities:
     dissipation: sp.Expr = sp.S.Zero  # R(..., x_t, y_t, x_Xt, y_Xt) [W/m], half of the power lost where quadratic
     kinetic: sp.Expr = sp.S.Zero  # T(x_X, y_X, s, x_t, y_t) [J/m], quadratic in the velocity
     constants: tuple[Constant, ...] = ()
+    carried: sp.Expr = sp.S.Zero  # Velocity to the right of what dissipates: its power is external work [m/s]
 
     def __post_init__(self) -> None:
         known = {*_OF_A_POINT, *_OF_A_CELL, *_GIVEN, sy.s, *(one.symbol for one in self.constants)}

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.symbols import ONE, STRESS, enter
 
 SOURCE = "Armstrong & Frederick 1966; Dimitriou & McKinley 2014"

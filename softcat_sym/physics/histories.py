@@ -8,7 +8,7 @@ from functools import lru_cache
 import sympy as sp
 
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import SYMBOLS, Constant, Law, expression_of, growth_of
+from softcat_sym.physics.constitutive_laws import SYMBOLS, Constant, Law, expression_of, growth_of
 from softcat_sym.physics.symbols import t
 from softcat_sym.physics.terms import Course
 from softcat_sym.physics.time_dependent_constants import Clock

@@ -10,8 +10,8 @@ import sympy as sp
 
 from softcat_sym.physics import hardening_rule
 from softcat_sym.physics.bulk import shear_modulus, sigma_eq
+from softcat_sym.physics.constitutive_laws import Law
 from softcat_sym.physics.kinematics import mass_per_length
-from softcat_sym.physics.laws import Law
 from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
 from softcat_sym.physics.symbols import (

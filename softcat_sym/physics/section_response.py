@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.constitutive_laws import Branch, Law
 from softcat_sym.physics.kinematics import StrainMeasure
-from softcat_sym.physics.laws import Branch, Law
 from softcat_sym.physics.sections import Contraction, Section, SectionMeans, of_bending_alone, scaled
 from softcat_sym.physics.symbols import (
     A0,

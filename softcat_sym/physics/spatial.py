@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from softcat_sym.physics.laws import Law
+from softcat_sym.physics.constitutive_laws import Law
 from softcat_sym.physics.reissner import (
     CARRY,
     Gam,

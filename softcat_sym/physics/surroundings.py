@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from softcat_sym.physics.constitutive_laws import Constant
+from softcat_sym.physics.contact import densities_of_contact
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.symbols import A0, L_0, g_t, h0, mu_b, rho_b, s, x_t, x_X, y, y_t, y_X
 from softcat_sym.physics.terms import Terms
@@ -57,4 +58,5 @@ def densities_of(terms: Terms, section: str) -> tuple[Densities, ...]:
     buoyancy = (BUOYANT,) if terms.buoyant else ()
     drag = (DRAGS[terms.drag],) if terms.drag else ()
     added = (ADDED[section],) if terms.added_mass else ()
-    return (*buoyancy, *drag, *added, *terms.densities)
+    contact = (one for touch in terms.touches for one in densities_of_contact(touch))
+    return (*buoyancy, *drag, *added, *contact, *terms.densities)

@@ -2,7 +2,7 @@
 
 :class:`Terms` starts with nothing: an elastic filament at small slope and strain that neither stretches nor bends,
 without inertia, under gravity switched on at once. Each effect replaces what it is responsible for.
-:func:`softcat_sym.physics.filament.derive` makes expressions of it; a run whose C is there asks for none.
+:func:`softcat_sym.physics.section_equations.derive` makes expressions of it; a run whose C is there asks for none.
 """
 
 from __future__ import annotations
@@ -78,6 +78,17 @@ class Warming:
 
 
 @dataclass(frozen=True, slots=True)
+class Touch:
+    """How a filament touches a body."""
+
+    body: str  # Name of its table in the scene
+    bond: bool  # Whether a bond, and whether friction resists sliding
+    friction: bool
+    moves: bool  # Whether the surface of the body moves
+    resists: bool  # Whether what depends on velocities acts: damping, bond and friction
+
+
+@dataclass(frozen=True, slots=True)
 class Terms:
     """What the equations are made of; every field has the value of the barest filament."""
 
@@ -105,6 +116,7 @@ class Terms:
     buoyant: bool = False  # Whether what surrounds the filament carries it, resists it and moves with it
     drag: Literal["", "slender", "cross-flow"] = ""
     added_mass: bool = False
+    touches: tuple[Touch, ...] = ()  # Bodies on which the filament may come to lie
     densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of effects from outside the package
     curing: tuple[Course, ...] = ()  # Constants of the material that change in time
     structure: tuple[str, ...] = ()  # What a scene states of a structure that flow breaks; empty without
@@ -134,6 +146,12 @@ class Terms:
         return self.law.spec.has_springs and any(one.name.endswith("modulus") for one in self.curing)
 
     @property
+    def changes_in_time(self) -> bool:
+        """Whether load or material go on changing by themselves, after a ramp and the motion of a support."""
+        forces = bool(self.densities) or self.heat is not None
+        return self.shaken or forces or bool(self.curing or self.structure or self.natural_strain)
+
+    @property
     def shrinks(self) -> bool:
         """Whether the material is without stress at another strain as time goes on."""
         return bool(self.natural_strain) or (self.heat is not None and self.heat.expands)
@@ -141,7 +159,8 @@ class Terms:
     @property
     def drags(self) -> bool:
         """Whether something resists the motion of the centreline itself."""
-        return bool(self.drag) or any(one.dissipation != 0 for one in self.densities)
+        touched = any(one.resists for one in self.touches)
+        return bool(self.drag) or touched or any(one.dissipation != 0 for one in self.densities)
 
     @property
     def adds_mass(self) -> bool:

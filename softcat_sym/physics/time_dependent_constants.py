@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.constitutive_laws import Constant
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,17 +6,16 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import conformation, hardening_rule, heat, reissner
+from softcat_sym.physics import hardening_rule, heat, polymer_chains, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
-from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics.constitutive_laws import Flow, plastic_rate
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
-from softcat_sym.physics.laws import Flow, plastic_rate
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import s_slope
+from softcat_sym.physics.polymer_chains import ChainResponse
 from softcat_sym.physics.reissner import (
     Gam,
     Lam,
@@ -34,6 +33,7 @@ from softcat_sym.physics.reissner import (
     tau_f,
     tau_mean,
 )
+from softcat_sym.physics.section_equations import FilamentEquations
 from softcat_sym.physics.section_response import CLOSURES, PLANE_STRAIN, A, SectionResponse, h, shrunk, stiffness
 from softcat_sym.physics.sections import NONE, Section
 
@@ -134,14 +134,14 @@ def _conformation(chains: ChainResponse, strain: sp.Symbol) -> Iterator[Stated]:
     """The conformation of the chains of a fibre, what it relaxes by, and its stress."""
     words, source = {"along": "along", "across": "across", "width": "in the width of"}, "Bird et al. 1987"
     for one, extension in zip(chains.directions, chains.extensions, strict=True):
-        shown = extension.xreplace({conformation.strain: strain})
+        shown = extension.xreplace({polymer_chains.strain: strain})
         yield stated(f"conformation {words[one.name]} a fibre", one.extension, shown, source)
     factor = chains.spring_factor
     if chains.relaxes or factor != 1:
-        yield stated("trace of the conformation", conformation.trace, chains.trace, source)
+        yield stated("trace of the conformation", polymer_chains.trace, chains.trace, source)
     if factor != 1:
-        yield stated("stiffening of the chains", conformation.spring_factor, factor, "Bird et al. 1980")
-    plain = {conformation.spring_factor: factor} if factor == 1 else {}
+        yield stated("stiffening of the chains", polymer_chains.spring_factor, factor, "Bird et al. 1980")
+    plain = {polymer_chains.spring_factor: factor} if factor == 1 else {}
     for one, rate in zip(chains.states, chains.rates, strict=False):
         left = Rate(one.taken, sy.t, 1)
         yield stated(f"relaxation {words[one.name]} a fibre", left, rate.xreplace(plain), source)

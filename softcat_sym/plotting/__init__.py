@@ -7,5 +7,6 @@ DRAWN_IN = {
     "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
     "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "pricing", "WorkPrecision": "accuracy",
     "Validation": "validate", "Result": "validate", "FlowCurveFit": "flow_curve", "Experiment": "design",
+    "CriticalSpan": "design", "RheometerMaterial": "material", "Track": "track",
 }  # fmt: skip
 """Module in which the pictures and the report of each result are registered."""

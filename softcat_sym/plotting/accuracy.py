@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import cycle
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -12,8 +13,8 @@ from rich.text import Text
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import legend, plain_log, printable
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import legend, log_axes, printable
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.progress import seconds_text
 from softcat_sym.studies.work_precision import LEVELS, WorkPrecision
 
@@ -24,8 +25,6 @@ _COLOURS = (
 _MARKS = ("o", "s", "^", "D", "v", "P", "X")
 _USELESS = 0.3
 """A relative error that no axis is stretched for."""
-
-_CAPTION = "Pale: all settings; joined: the best. Dashed: what the package does not run."
 
 
 def front(runs: pd.DataFrame) -> pd.DataFrame:
@@ -40,6 +39,7 @@ def _refusals(found: WorkPrecision) -> list[str]:
 
 
 @drawing.plot.register(WorkPrecision)
+@style.styled()
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
     runs = found.runs[~found.runs["key"].isin(found.refusals)].astype({"seconds": float, "error": float})
@@ -51,30 +51,26 @@ def accuracy_figure(found: WorkPrecision) -> Figure:
         caption += f" Without an answer: {'; '.join(_refusals(found))}."
     useful = drawn["error"][drawn["error"] <= _USELESS]
     lowest, floor = float(drawn["error"].min()), found.reference.floor
-    with style.styled():
-        figure, body = style.sheet(
-            "What accuracy costs: error of the midpoint", height=4.2 + 0.2 * -(-len(programs) // 4),
-            notes=f"{caption} {_CAPTION}", columns=122,
-        )  # fmt: skip
-        axes = body.subplots()
-        for program, colour, marker in zip(programs, cycle(_COLOURS), cycle(_MARKS), strict=False):
-            own, look = drawn[drawn["program"] == program], {"color": colour, "marker": marker}
-            axes.loglog(own["seconds"], own["error"], linestyle="none", markersize=3, alpha=0.3, mew=0, **look)
-            best, line = front(own), "--" if (own["kind"] == "rival").any() else "-"
-            label = printable(program, 50)
-            axes.loglog(best["seconds"], best["error"], linestyle=line, markersize=4, label=label, **look)
-        if floor:
-            axes.axhspan(floor / 10, floor, color=style.FILAMENT, lw=0, zorder=0)
-        axes.set_title(printable(found.scene.title or found.name), fontsize=9, loc="left", parse_math=False)
-        axes.grid(True)
-        axes.margins(0.05)
-        highest = float((useful if len(useful) else drawn["error"]).max())
-        axes.set(ylim=(min(lowest, floor or lowest) / 1.6, 1.6 * highest))
-        for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis)
-        body.supxlabel("seconds of the processor", fontsize=9)
-        body.supylabel("relative error", fontsize=9)
-        legend(body, "upper left", handles=axes.get_legend_handles_labels()[0], ncols=4)
+    figure, body = style.sheet(
+        "What accuracy costs: error of the midpoint", height=4.2 + 0.2 * -(-len(programs) // 4),
+        notes=f"{caption} Pale: all settings; joined: the best. Dashed: what the package does not run.", columns=122,
+    )  # fmt: skip
+    axes = body.subplots()
+    for program, colour, marker in zip(programs, cycle(_COLOURS), cycle(_MARKS), strict=False):
+        own, look = drawn[drawn["program"] == program], dict[str, Any](color=colour, marker=marker)
+        axes.plot(own["seconds"], own["error"], linestyle="none", markersize=3, alpha=0.3, mew=0, **look)
+        best, line = front(own), "--" if (own["kind"] == "rival").any() else "-"
+        look |= {"linestyle": line, "label": printable(program, 50)}
+        axes.plot(best["seconds"], best["error"], markersize=4, **look)
+    if floor:
+        axes.axhspan(floor / 10, floor, color=style.FILAMENT, lw=0, zorder=0)
+    axes.set_title(printable(found.scene.title or found.name), fontsize=9, loc="left", parse_math=False)
+    axes.grid(True)
+    axes.margins(0.05)
+    highest = float((useful if len(useful) else drawn["error"]).max())
+    log_axes(axes, ylim=(min(lowest, floor or lowest) / 1.6, 1.6 * highest))
+    axes.set(xlabel="processor time [s]", ylabel="relative error")
+    legend(body, "upper left", of=axes, ncols=4)
     return figure
 
 
@@ -83,19 +79,12 @@ def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for key, runs in found.runs.groupby("key", sort=False):
         best = [found.knee(level, f"key == '{key}'") for level in LEVELS]
+        times = ["–" if run is None else seconds_text(run["seconds"]) for run in best]
         # Of a step on the grid of 40 cells, or on the nearest.
-        counted = runs.dropna(subset=["error", "us_per_step"]).sort_values(
-            "cells", key=lambda cells: abs(cells - 40), kind="stable"
-        )
+        counted = runs.dropna(subset=["error", "us_per_step"])
+        step = counted["us_per_step"].iloc[int(abs(counted["cells"] - 40).argmin())] if len(counted) else None
         cut = "no answer" if key in found.refusals else "cut off" if key in found.cut else ""
-        rows.append(
-            (
-                found.names[str(key)],
-                *("–" if run is None else seconds_text(run["seconds"]) for run in best),
-                "" if counted.empty else f"{counted['us_per_step'].iloc[0]:.3g}",
-                cut,
-            )
-        )
+        rows.append((found.names[str(key)], *times, "" if step is None else f"{step:.3g}", cut))
     return rows
 
 
@@ -112,4 +101,4 @@ def accuracy_report(found: WorkPrecision) -> Report:
         "accuracy.png": found.plot,
         "scene.toml": found.scene.to_toml,
     }
-    return Report(files, [text_table(header, program_rows(found), title=title), *map(Text, lines)])
+    return Report(files, [TextTable(header, program_rows(found)).printed(title, padding=(0, 1)), *map(Text, lines)])

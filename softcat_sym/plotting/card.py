@@ -8,7 +8,7 @@ from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import cycle
+from itertools import cycle, pairwise
 from typing import Any
 
 import numpy as np
@@ -22,16 +22,16 @@ from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.effects.scaling_estimates import yield_stress_of
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.scaling import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
-from softcat_sym.plotting.style import headed, png, printable
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import png, printable, styled, titled_figure
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -39,12 +39,17 @@ from softcat_sym.solvers.run_cost import run_cost
 from softcat_sym.studies.card import CAUSES, SPAN, Card
 from softcat_sym.studies.card_rules import Rule, elastic_sags, percent, smay_modulus_needed, unusual
 
-RULE_HEADINGS = ("rule", "predicts", "solver", "error", "what makes it fail")
+_RULES = ("rule", "predicts", "solver", "error", "what makes it fail")
 _NUMBERS = (1, 2, 3)
 """Columns of the table of rules that are numbers."""
 
 _STRONGEST, _NEGLIGIBLE = 5, 5e-3
 _INCOMPRESSIBLE = 3.0
+
+
+def _length(value: float, span: float = 1.0) -> str:
+    """A length in the unit of its size; of one that is zero, of a span."""
+    return length_unit(abs(value), span).text(value)
 
 
 def verdict(card: Card) -> tuple[bool, str]:
@@ -73,8 +78,7 @@ def facts(card: Card) -> list[tuple[str, str]]:
     if SPAN not in card.pending:
         rows.append(("longest span", f"none found: {card.span_text}"))
     if card.span is not None:
-        span, sag = card.span.span, card.span.sag
-        sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
+        sags = f"{_length(card.span.span)} sags {_length(card.span.sag)} (limit {card.limit})"
         sags += ", and a longer one breaks" if card.span.breaks else ""
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
         rows[-1:] = [
@@ -104,18 +108,16 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
         read = unit.text(limit + hold.pull)
         pull += f" beside a yield stress of {unit.text(limit)} ({read} together, read from an arrested sag)"
     carried = "" if hold.share is None else f", carries {100 * hold.share:.2g} % of the weight"
-    bare = f"no answer ({hold.outcome_without})"
-    if hold.sag_without is not None:
-        bare = length_unit(abs(hold.sag_without)).text(hold.sag_without)
+    bare = f"no answer ({hold.outcome_without})" if hold.sag_without is None else _length(hold.sag_without)
     yield "surface tension", f"pulls with {pull}{carried}; sag without it {bare}"
     if hold.span_text and hold.span_text != card.span_text:
         yield "span without it", f"none found: {hold.span_text}"
     elif hold.span_without is not None:
-        added = "" if hold.span_added is None else f": it adds {length_unit(hold.span_added).text(hold.span_added)}"
-        yield "span without it", length_unit(hold.span_without).text(hold.span_without) + added
+        added = "" if hold.span_added is None else f": it adds {_length(hold.span_added)}"
+        yield "span without it", _length(hold.span_without) + added
     if hold.rule_spans:
         names = {rule.key: rule.name for rule in card.rules}
-        spans = (f"{names[key]} {length_unit(span).text(span)}" for key, span in hold.rule_spans.items())
+        spans = (f"{names[key]} {_length(span)}" for key, span in hold.rule_spans.items())
         yield "spans by the rules", f"{', '.join(spans)}: they ignore it"
 
 
@@ -128,12 +130,10 @@ def _descent(card: Card) -> Iterator[tuple[str, str]]:
     if card.regime:
         back = f"comes back up by {percent(descent.rise)[1:]}" if descent.rise >= 1e-3 else "never comes back up"
         yield "regime", f"{card.regime}; {descent.damping} ({back})"
-    length, clock = length_unit(abs(descent.final), filament.span), time_unit(card.scene.run.duration)
+    final, clock = descent.final, time_unit(card.scene.run.duration)
     error = "" if card.error_estimate is None else f" ± {100 * card.error_estimate:.2g} %"
-    shares = (
-        f"{100 * descent.final / filament.span:.3g} % of the span, {descent.final / filament.thickness:.3g} thicknesses"
-    )
-    yield "final sag", f"{length.text(descent.final)}{error} = {shares}"
+    shares = f"{100 * final / filament.span:.3g} % of the span, {final / filament.thickness:.3g} thicknesses"
+    yield "final sag", f"{_length(final, filament.span)}{error} = {shares}"
     rest = "still moving when the run ends"
     if descent.settled is not None:
         rest = f"within 1 % from {clock.text(descent.settled)} on"
@@ -144,10 +144,9 @@ def _descent(card: Card) -> Iterator[tuple[str, str]]:
 
 def exponents(card: Card) -> list[tuple[str, float]]:
     """Parameter and d ln span/d ln parameter, the strongest first; without those that make no difference."""
-    named = {} if card.span is None else card.span.gradient
     powers = [
         (path.rpartition(".")[2].replace("_", " ").replace("youngs", "Young's"), power)
-        for path, power in named.items()
+        for path, power in (card.span.gradient if card.span else {}).items()
         if math.isfinite(power) and abs(power) > _NEGLIGIBLE
     ]
     return sorted(powers, key=lambda pair: -abs(pair[1]))
@@ -158,24 +157,20 @@ def rule_texts(rule: Rule) -> tuple[str, str, str, str, str]:
     if rule.predicted is None:
         return rule.name, "", "", "", rule.text
     unit = length_unit if rule.unit == "m" else stress_unit
-    values = [unit(abs(value)).text(value) for value in (rule.predicted, rule.solver)]
-    return (
-        f"{rule.name} {rule.source}",
-        values[0],
-        values[1],
-        "" if rule.error is None else percent(rule.error),
-        rule.text,
-    )
+    predicted, solver = (unit(abs(value)).text(value) for value in (rule.predicted, rule.solver))
+    error = "" if rule.error is None else percent(rule.error)
+    return f"{rule.name} {rule.source}", predicted, solver, error, rule.text
 
 
-_BARE: dict[str, Any] = {"box": None, "padding": (0, 1, 0, 0)}
-_LABEL, _RULE, _NUMBER = 18, 24, 9
-"""Characters of the first columns, so that rows printed one by one stand below each other."""
+_ROWS = {2: ("<18", "<"), 5: ("<24", ">9", ">9", ">9", "<")}
+"""Formats of the cells of a row, by their number, so that rows printed one by one stand below each other."""
 
 
-def row_of(label: str, text: str, style: str = "") -> Table:
-    """A row for a terminal."""
-    return text_table(("", ""), [(label.ljust(_LABEL), text)], styles=[style], whole=(0,), **_BARE)
+def row_of(*cells: str, look: str = "") -> Table:
+    """A row for a terminal: a label and a text, or a rule."""
+    row = [format(cell, form) for cell, form in zip(cells, _ROWS[len(cells)], strict=True)]
+    table = TextTable([""] * len(row), [row], kinds=["row"])
+    return table.printed(whole=range(len(row) - 1), box=None, styles={"row": look})
 
 
 def lines(card: Card) -> dict[str, RenderableType]:
@@ -184,17 +179,16 @@ def lines(card: Card) -> dict[str, RenderableType]:
     found: dict[str, RenderableType] = {sentence: Text(sentence, style="bold green" if sound else "bold red")}
     for label, text in facts(card):
         if label != "note":
-            found[f"{label} {text}"] = row_of(label, text, "yellow" if label == "warning" else "")
-    idle, rows = dict[str, list[str]](), [RULE_HEADINGS]
+            found[f"{label} {text}"] = row_of(label, text, look="yellow" if label == "warning" else "")
+    idle, rows = dict[str, list[str]](), [_RULES]
     for rule in card.rules:
         if rule.predicted is None:
             idle.setdefault(rule.text, []).append(rule.name)
         elif rule.text or CAUSES not in card.pending:
             rows.append((rule.name, *rule_texts(rule)[1:]))
-    for name, *numbers, text in rows if rows[1:] else []:
-        cells = (name.ljust(_RULE), *(one.rjust(_NUMBER) for one in numbers), text)
-        style = "green" if text == "holds" else "bold" if name == RULE_HEADINGS[0] else ""
-        found[" ".join(cells)] = text_table(("",) * len(cells), [cells], styles=[style], whole=range(4), **_BARE)
+    for row in rows if rows[1:] else []:
+        look = "bold" if row is _RULES else "green" if row[-1] == "holds" else ""
+        found[" ".join(row)] = row_of(*row, look=look)
     for why, names in idle.items():
         listed = "no rule of the field" if len(names) == len(card.rules) else ", ".join(names)
         found[why] = Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim")
@@ -205,17 +199,13 @@ def foreseen(scene: Scene) -> Iterator[tuple[str, str]]:
     """Regime, sag, where it stops, and closed forms of the elastic sag: all that needs no run."""
     effects, span = choose_effects(scene), scene.filament.span
     regime, sag = expected_regime(scene, effects.names), expected_sag(scene)
-
-    def length(value: float) -> str:
-        return length_unit(value, span).text(value)
-
     yield "expected", ", ".join(filter(None, [regime_words(regime.name), regime.near]))
     yield "because", regime.reason
-    yield "expected sag", f"about {significant(100 * sag)} % of the span, {length(sag * span)}"
+    yield "expected sag", f"about {significant(100 * sag)} % of the span, {_length(sag * span, span)}"
     if regime.stopping_depth_exact is not None:
-        yield "stops at most at", f"{length(regime.stopping_depth_exact * span)}, a catenary at yield"
+        yield "stops at most at", f"{_length(regime.stopping_depth_exact * span, span)}, a catenary at yield"
     if sags := elastic_sags(scene):
-        yield "elastic sags", ", ".join(f"{name} {length(value)}" for name, value in sags.items())
+        yield "elastic sags", ", ".join(f"{name} {_length(value, span)}" for name, value in sags.items())
     if cost := run_cost(scene, effects).text:
         yield "cost of a run", cost
 
@@ -236,7 +226,7 @@ class CardPrinter:
         """Take note of what is known by now."""
         self.card, known = card, lines(card)
         if not self._quiet:
-            self._print(*(line for words, line in known.items() if words not in self._printed))
+            self._print(*(known[words] for words in known if words not in self._printed))
         self._printed |= known.keys()
 
     @staticmethod
@@ -279,32 +269,29 @@ _DEEPEST = 2.5
 _AGREE = 0.01
 """Relative difference of rules that share a line."""
 
-_LINES = tuple(
-    zip(
-        (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, style.GREY, style.GREEN),
-        ("--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), "--", "-."),
-        strict=True,
-    )
-)
+_LINES = (
+    (style.VERMILLION, "--"), (style.ORANGE, "-."), (style.PURPLE, ":"), (style.SKY, (0, (5, 1, 1, 1, 1, 1))),
+    (style.BLACK, (0, (1, 1))), (style.GREY, "--"), (style.GREEN, "-."),
+)  # fmt: skip
 
 
 @drawing.plot.register(Card)
+@styled()
 def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
-    sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene, style.SCREEN), card.scene.filament
+    sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene), card.scene.filament
     larger = Magnification.of(largest_sag(array(sheet.data, "y")[-1:]), filament.thickness, filament.span)
     (shape,) = shapes_of(larger.drawn(sheet.data), card.scene, [len(sheet.time) - 1])
     wide, high = np.ptp(shape.outline, axis=0)
     tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
     scaled = f", {larger}" if str(larger) else ""
-    with style.styled():
-        figure, body = headed(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
-        axes = body.subplot_mosaic(
-            [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
-        )
-        _draw_end(axes["shape"], sheet, shape, larger)
-        _draw_descent(axes["descent"], sheet, card)
-        _draw_exponents(axes["span"], card)
+    figure, body = titled_figure(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
+    axes = body.subplot_mosaic(
+        [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
+    )
+    _draw_end(axes["shape"], sheet, shape, larger)
+    _draw_descent(axes["descent"], sheet, card)
+    _draw_exponents(axes["span"], card)
     return figure
 
 
@@ -331,23 +318,26 @@ def _draw_end(axes: Axes, sheet: Sheet, shape: Shape, larger: Magnification) -> 
 def predictions(card: Card) -> list[tuple[str, float]]:
     """Names, with errors, and depths [m] that rules predict, and that the filament has without surface tension.
 
-    Rules that as good as agree are named together.
+    Rules that as good as agree are named together, a rule in two forms once.
     """
     rules = [
-        (rule.name, rule.name if rule.error is None else f"{rule.name} {percent(rule.error)}", rule.predicted)
+        (rule.name, "" if rule.error is None else f" {percent(rule.error)}", rule.predicted)
         for rule in card.rules
         if rule.unit == "m" and rule.predicted is not None
     ]
     if card.surface is not None and card.surface.sag_without is not None:
-        rules.append(("", "no surface tension", card.surface.sag_without))
-    found: list[tuple[str, float]] = []
-    last = ""
-    for name, label, depth in sorted(rules, key=lambda rule: rule[2]):
-        if found and abs(depth - found[-1][1]) < _AGREE * abs(depth):
-            found[-1] = f"{found[-1][0]}, {label.removeprefix(f'{last}, ')}", found[-1][1]
+        rules.append(("no surface tension", "", card.surface.sag_without))
+    groups: list[list[tuple[str, str, float]]] = []
+    for rule in sorted(rules, key=lambda rule: rule[2]):
+        if groups and abs(rule[2] - groups[-1][-1][2]) < _AGREE * abs(rule[2]):
+            groups[-1].append(rule)
         else:
-            found.append((label, depth))
-        last = name
+            groups.append([rule])
+    found = []
+    for group in groups:
+        names = [group[0][0]] + [after[0].removeprefix(f"{before[0]}, ") for before, after in pairwise(group)]
+        labels = (name + error for name, (_, error, _) in zip(names, group, strict=True))
+        found.append((", ".join(labels), group[0][2]))
     return found
 
 
@@ -415,9 +405,7 @@ def card_page(card: Card, figure: Figure | None, command: str = "", live: str = 
         numbers=list(_headline(card)),
         picture=None if figure is None else b64encode(png(figure, titled=False)).decode(),
         facts=facts(card),
-        headings=RULE_HEADINGS,
-        rules=list(zip(kinds, map(rule_texts, card.rules), strict=True)),
-        right=_NUMBERS,
+        rules=TextTable(_RULES, [rule_texts(rule) for rule in card.rules], _NUMBERS, kinds),
         command=command,
         live=live,
     )
@@ -427,14 +415,13 @@ def _headline(card: Card) -> Iterator[tuple[str, str]]:
     """The numbers that a printer looks for first."""
     descent, span = card.descent, card.scene.filament.span
     if descent is not None:
-        yield length_unit(abs(descent.final), span).text(descent.final), "final sag"
+        yield _length(descent.final, span), "final sag"
         yield f"{100 * descent.final / span:.3g} %", "of the span"
         if descent.to_90 is not None:
             yield time_unit(descent.to_90).text(descent.to_90), "to 90 % of it"
     if card.span is not None:
-        yield length_unit(card.span.span).text(card.span.span), f"longest span for {card.limit}"
+        yield _length(card.span.span), f"longest span for {card.limit}"
     if card.surface is not None and card.surface.span_without is not None:
-        without = card.surface.span_without
-        yield length_unit(without).text(without), "without surface tension"
+        yield _length(card.surface.span_without), "without surface tension"
     if card.error_estimate is not None:
         yield f"{100 * card.error_estimate:.2g} %", "estimated error"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -14,7 +13,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from rich.text import Text
@@ -23,12 +22,12 @@ from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend, plain_log
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
-from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
+from softcat_sym.plotting.units import length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
-from softcat_sym.reference.elements import ElementRun, Snapshot, snapshot, strip_of
+from softcat_sym.reference.elements import Snapshot, snapshot, strip_of
 from softcat_sym.studies.compare import SHARES, Comparison, moments
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
@@ -48,10 +47,11 @@ CALCULIX = "calculix"
 """Folder of deck and print-outs, in the folder of a comparison."""
 
 
-def reference_name(comparison: Comparison) -> str:
-    """``elements 64 x 4``."""
+def names_of(comparison: Comparison) -> tuple[str, str, str]:
+    """What the filament and the reference are called, and the reference with its mesh: ``elements 64 × 4``."""
     mesh = comparison.reference.mesh
-    return f"{'elements' if comparison.engine == 'elements' else 'CalculiX'} {mesh.along} × {mesh.through}"
+    ours, theirs = ("filament", "elements") if comparison.engine == "elements" else ("ours", "CalculiX")
+    return ours, theirs, f"{theirs} {mesh.along} × {mesh.through}"
 
 
 def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]]:
@@ -75,8 +75,13 @@ def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
     return max(far, 1.05 * float(np.nanmax(np.abs(own)))) if trusted else far
 
 
-def _share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
-    """Give panels below one another one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
+def _over_time(
+    comparison: Comparison, what: str, height: float, ratios: Sequence[float], notes: str = ""
+) -> tuple[Figure, SubFigure, list[Axes], TimeAxis]:
+    """Panels below one another with one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
+    run, summary = comparison.reference, comparison.filament.trajectory.summary
+    figure, body = titled_figure(comparison.scene, what, summary, height=height, notes=notes)
+    panels = body.subplots(len(ratios), 1, height_ratios=ratios)
     axis = TimeAxis.of(run.time, run.midpoint)
     for axes in panels:
         axis.dress(axes, label=axis.label if axes is panels[-1] else "")
@@ -86,62 +91,57 @@ def _share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
     top = panels[0].twiny()
     axis.dress(top, size=run.elastic_time, label="time in L √(ρ/E)")
     top.spines["top"].set_visible(True)
+    return figure, body, list(panels), axis
 
 
+@styled()
 def midpoint_figure(comparison: Comparison) -> Figure:
     """Draw midpoints above, (ours - reference)/max |reference| below."""
-    summary, run, rows = comparison.filament.trajectory.summary, comparison.reference, comparison.rows
-    span = comparison.scene.filament.span
-    ruler = length_unit(float(np.abs(run.midpoint).max()), span)
-    time = TimeAxis.of(run.time, run.midpoint).unit.of(run.time)
-    ours, theirs = ("filament", "elements") if comparison.engine == "elements" else ("ours", "CalculiX")
-    with style.styled():
-        figure, body = headed(comparison.scene, f"midpoint, {ours} against {theirs}", summary, height=4.9)
-        above, below = body.subplots(2, 1, height_ratios=[2, 1])
-        above.plot(time, ruler.of(run.midpoint), label=reference_name(comparison), **_REFERENCE)
-        below.axhline(0.0, color=style.GREY, linewidth=0.6)
-        for row in rows:
-            above.plot(time, ruler.of(row.midpoint), label=row.name, **_LINES[row.name])
-            below.plot(time, 100 * row.discrepancy.error, **_LINES[row.name])
-        heights = np.concatenate([run.midpoint, *(row.midpoint for row in rows)])
-        far = _extent(run.midpoint, comparison, rows[0].midpoint) or span
-        low, high = np.clip([np.nanmin(heights), np.nanmax(heights)], -far, far)
-        room = (_ROOM - 1) * max(high - low, 0.1 * far)
-        above.set_ylim(float(ruler.of(min(low, 0.0) - room)), float(ruler.of(max(high, 0.0) + room / 2)))
-        above.set_ylabel(f"midpoint height [{ruler.symbol}]")
-        errors = np.nan_to_num([100 * row.discrepancy.largest for row in rows])
-        shown = min(float(errors.max()), max(_TIMES_OWN * float(errors[0]), _WORST)) or 1.0
-        below.set_ylim(-_ROOM * shown, _ROOM * shown)
-        below.set_ylabel(f"({ours} − {theirs})\n/ max |{theirs}| [%]", fontsize=8.0)
-        _share_time((above, below), run)
-        legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4)
+    run, rows, span = comparison.reference, comparison.rows, comparison.scene.filament.span
+    ours, theirs, meshed = names_of(comparison)
+    ruler, what = length_unit(float(np.abs(run.midpoint).max()), span), f"midpoint, {ours} against {theirs}"
+    figure, body, (above, below), axis = _over_time(comparison, what, 4.9, [2, 1])
+    time = axis.unit.of(run.time)
+    above.plot(time, ruler.of(run.midpoint), label=meshed, **_REFERENCE)
+    below.axhline(0.0, color=style.GREY, linewidth=0.6)
+    for row in rows:
+        above.plot(time, ruler.of(row.midpoint), label=row.name, **_LINES[row.name])
+        below.plot(time, 100 * row.discrepancy.error, **_LINES[row.name])
+    heights = np.concatenate([run.midpoint, *(row.midpoint for row in rows)])
+    far = _extent(run.midpoint, comparison, rows[0].midpoint) or span
+    low, high = np.clip([np.nanmin(heights), np.nanmax(heights)], -far, far)
+    room = (_ROOM - 1) * max(high - low, 0.1 * far)
+    above.set_ylim(float(ruler.of(min(low, 0.0) - room)), float(ruler.of(max(high, 0.0) + room / 2)))
+    above.set_ylabel(f"midpoint height [{ruler.symbol}]")
+    errors = np.nan_to_num([100 * row.discrepancy.largest for row in rows])
+    shown = min(float(errors.max()), max(_TIMES_OWN * float(errors[0]), _WORST)) or 1.0
+    below.set_ylim(-_ROOM * shown, _ROOM * shown)
+    below.set_ylabel(f"({ours} − {theirs})\n/ max |{theirs}| [%]", fontsize=8.0)
+    legend(body, "upper left", of=above, ncols=4)
     return figure
 
 
+@styled()
 def clamp_figure(comparison: Comparison) -> Figure:
     """Draw the largest strain above, the mean below."""
-    summary, run = comparison.filament.trajectory.summary, comparison.elements
+    run = comparison.elements
     notes = (
         "Over the Gauss points of the elements at the clamp "
         f"({(run.X[-1] - run.X[-3]) / comparison.scene.filament.thickness:.2g} of a thickness long): "
         "log |F e_X| of the elements, log s − θ_s z of the filament in its fibres through the same material points."
     )
-    time = TimeAxis.of(run.time, run.midpoint).unit.of(run.time)
-    with style.styled():
-        figure, body = headed(comparison.scene, "axial true strain at the clamp", summary, height=4.4, notes=notes)
-        panels = body.subplots(2, 1)
-        references = {"largest": run.clamp_strain_largest, "mean": run.clamp_strain}
-        for axes, (which, reference) in zip(panels, references.items(), strict=True):
-            axes.plot(time, reference, label=reference_name(comparison), **_REFERENCE)
-            for row in comparison.rows:
-                axes.plot(time, getattr(row.clamp_strain, which), label=row.name, **_LINES[row.name])
-            own = getattr(comparison.filament.clamp_strain, which)
-            far = _extent(reference, comparison, own) or 1e-3
-            low = min(float(np.nanmin([reference, own])), 0.0)
-            axes.set_ylim(max(low - 0.05 * far, -far), min(axes.get_ylim()[1], far))
-            axes.set_ylabel(f"{which} strain")
-        _share_time(panels, run)
-        legend(body, "upper left", handles=panels[0].get_legend_handles_labels()[0], ncols=4)
+    figure, body, panels, axis = _over_time(comparison, "axial true strain at the clamp", 4.4, [1, 1], notes)
+    references = {"largest": run.clamp_strain_largest, "mean": run.clamp_strain}
+    for axes, (which, reference) in zip(panels, references.items(), strict=True):
+        axes.plot(axis.unit.of(run.time), reference, label=names_of(comparison)[2], **_REFERENCE)
+        for row in comparison.rows:
+            axes.plot(axis.unit.of(run.time), getattr(row.clamp_strain, which), label=row.name, **_LINES[row.name])
+        own = getattr(comparison.filament.clamp_strain, which)
+        far = _extent(reference, comparison, own) or 1e-3
+        low = min(float(np.nanmin([reference, own])), 0.0)
+        axes.set_ylim(max(low - 0.05 * far, -far), min(axes.get_ylim()[1], far))
+        axes.set_ylabel(f"{which} strain")
+    legend(body, "upper left", of=panels[0], ncols=4)
     return figure
 
 
@@ -149,41 +149,22 @@ _LOWEST, _TALLEST = 1.1, 4.5
 _COLOURS = (style.SKY, style.GREEN, style.ORANGE, style.VERMILLION)
 
 
-@dataclass(frozen=True)
-class ShapePair:
-    """Half a centreline, 0 <= X <= L/2, of elements and filament at one time."""
-
-    time: float  # [s]
-    X: Floats  # shape (columns,); Material positions [m]
-    elements: Floats  # shape (columns, 2); Where they are [m]
-    filament: Floats
-
-    @property
-    def distance(self) -> Floats:
-        """Distance between the two places of each material point [m]."""
-        return np.asarray(np.linalg.norm(self.filament - self.elements, axis=1))
-
-
-def shape_pairs(comparison: Comparison) -> list[ShapePair]:
-    """Both centrelines at the moments of the error table that the filament reached."""
+def shape_tables(comparison: Comparison) -> list[pd.DataFrame]:
+    """Half a centreline, 0 <= X <= L/2, of elements and filament at each moment of the error table that both reach."""
     run, data = comparison.elements, comparison.filament.trajectory.data
-    nodes, reached = data["X_node"].values, data.sizes["time"]
-    return [
-        ShapePair(
-            float(run.time[frame]),
-            run.X,
-            np.column_stack([run.x[frame], run.y[frame]]),
-            np.column_stack([np.interp(run.X, nodes, data[name].values[frame]) for name in ("x", "y")]),
-        )
-        for frame in sorted({*moments(len(run.time))})
-        if frame < reached
-    ]
+    tables = []
+    for frame in (frame for frame in sorted({*moments(len(run.time))}) if frame < data.sizes["time"]):
+        own = {f"filament_{n}_m": np.interp(run.X, data["X_node"].values, data[n].values[frame]) for n in ("x", "y")}
+        theirs = {"elements_x_m": run.x[frame], "elements_y_m": run.y[frame]}
+        tables.append(pd.DataFrame({"time_s": float(run.time[frame]), "X_m": run.X, **theirs, **own}))
+    return tables
 
 
+@styled()
 def shapes_figure(comparison: Comparison) -> Figure:
     """Draw centrelines above, the distance of equal material points below."""
-    pairs, span = shape_pairs(comparison), comparison.scene.filament.span
-    deepest = max((float(np.abs(pair.elements[:, 1]).max()) for pair in pairs), default=0.0) or 0.01 * span
+    pairs, span = shape_tables(comparison), comparison.scene.filament.span
+    deepest = max((float(pair.elements_y_m.abs().max()) for pair in pairs), default=0.0) or 0.01 * span
     # Of axes that are five inches wide, drawn true; what is flat or deep is stretched.
     true = 5.0 * 1.12 * deepest / (1.04 * span)
     tall = min(max(true, _LOWEST), _TALLEST)
@@ -191,31 +172,29 @@ def shapes_figure(comparison: Comparison) -> Figure:
     ruler, clock = length_unit(span), time_unit(float(comparison.elements.time[-1]))
     wide: dict[str, Any] = {"color": style.GREY, "linewidth": 2.4}
     dashed: dict[str, Any] = {"color": style.BLACK, "linewidth": 0.9, "linestyle": (0, (4, 3))}
-    with style.styled():
-        summary = comparison.filament.trajectory.summary
-        figure, body = headed(comparison.scene, "centrelines", summary, height=tall + 3.0)
-        above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
-        for pair, colour in zip(pairs, _COLOURS, strict=False):
-            (x, y), (x_elements, y_elements) = ruler.of(pair.filament).T, ruler.of(pair.elements).T
-            for side, label in ((-1, None), (1, f"t = {clock.text(pair.time)}")):
-                above.plot(side * x, y, **{**wide, "color": colour}, label=label, solid_capstyle="butt")
-                above.plot(side * x_elements, y_elements, **dashed, zorder=3)
-            below.plot(pair.X / span, 100 * pair.distance / span, color=colour, linewidth=1.3)
-        above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=1.4)
-        above.set(xlim=ruler.of([-0.52 * span, 0.52 * span]), ylim=ruler.of([-1.08 * deepest, 0.04 * deepest]))
-        above.set_box_aspect(tall / 5.0)
-        above.set_xlabel(f"x [{ruler.symbol}]{scale}", labelpad=1.0)
-        above.set_ylabel(f"y [{ruler.symbol}]")
-        largest = max((float(pair.distance.max()) for pair in pairs), default=0.0)
-        below.set(xlim=(0.0, 0.5), ylim=(0.0, 115 * largest / span or 1.0))
-        below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
-        below.grid(True)
-        below.yaxis.set_major_formatter("{x:.3g}")
-        both = [
-            Line2D([], [], **wide, label="filament (coloured by time)"),
-            Line2D([], [], **dashed, label=reference_name(comparison)),
-        ]
-        legend(body, "upper left", handles=both, ncols=2)
+    summary = comparison.filament.trajectory.summary
+    figure, body = titled_figure(comparison.scene, "centrelines", summary, height=tall + 3.0)
+    above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
+    largest = 0.0
+    for pair, colour in zip(pairs, _COLOURS, strict=False):
+        for side, label in ((-1, None), (1, f"t = {clock.text(pair.time_s[0])}")):
+            x, y = ruler.of(side * pair.filament_x_m), ruler.of(pair.filament_y_m)
+            above.plot(x, y, **{**wide, "color": colour}, label=label, solid_capstyle="butt")
+            above.plot(ruler.of(side * pair.elements_x_m), ruler.of(pair.elements_y_m), **dashed, zorder=3)
+        distance = np.hypot(pair.filament_x_m - pair.elements_x_m, pair.filament_y_m - pair.elements_y_m)
+        below.plot(pair.X_m / span, 100 * distance / span, color=colour, linewidth=1.3)
+        largest = max(largest, float(distance.max()))
+    above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=1.4)
+    above.set(xlim=ruler.of([-0.52 * span, 0.52 * span]), ylim=ruler.of([-1.08 * deepest, 0.04 * deepest]))
+    above.set_box_aspect(tall / 5.0)
+    above.set_xlabel(f"x [{ruler.symbol}]{scale}", labelpad=1.0)
+    above.set_ylabel(f"y [{ruler.symbol}]")
+    below.set(xlim=(0.0, 0.5), ylim=(0.0, 115 * largest / span or 1.0))
+    below.set(xlabel="X / L, midspan to clamp", ylabel="distance / L [%]")
+    below.grid(True)
+    below.yaxis.set_major_formatter("{x:.3g}")
+    named = (("filament (coloured by time)", wide), (names_of(comparison)[2], dashed))
+    legend(body, "upper left", handles=[Line2D([], [], label=name, **look) for name, look in named], ncols=2)
     return figure
 
 
@@ -258,6 +237,7 @@ def draw_strip(axes: Axes, shot: Snapshot, through: int, scale: ArrayLike, **col
     return field
 
 
+@styled()
 def rate_figure(comparison: Comparison) -> Figure:
     """Draw the fields below one another, the whole half span on the left, the clamp on the right."""
     span, thickness = comparison.scene.filament.span, comparison.scene.filament.thickness
@@ -271,34 +251,29 @@ def rate_figure(comparison: Comparison) -> Figure:
     ruler, clock = length_unit(span), time_unit(float(comparison.elements.time[-1]))
     notes = _RATE_NOTE if top > 0 else "Nothing flows, at none of the times at which the field was kept."
     what, height = "plastic shear rate in the elements", sum(heights) + 0.35 * len(heights) + 0.9
-    with style.styled():
-        figure, body = headed(comparison.scene, what, {}, height=height, notes=notes)
-        panels = body.subplots(len(shots), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
-        for shot, at, (whole, close) in zip(shots, corners, panels, strict=True):
-            for axes in (whole, close):
-                drawn = draw_strip(axes, shot, mesh.through, span / ruler.size, norm=norm, cmap=colours)
-            low, high = float(at[:, 1].min()) - thickness / 2, float(at[:, 1].max()) + thickness / 2
-            _window(whole, ruler, (-0.02 * span, 0.52 * span), (low, high))
-            beside, half = span / 2 - 0.45 * _CLOSE * thickness, _CLOSE * thickness / 2
-            level = float(at[np.abs(at[:, 0] - beside) <= half, 1].mean())
-            _window(close, ruler, (beside - half, beside + half), (level - half / 2, level + half / 2))
-            whole.set_title(f"t = {clock.text(shot.time)}", loc="left", fontsize=8.5, pad=3.0)
-            close.set_title("at the clamp", loc="left", fontsize=8.5, pad=3.0)
-            whole.set_ylabel(f"y [{ruler.symbol}]")
-        for axes in panels[-1]:
-            axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
-        if top > 0:
-            bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
-            bar.set_label("plastic shear rate [s⁻¹]")
-            plain_log(bar.ax.xaxis)
+    figure, body = titled_figure(comparison.scene, what, {}, height=height, notes=notes)
+    panels = body.subplots(len(shots), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
+    for shot, at, (whole, close) in zip(shots, corners, panels, strict=True):
+        low, high = float(at[:, 1].min()) - thickness / 2, float(at[:, 1].max()) + thickness / 2
+        beside, half = span / 2 - 0.45 * _CLOSE * thickness, _CLOSE * thickness / 2
+        level = float(at[np.abs(at[:, 0] - beside) <= half, 1].mean())
+        for axes, x, y, name in (
+            (whole, (-0.02 * span, 0.52 * span), (low, high), f"t = {clock.text(shot.time)}"),
+            (close, (beside - half, beside + half), (level - half / 2, level + half / 2), "at the clamp"),
+        ):
+            drawn = draw_strip(axes, shot, mesh.through, span / ruler.size, norm=norm, cmap=colours)
+            axes.set_xlim(*ruler.of(x), auto=True)
+            axes.set_ylim(*ruler.of(y), auto=True)
+            axes.set_aspect("equal", adjustable="datalim")
+            axes.set_title(name, loc="left", fontsize=8.5, pad=3.0)
+        whole.set_ylabel(f"y [{ruler.symbol}]")
+    for axes in panels[-1]:
+        axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
+    if top > 0:
+        bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
+        bar.set_label("plastic shear rate [s⁻¹]")
+        plain_log(bar.ax.xaxis)
     return figure
-
-
-def _window(axes: Axes, ruler: Unit, x: tuple[float, float], y: tuple[float, float]) -> None:
-    """Limits [m], widened to where lengths are equal along both axes."""
-    axes.set_xlim(*ruler.of(x), auto=True)
-    axes.set_ylim(*ruler.of(y), auto=True)
-    axes.set_aspect("equal", adjustable="datalim")
 
 
 def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
@@ -316,12 +291,7 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
     for row in rows:
         strains |= {f"{row.key}_{which}": getattr(row.clamp_strain, which) for which in ("mean", "largest")}
     found["compare_clamp_strain.csv"] = pd.DataFrame({"time_s": elements.time, **strains})
-    found["compare_shapes.csv"] = pd.concat(
-        pd.DataFrame({"time_s": pair.time, "X_m": pair.X})
-        .join(pd.DataFrame(pair.elements, columns=["elements_x_m", "elements_y_m"]))
-        .join(pd.DataFrame(pair.filament, columns=["filament_x_m", "filament_y_m"]))
-        for pair in shape_pairs(comparison)
-    )
+    found["compare_shapes.csv"] = pd.concat(shape_tables(comparison))
     X, Y = elements.point.reshape(-1, 2).T
     order = np.lexsort((Y, np.round(X / comparison.scene.filament.span, 9)))
     points = {"X_m": X[order], "Y_m": Y[order]}
@@ -336,40 +306,35 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
 def comparison_report(comparison: Comparison) -> Report:
     """The table of errors and costs, each run that is not to be trusted, and every warning."""
     run, rows = comparison.reference, comparison.rows
-    span = comparison.scene.filament.span
+    ours, theirs, meshed = names_of(comparison)
     times = [run.time[frame] / run.elastic_time for frame in moments(len(run.time))]
     names = [*(f"error at t = {time:.4g}" for time in times), "mean error", "largest error"]
     errors = [
         [percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
     ]
     every = [run, *rows]
+    finals = [curve.midpoint[-1] / comparison.scene.filament.span for curve in every]
     lines = [
-        ("final midpoint / L", *(_ratio(curve.midpoint[-1] / span) for curve in every)),
+        ("final midpoint / L", *(f"{final:.5f}" if math.isfinite(final) else "–" for final in finals)),
         *((name, "", *values) for name, *values in zip(names, *errors, strict=True)),
         ("unknowns", *(str(curve.dofs) for curve in every)),
         ("steps", *(str(curve.steps) for curve in every)),
         ("wall time [s]", *(significant(curve.wall) for curve in every)),
     ]
-    theirs = reference_name(comparison).split(" ", 1)
-    header = ["", "\n".join(theirs), *(row.name.replace(", ", ",\n").replace(" closure", "\nclosure") for row in rows)]
-    ours = "filament" if comparison.engine == "elements" else "ours"
-    caption = f"errors in %: ({ours} − {theirs[0]})/max |{theirs[0]}|, midpoint; t in L √(ρ/E)"
-    title = comparison.scene.title or "Filament"
-    right, whole = range(1, len(header)), range(len(lines))
-    table = text_table(header, lines, title=title, caption=caption, right=right, whole=whole)
+    heads = [row.name.replace(", ", ",\n").replace(" closure", "\nclosure") for row in rows]
+    header = ["", meshed.replace(" ", "\n", 1), *heads]
+    caption = f"errors in %: ({ours} − {theirs})/max |{theirs}|, midpoint; t in L √(ρ/E)"
+    table = TextTable(header, lines, range(1, len(header)))
+    shown = table.printed(comparison.scene.title or "Filament", caption, whole=range(len(lines)), padding=(0, 1))
     runs = [(row.name, row.trajectory.outcome) for row in rows if row.name != "elements"]
     remarks = [f"{name}: {outcome.name}; {outcome.value}" for name, outcome in runs if not outcome.is_success]
+    remarks += [f"warning: {text}" for text in comparison.warnings]
     files: dict[str, object] = {"compare.json": comparison.to_dict, "scene.toml": comparison.scene.to_toml}
     files |= {name: partial(draw, comparison) for name, draw in _drawers(comparison).items()}
     files |= tables(comparison)
     if isinstance(run, CalculixRun):
         files |= {f"{CALCULIX}/{name}": content for name, content in run.files.items()}
-    remarks += [f"warning: {text}" for text in comparison.warnings]
-    return Report(files, [table, *map(Text, remarks)])
-
-
-def _ratio(value: float) -> str:
-    return f"{value:.5f}" if math.isfinite(value) else "–"
+    return Report(files, [shown, *map(Text, remarks)])
 
 
 def percent(error: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -10,75 +11,75 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from softcat_sym import drawing
+from softcat_sym.design.critical_span import CriticalSpan, with_span
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import plain_log
-from softcat_sym.plotting.units import length_unit
+from softcat_sym.plotting.style import log_axes, plain_log
+from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
-    from softcat_sym.design.critical_span import CriticalSpan
+    from softcat_sym.scene.scene import Scene
 
-_LABELS = {
-    SPAN: ("span [mm]", 1e3),
-    THICKNESS: ("thickness [mm]", 1e3),
-    DURATION: ("duration [s]", 1.0),
-    FRAME_RATE: ("frames a second", 1.0),
+_NAMES: dict[str, tuple[str, Callable[[float], Unit]]] = {
+    SPAN: ("span", length_unit),
+    THICKNESS: ("thickness", length_unit),
+    DURATION: ("duration", time_unit),
+    FRAME_RATE: ("frame rate", lambda _: Unit("s⁻¹", 1.0)),
 }
 
 
 @drawing.plot.register(Experiment)
+@style.styled()
 def experiment_figure(experiment: Experiment) -> Figure:
     """Draw the trials over two design variables, those that were open to choice first; colour is the worst error."""
-    tried = experiment.tried
-    varied = [path for path in _LABELS if len({one.values[path] for one in tried}) > 1]
-    across, up = [*varied, *(path for path in _LABELS if path not in varied)][:2]
-    x, y = (
-        np.array([one.values[path] for one in (experiment.best, *tried)]) * _LABELS[path][1] for path in (across, up)
-    )
-    worst = np.array([experiment.best.worst, *(one.worst for one in tried)])
+    trials = (experiment.best, *experiment.tried)
+    varied = [path for path in _NAMES if len({one.values[path] for one in experiment.tried}) > 1]
+    worst = np.array([one.worst for one in trials])
     seen = np.isfinite(worst)
-    low, high = worst[seen].min(), worst[seen].max()
     title = "Worst relative standard error of the experiments that were tried"
     below = "a film of the best duration for each filament; crosses: no answer, or not determined"
-    with style.styled():
-        figure, body = style.sheet(title, below, height=3.9, notes="\n".join(experiment.text), columns=112)
-        axes = body.subplots()
-        norm = LogNorm(low, max(high, 1.01 * low))
-        drawn = axes.scatter(x[seen], y[seen], c=worst[seen], norm=norm, cmap="viridis_r", s=36, linewidths=0)
-        axes.plot(x[~seen], y[~seen], "x", color=style.GREY, markersize=5)
-        axes.plot(x[:1], y[:1], "o", markersize=11, fillstyle="none", color=style.VERMILLION)
-        axes.set(xscale="log", yscale="log", xlabel=_LABELS[across][0], ylabel=_LABELS[up][0])
-        axes.margins(0.05)
-        for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis)
-        bar = body.colorbar(drawn, ax=axes, label="worst relative error", pad=0.02, aspect=22)
-        plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %")
+    figure, body = style.sheet(title, below, height=3.9, notes="\n".join(experiment.text), columns=112)
+    axes, places = body.subplots(), []
+    for which, path in zip("xy", dict.fromkeys([*varied, *_NAMES]), strict=False):
+        values, (name, unit_of) = np.array([one.values[path] for one in trials]), _NAMES[path]
+        unit = unit_of(float(values.max()))
+        places.append(unit.of(values))
+        axes.set(**{f"{which}label": f"{name} [{unit.symbol}]"})
+    x, y = places
+    norm = LogNorm(worst[seen].min(), max(worst[seen].max(), 1.01 * worst[seen].min()))
+    drawn = axes.scatter(x[seen], y[seen], c=worst[seen], norm=norm, cmap="viridis_r", s=36, linewidths=0)
+    axes.plot(x[~seen], y[~seen], "x", color=style.GREY, markersize=5)
+    axes.plot(x[:1], y[:1], "o", markersize=11, fillstyle="none", color=style.VERMILLION)
+    axes.margins(0.05)
+    log_axes(axes)
+    bar = body.colorbar(drawn, ax=axes, label="worst relative error", pad=0.02, aspect=22)
+    plain_log(bar.ax.yaxis, lambda value: f"{100 * value:.3g} %")
     return figure
 
 
+@drawing.plot.register(CriticalSpan)
+@style.styled()
 def critical_span_figure(found: CriticalSpan) -> Figure:
     """Draw sag over span as scanned, with the critical span; crosses at the top: the run has no answer."""
     spans, sags = np.array(found.scan).T
     finite = np.isfinite(sags) & (sags > 0)
     ruler, across = length_unit(found.sag), length_unit(found.span)
-    below = "spans that were scanned; ring: the critical span; crosses: the filament has no answer"
-    with style.styled():
-        figure, body = style.sheet(
-            "Largest span that sags less than a limit", below, height=3.4, notes="\n".join(found.text), columns=112
-        )
-        axes = body.subplots()
-        axes.plot(across.of(spans[finite]), ruler.of(sags[finite]), ".-", color=style.BLUE, linewidth=1.0)
-        top = np.full_like(spans[~finite], ruler.of(sags[finite].max()))
-        axes.plot(across.of(spans[~finite]), top, "x", color=style.GREY, markersize=5)
-        place = [found.span / across.size], [found.sag / ruler.size]
-        axes.plot(*place, "o", markersize=10, fillstyle="none", color=style.VERMILLION)
-        axes.set(xscale="log", yscale="log", xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
-        for axis in (axes.xaxis, axes.yaxis):
-            plain_log(axis)
-        axes.margins(0.04)
-        axes.grid(True)
+    below = "spans that were run; dashed: the limit; ring: the largest span, with its error; crosses: no answer"
+    notes = "\n".join(found.text)
+    figure, body = style.sheet("Largest span that sags less than a limit", below, height=3.4, notes=notes, columns=112)
+    axes = body.subplots()
+    axes.plot(across.of(spans[finite]), ruler.of(sags[finite]), ".-", color=style.BLUE, linewidth=1.0)
+    top = np.full_like(spans[~finite], ruler.of(sags[finite].max()))
+    axes.plot(across.of(spans[~finite]), top, "x", color=style.GREY, markersize=5)
+    allowed = [ruler.of(found.limit.at(span)) for span in (spans.min(), spans.max())]
+    axes.plot(across.of(spans[[0, -1]]), allowed, "--", color=style.GREY, linewidth=0.9)
+    x, y, error = across.of(found.span), ruler.of(found.sag), across.of(found.error or 0.0)
+    axes.errorbar(x, y, xerr=error, fmt="o", markersize=10, fillstyle="none", color=style.VERMILLION)
+    log_axes(axes, xlabel=f"span [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]")
+    axes.margins(0.04)
+    axes.grid(True)
     return figure
 
 
@@ -97,3 +98,15 @@ def experiment_report(experiment: Experiment, critical: CriticalSpan | None = No
         files["critical_span.png"] = partial(critical_span_figure, critical)
         files["critical_span.csv"] = critical.to_frame
     return Report(files, texts, stale=("critical_span.png", "critical_span.csv"))
+
+
+@drawing.report.register(CriticalSpan)
+def span_report(found: CriticalSpan, scene: Scene) -> Report:
+    """The longest span in a line, and what limits it; with the scene that has it."""
+    files = {
+        "span.json": found.to_dict(),
+        "span.csv": found.to_frame,
+        "span.png": partial(critical_span_figure, found),
+        "scene.toml": with_span(scene, found.span).to_toml,
+    }
+    return Report(files, found.text)

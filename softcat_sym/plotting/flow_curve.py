@@ -12,10 +12,10 @@ from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
-from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, Candidate, FlowCurveFit
+from softcat_sym.fitting.flow_curve import CONVERSION, FITTED, FlowCurveFit
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import legend, number_axis
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import legend, number_axis, styled
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
@@ -39,67 +39,59 @@ _FAR = 50.0
 
 
 @drawing.plot.register(FlowCurveFit)
+@styled()
 def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
-    curve = fit.curve
+    curve, rate = fit.curve, fit.curve.shear_rate
     title = curve.path.name if curve.path else "Flow curve"
-    found = f"flow curve, {len(curve.shear_rate)} points · {fit.best.law} by the criterion · rms relative residuals"
-    with style.styled():
-        figure, body = style.sheet(title, found, height=5.2)
-        above, below = body.subplots(2, 1, height_ratios=[3.4, 1])
-        rate, order = curve.shear_rate, np.argsort(curve.shear_rate, kind="stable")
-        dense = np.geomspace(rate.min(), rate.max(), 400)
-        measured: dict[str, Any] = {"color": style.BLACK, "marker": "o", "markersize": 4.5, "linestyle": ""}
-        above.plot(rate, curve.shear_stress, label="measured", alpha=0.6, **measured)
-        below.axhline(0.0, color=style.GREY, linewidth=0.8)
-        looks = {law.name: look for law, look in zip(FITTED, cycle(_LOOKS), strict=False)}
-        for one in fit.candidates:
-            color, dashes, marker = looks[one.law]
-            percent = 100 * one.relative_rms
-            name = f"{one.law} ({significant(percent) if percent >= 0.01 else '< 0.01'} %)"
-            wide = 2.0 if one is fit.best else 1.2
-            above.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
-            residual = 100 * one.residuals[order]
-            below.plot(rate[order], residual, color=color, linewidth=0.8, marker=marker, markersize=3.0)
-        # A law that does not fit leaves the picture; of exact data there is rounding only, which is not worth a look.
-        number_axis(above, "y", curve.shear_stress.min(), curve.shear_stress.max(), is_log=True, ticks=8, room=0.15)
-        largest = max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates)
-        far = max(1.12 * min(largest, _FAR), 1e-3)
-        below.set_ylim(-far, far)
-        below.yaxis.set_major_formatter("{x:.3g}")
-        above.set_ylabel("shear stress [Pa]")
-        below.set_ylabel("residual [%]")
-        for axes in (above, below):
-            number_axis(axes, "x", rate.min(), rate.max(), is_log=True, ticks=8)
-            axes.grid(True)
-        above.tick_params(labelbottom=False)
-        below.set_xlabel("shear rate [s⁻¹]")
-        legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
+    found = f"flow curve, {len(rate)} points · {fit.best.law} by the criterion · rms relative residuals"
+    figure, body = style.sheet(title, found, height=5.2)
+    above, below = body.subplots(2, 1, height_ratios=[3.4, 1], sharex=True)
+    order, dense = np.argsort(rate, kind="stable"), np.geomspace(rate.min(), rate.max(), 400)
+    measured: dict[str, Any] = {"color": style.BLACK, "marker": "o", "markersize": 4.5, "linestyle": ""}
+    above.plot(rate, curve.shear_stress, label="measured", alpha=0.6, **measured)
+    below.axhline(0.0, color=style.GREY, linewidth=0.8)
+    looks = {law.name: look for law, look in zip(FITTED, cycle(_LOOKS), strict=False)}
+    for one in fit.candidates:
+        color, dashes, marker = looks[one.law]
+        percent = 100 * one.relative_rms
+        name = f"{one.law} ({significant(percent) if percent >= 0.01 else '< 0.01'} %)"
+        wide = 2.0 if one is fit.best else 1.2
+        above.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
+        below.plot(rate[order], 100 * one.residuals[order], color=color, lw=0.8, marker=marker, markersize=3.0)
+    # A law that does not fit leaves the picture; of exact data there is rounding only, which is not worth a look.
+    number_axis(above, "y", curve.shear_stress.min(), curve.shear_stress.max(), is_log=True, ticks=8, room=0.15)
+    largest = max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates)
+    far = max(1.12 * min(largest, _FAR), 1e-3)
+    below.set(ylim=(-far, far), ylabel="residual [%]", xlabel="shear rate [s⁻¹]")
+    below.yaxis.set_major_formatter("{x:.3g}")
+    above.set_ylabel("shear stress [Pa]")
+    number_axis(below, "x", rate.min(), rate.max(), is_log=True, ticks=8)
+    above.grid(True)
+    below.grid(True)
+    legend(body, "upper left", of=above, ncols=4, handlelength=1.9)
     return figure
 
 
 def flow_curve_table(fit: FlowCurveFit) -> Table:
     """A row for each candidate, the best first."""
+    rows = [
+        (
+            one.law,
+            _with_interval(one.tau_Y),
+            _with_interval(one.k),
+            _with_interval(one.n) if one.n else "1",
+            "–" if one.tensile.yield_stress is None else significant(one.tensile.yield_stress),
+            significant(one.tensile.viscosity),
+            significant(100 * one.relative_rms),
+            f"{one.criterion - fit.best.criterion:.1f}",
+        )
+        for one in fit.candidates
+    ]
     header = ("law", "τ_Y [Pa]", "k [Pa·sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa·sⁿ]", "rms [%]", "above best")
-    rows = [_row(one, fit) for one in fit.candidates]
     title = fit.curve.path.name if fit.curve.path else "Flow curve"
     caption = f"± 95 %; rms of the relative residuals; above best: of the criterion\n{CONVERSION}"
-    looks: dict[str, Any] = {"right": range(1, len(header)), "whole": [0], "padding": (0, 1, 0, 0)}
-    return text_table(header, rows, title=title, caption=caption, **looks)
-
-
-def _row(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
-    tensile = one.tensile
-    return (
-        one.law,
-        _with_interval(one.tau_Y),
-        _with_interval(one.k),
-        _with_interval(one.n) if one.n else "1",
-        "–" if tensile.yield_stress is None else significant(tensile.yield_stress),
-        significant(tensile.viscosity),
-        significant(100 * one.relative_rms),
-        f"{one.criterion - fit.best.criterion:.1f}",
-    )
+    return TextTable(header, rows, range(1, len(header))).printed(title, caption, whole=[0])
 
 
 def _with_interval(constant: Estimate | None) -> str:

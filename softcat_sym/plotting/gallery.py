@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
@@ -17,10 +17,10 @@ from softcat_sym import store
 from softcat_sym.drawing import Report
 from softcat_sym.files import json_bytes
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import csv_bytes, page
+from softcat_sym.plotting.files import page
 from softcat_sym.plotting.run import Shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, telling_frames
-from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png
+from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png, styled
 from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from softcat_sym.scene.reading import load_scene
@@ -33,48 +33,32 @@ if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
 
-@dataclass(frozen=True)
-class Exhibit:
-    """What the gallery shows of one scene; SI units."""
-
-    name: str  # Of the scene, and what to learn from it
-    title: str
-    lesson: str
-    law: str  # Of its material
-    outcome: str  # Name of the run's :class:`~softcat_sym.Outcome`
-    regime: str  # What the run shows; empty where it is refused
-    span: float  # Of the filament [m]
-    thickness: float
-    duration: float  # Simulated time [s]
-    sag_final: float | None  # Of the midpoint, downwards [m]; None where the run is refused
-    sag_largest: float | None
-    largest_stretch: float | None  # At the end, of any cell [-]; None where the run is refused
-    wall: float  # Time that the run took [s]
-    identity: str  # Of program and scene, in the store of finished runs
+Row: TypeAlias = dict[str, Any]
+"""What ``gallery.json`` holds of one scene."""
 
 
-def exhibit_of(name: str, changes: Iterable[str] = ()) -> tuple[Exhibit, Run]:
-    """Run a scene of the gallery, or recall it from the store."""
+def scene_run(name: str, changes: Iterable[str] = ()) -> tuple[Row, Run]:
+    """Run a scene of the gallery, or recall it from the store; what is refused has neither regime nor sag."""
     scene = without_estimate(load_scene(name, list(changes)))
     run = recalled(scene)
     midpoint, sound = run.fields["midpoint"], run.outcome.is_success
-    exhibit = Exhibit(
-        name=name,
-        title=scene.title,
-        lesson=bundled_lesson(name),
-        law=scene.material.law,
-        outcome=run.outcome.name,
-        regime=str(run.summary["regime"]) if sound else "",
-        span=scene.filament.span,
-        thickness=scene.filament.thickness,
-        duration=scene.run.duration,
-        sag_final=-float(midpoint[-1]) if sound else None,
-        sag_largest=-float(midpoint.min()) if sound else None,
-        largest_stretch=float(run.fields["stretch"][-1].max()) if sound else None,
-        wall=run.summary["wall_s"]["total"],
-        identity=store.key_of("run", identity_of(scene))[:16],
-    )
-    return exhibit, run
+    row = {
+        "name": name,
+        "title": scene.title,
+        "lesson": bundled_lesson(name),
+        "law": scene.material.law,
+        "outcome": run.outcome.name,
+        "regime": str(run.summary["regime"]) if sound else "",
+        "span_m": scene.filament.span,
+        "thickness_m": scene.filament.thickness,
+        "duration_s": scene.run.duration,
+        "sag_final_m": -float(midpoint[-1]) if sound else None,
+        "sag_largest_m": -float(midpoint.min()) if sound else None,
+        "largest_stretch": float(run.fields["stretch"][-1].max()) if sound else None,
+        "wall_s": run.summary["wall_s"]["total"],
+        "identity": store.key_of("run", identity_of(scene))[:16],
+    }
+    return row, run
 
 
 _WIDTH, _HEIGHT, _TEXT, _FOOT, _SIDE = 3.0, 2.3, 0.50, 0.26, 0.14
@@ -84,12 +68,15 @@ _DEEPEST = 1.6
 """A run that is drawn without end is shown until it hangs this many spans deep."""
 
 
-def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
+@styled()
+def tile(run: Run, row: Row) -> Figure:
     """Draw a scene of the gallery.
 
     Lengths are equal along both axes, unless the sag is too flat to see: then the picture says by how much it is
     magnified. A bar shows the scale.
     """
+    data: Fields = run.fields
+    scene, sag = run.scene, row["sag_final_m"]
     reach = max(scene.filament.span, float(np.ptp(array(data, "x"), axis=1).max()))
     deep = np.abs(array(data, "y")).max(axis=1) > _DEEPEST * reach
     if deep.any():
@@ -97,105 +84,82 @@ def tile(data: Fields, scene: Scene, exhibit: Exhibit) -> Figure:
     frames = telling_frames(data, 4)
     larger = Magnification.of(largest_sag(array(data, "y")[frames]), scene.filament.thickness, scene.filament.span)
     shapes = shapes_of(larger.drawn(data), scene, frames)
-    low = np.min([shape.outline.min(axis=0) for shape in shapes], axis=0)
-    high = np.max([shape.outline.max(axis=0) for shape in shapes], axis=0)
-    with style.styled():
-        figure = new_figure(_WIDTH, _HEIGHT)
-        figure.text(_SIDE / _WIDTH, 1 - 0.07 / _HEIGHT, exhibit.name, va="top", fontsize=11, fontweight="bold")
-        text, colour = f"refused: {exhibit.outcome}", style.VERMILLION
-        if exhibit.sag_final is not None:
-            sag = abs(exhibit.sag_final)
-            word = "sag" if exhibit.sag_final >= 0 else "rise"
-            text, colour = f"{exhibit.regime} · {word} {length_unit(sag, exhibit.span).text(sag)}", style.GREY
-        figure.text(_SIDE / _WIDTH, 1 - 0.29 / _HEIGHT, text, va="top", fontsize=8.5, color=colour)
-        room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
-        axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
-        axes.set_axis_off()
-        # Equal lengths within the room, centred; three per cent of air around.
-        scale = min(room[0] / (high[0] - low[0]), room[1] / (larger.sag * (high[1] - low[1]))) / 1.06
-        centre, half = (low + high) / 2, room / np.array([scale, scale * larger.sag]) / 2
-        axes.set_xlim(centre[0] - half[0], centre[0] + half[0])
-        axes.set_ylim(centre[1] - half[1], centre[1] + half[1])
-        for strength, shape in zip(np.linspace(1.0, 0.25, len(shapes)), reversed(shapes), strict=True):
-            _draw(axes, shape, float(strength))
-        _hold(axes, shapes[-1], scene, 0.09 / scale)
-        # A bar of a round length, and what is drawn larger.
-        length = nice_floor(0.28 * float(room[0]) / scale)
-        unit = length_unit(1.001 * length)  # just below a power of ten
-        ends = [_SIDE / _WIDTH, (_SIDE + scale * length) / _WIDTH]
-        line = axes.plot(ends, [0.1 / _HEIGHT] * 2, color=style.BLACK, lw=1.2, transform=figure.transFigure)
-        line[0].set(clip_on=False, solid_capstyle="butt")
-        note = f"{length / unit.size:g} {unit.symbol}" + (f", {larger}" if str(larger) else "")
-        figure.text(ends[1] + 0.02, 0.1 / _HEIGHT, note, va="center", fontsize=7.5, color=style.GREY)
+    corners = np.concatenate([shape.outline for shape in shapes])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    figure, left = new_figure(_WIDTH, _HEIGHT), _SIDE / _WIDTH
+    figure.text(left, 1 - 0.07 / _HEIGHT, row["name"], va="top", fontsize=11, fontweight="bold")
+    text, colour = f"refused: {row['outcome']}", style.VERMILLION
+    if sag is not None:
+        depth = length_unit(abs(sag), scene.filament.span).text(abs(sag))
+        text, colour = f"{row['regime']} · {'sag' if sag >= 0 else 'rise'} {depth}", style.GREY
+    figure.text(left, 1 - 0.29 / _HEIGHT, text, va="top", fontsize=8.5, color=colour)
+    room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
+    axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
+    axes.set_axis_off()
+    # Equal lengths within the room, centred; three per cent of air around.
+    scale = min(room[0] / (high[0] - low[0]), room[1] / (larger.sag * (high[1] - low[1]))) / 1.06
+    centre, half = (low + high) / 2, room / np.array([scale, scale * larger.sag]) / 2
+    axes.set(xlim=(centre[0] - half[0], centre[0] + half[0]), ylim=(centre[1] - half[1], centre[1] + half[1]))
+    for strength, shape in zip(np.linspace(1.0, 0.25, len(shapes)).tolist(), reversed(shapes), strict=True):
+        # An earlier shape is paler.
+        look: dict[str, Any] = {"zorder": 2 + strength, "alpha": 0.55 * strength if strength < 1 else 1.0}
+        axes.fill(*shape.outline.T, facecolor=style.BLUE, edgecolor=style.BLUE, linewidth=0.7, **look)
+        colours = {"facecolors": style.VERMILLION, "edgecolors": style.VERMILLION, "linewidths": 0.2}
+        axes.add_collection(PolyCollection(list(shape.yielded), **{**look, **colours}), autolim=False)
+    _draw_supports(axes, shapes[-1], scene, 0.09 / scale)
+    # A bar of a round length, and what is drawn larger.
+    length = nice_floor(0.28 * float(room[0]) / scale)
+    unit = length_unit(1.001 * length)  # just below a power of ten
+    ends, up = [left, left + scale * length / _WIDTH], 0.1 / _HEIGHT
+    bar: dict[str, Any] = {"clip_on": False, "solid_capstyle": "butt", "transform": figure.transFigure}
+    axes.plot(ends, [up, up], color=style.BLACK, lw=1.2, **bar)
+    note = f"{length / unit.size:g} {unit.symbol}" + (f", {larger}" if str(larger) else "")
+    figure.text(ends[1] + 0.02, up, note, va="center", fontsize=7.5, color=style.GREY)
     return figure
 
 
-def _draw(axes: Axes, shape: Shape, strength: float) -> None:
-    """A body and its yielded zones; `strength` below one makes an earlier shape paler."""
-    body = axes.fill(*shape.outline.T, facecolor=style.BLUE, edgecolor=style.BLUE, linewidth=0.7, zorder=2 + strength)
-    quads = PolyCollection(
-        list(shape.yielded), facecolors=style.VERMILLION, edgecolors=style.VERMILLION, linewidths=0.2
-    )
-    quads.set_zorder(2.01 + strength)
-    axes.add_collection(quads, autolim=False)
-    for artist in (*body, quads):
-        artist.set_alpha(0.55 * strength if strength < 1 else 1.0)
-
-
-def _hold(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
+def _draw_supports(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
     """What holds the ends: a wall for a clamp, a dot for a pin, nothing for a free end."""
     for place, support in zip((0, -1), scene.ends.supports, strict=True):
         x, y = float(shape.section.x[place]), float(shape.section.y[place])
-        if support.is_free:
-            continue
-        if not support.carries_moment:
-            axes.plot([x], [y], "o", ms=4.5, mfc="white", mec=style.BLACK, mew=0.9, zorder=6, clip_on=False)
-        else:
-            outside = -size if place == 0 else 0.0
+        if support.carries_moment:
+            left = x - size if place == 0 else x
             tall = max(0.11 * float(np.ptp(axes.get_ylim())), 0.65 * float(shape.section.thickness[place]))
-            axes.fill_between([x + outside, x + outside + size], y - tall, y + tall, color=style.GREY, lw=0, zorder=5)
+            axes.fill_between([left, left + size], y - tall, y + tall, color=style.GREY, lw=0, zorder=5)
+        elif not support.is_free:
+            axes.plot([x], [y], "o", ms=4.5, mfc="white", mec=style.BLACK, mew=0.9, zorder=6, clip_on=False)
 
 
-_COLUMNS = 5
-_UNITS = {"span": "m", "thickness": "m", "duration": "s", "sag_final": "m", "sag_largest": "m", "wall": "s"}
 NOTE = (
     "Each run once, at the program's first guess of cells and fibres and without an estimate of its error; "
     "softcat run NAME -o DIR gives the answer to the accuracy that the scene asks for, with the estimate."
 )
 
 
-def gallery_report(shown: Sequence[tuple[Exhibit, Run]], changes: Sequence[str] = ()) -> Report:
+def gallery_report(shown: Sequence[tuple[Row, Run]], changes: Sequence[str] = ()) -> Report:
     """Page, contact sheet, table and document, and of each scene its picture and its file."""
-    pictures = [png(tile(run.fields, run.scene, exhibit)) for exhibit, run in shown]
-    texts = [load_scene(e.name, changes).to_toml() if changes else bundled_text(e.name) for e, _ in shown]
-    rows = [
-        {f"{key}_{_UNITS[key]}" if key in _UNITS else key: value for key, value in asdict(exhibit).items()}
-        for exhibit, _ in shown
-    ]
-    cards = [
-        (
-            exhibit,
-            f"{exhibit.law} · span {length_unit(exhibit.span).text(exhibit.span)} · "
-            f"{time_unit(exhibit.duration).text(exhibit.duration)}",
-            b64encode(picture).decode(),
-            text,
-        )
-        for (exhibit, _), picture, text in zip(shown, pictures, texts, strict=True)
-    ]
-    spent = significant(sum(exhibit.wall for exhibit, _ in shown))
+    rows = [row for row, _ in shown]
+    pictures = {row["name"]: png(tile(run, row)) for row, run in shown}
+    texts = {name: load_scene(name, changes).to_toml() if changes else bundled_text(name) for name in pictures}
+    cards = []
+    for row in rows:
+        about = (row["law"], f"span {length_unit(row['span_m']).text(row['span_m'])}")
+        facts = " · ".join((*about, time_unit(row["duration_s"]).text(row["duration_s"])))
+        cards.append((row, facts, b64encode(pictures[row["name"]]).decode(), texts[row["name"]]))
+    spent = significant(sum(row["wall_s"] for row in rows))
     subtitle = f"{len(shown)} scene{'s' if len(shown) > 1 else ''}, run in {spent} s"
     contents: dict[str, object] = {
         "gallery.html": page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards),
-        "gallery.png": contact_sheet(pictures),
-        "gallery.csv": csv_bytes(rows[0], (row.values() for row in rows)),
+        "gallery.png": contact_sheet(list(pictures.values())),
+        "gallery.csv": pd.DataFrame(rows),
         "gallery.json": json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False),
     }
-    for (exhibit, _), picture, text in zip(shown, pictures, texts, strict=True):
-        contents |= {f"{exhibit.name}.png": picture, f"{exhibit.name}.toml": text}
+    for name, picture in pictures.items():
+        contents |= {f"{name}.png": picture, f"{name}.toml": texts[name]}
     return Report(contents)
 
 
-def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
+def contact_sheet(pictures: Sequence[bytes], columns: int = 5) -> bytes:
     """Put pictures of one size side by side, row by row."""
     from matplotlib.image import imread, imsave
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, Final, NamedTuple
 
@@ -10,13 +10,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import log_axes, styled
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.studies.phase import NO_YIELD, OVERDAMPED, PAPER_STRAIN, UNDERDAMPED, PhaseDiagram, PhaseSheet
 from softcat_sym.studies.phase_runs import CLAMPS_ONLY, DESCENDING, PhaseRun
 
@@ -62,17 +62,19 @@ def _drawers(diagram: PhaseDiagram) -> Mapping[str, Callable[[], Figure]]:
 drawing.plot.register(PhaseDiagram, lambda of, what="": drawing.figure_by_name(_drawers(of), what))
 
 
+@styled()
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw one plane."""
     title = f"Regimes over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
-    with style.styled():
-        figure, body = style.sheet(title, height=4.4, notes=diagram.caption(sheet), columns=128)
-        axes = body.subplots()
-        draw_tints(axes, sheet)
-        _draw_runs(axes, sheet)
-        _draw_lines(axes, sheet)
-        finish(axes, sheet)
-        _key(axes)
+    figure, body = style.sheet(title, height=4.4, notes=diagram.caption(sheet), columns=128)
+    axes = body.subplots()
+    draw_tints(axes, sheet)
+    runs, lines = _draw_runs(axes, sheet), _draw_lines(axes, sheet)
+    finish(axes, sheet)
+    upper: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.03, 1.01), "fontsize": 7.5, "markerscale": 1.6}
+    lower: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (1.03, -0.02), "fontsize": 7, "labelspacing": 0.45}
+    axes.add_artist(axes.legend(handles=runs, title="runs", alignment="left", **upper))
+    axes.legend(handles=lines, title="lines", alignment="left", **lower)
     return figure
 
 
@@ -88,88 +90,73 @@ def draw_tints(axes: Axes, sheet: PhaseSheet) -> None:
 
 def finish(axes: Axes, sheet: PhaseSheet) -> None:
     """Logarithmic axes with the names of the groups."""
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(sheet.plane.x.low, sheet.plane.x.high)
-    axes.set_ylim(sheet.plane.y.low, sheet.plane.y.high)
-    for axis in (axes.xaxis, axes.yaxis):
-        style.plain_log(axis)
+    x, y = sheet.plane.x, sheet.plane.y
+    log_axes(axes, xlim=(x.low, x.high), ylim=(y.low, y.high), xlabel=AXES["G"], ylabel=AXES[y.key])
     axes.spines[:].set_visible(True)
-    axes.set_xlabel(AXES["G"])
-    axes.set_ylabel(AXES[sheet.plane.y.key])
 
 
-def _draw_runs(axes: Axes, sheet: PhaseSheet) -> None:
+def _places(sheet: PhaseSheet, runs: Sequence[PhaseRun]) -> tuple[list[float], list[float]]:
+    return [run.place.G for run in runs], [getattr(run.place, sheet.plane.y.key) for run in runs]
+
+
+def _draw_runs(axes: Axes, sheet: PhaseSheet) -> list[Any]:
+    """Marks of the runs, with how many there are of each kind."""
+    drawn = []
     for look in (*LOOKS.values(), _FAILED):
         runs = [point.run for point in sheet.points if look_of(point.run.mark) is look]
-        if not runs:
-            continue
-        x, y = np.array([(run.place.G, getattr(run.place, sheet.plane.y.key)) for run in runs]).T
-        face = "white" if look.hollow else look.colour
-        edge = None if look.marker in "x+" else look.colour
-        mark: dict[str, Any] = {"marker": look.marker, "c": face, "edgecolors": edge, "linewidths": 0.6}
-        axes.scatter(x, y, s=8, zorder=2, clip_on=False, label=f"{look.words} ({len(runs)})", **mark)
+        if runs:
+            edge = None if look.marker in "x+" else look.colour
+            mark: dict[str, Any] = {"c": "white" if look.hollow else look.colour, "edgecolors": edge, "linewidths": 0.6}
+            mark |= {"marker": look.marker, "label": f"{look.words} ({len(runs)})"}
+            drawn.append(axes.scatter(*_places(sheet, runs), s=8, zorder=2, clip_on=False, **mark))
+    return drawn
 
 
-def _draw_lines(axes: Axes, sheet: PhaseSheet) -> None:
+def _draw_lines(axes: Axes, sheet: PhaseSheet) -> list[Any]:
     """Lines, each with its number; the numbers climb, so that neighbours do not meet."""
+    drawn = []
     for number, line in enumerate(sheet.lines, start=1):
         label = f"{number}  {line.name}\n    {line.source}, {line.equation}"
         look: dict[str, Any] = {"color": style.BLACK, "linestyle": _LINES[line.source], "linewidth": 1.1}
-        axes.plot(line.G, line.other, zorder=3, label=label, **look)
+        drawn += axes.plot(line.G, line.other, zorder=3, label=label, **look)
         there = np.flatnonzero(np.isfinite(line.G) & (line.G > sheet.plane.x.low) & (line.G < sheet.plane.x.high))
-        if not len(there):
-            continue
-        k = there[int((0.96 - 0.085 * (number - 1)) * (len(there) - 1))]
-        box = {"boxstyle": "circle,pad=0.18", "facecolor": "white", "edgecolor": style.BLACK, "linewidth": 0.6}
-        place = (float(line.G[k]), float(line.other[k]))
-        axes.annotate(str(number), place, ha="center", va="center", fontsize=6, bbox=box, zorder=4)
-
-
-def _key(axes: Axes) -> None:
-    """Marks with their numbers of runs, and the numbered lines, at the right."""
-    handles = axes.get_legend_handles_labels()[0]
-    lines = [handle for handle in handles if isinstance(handle, Line2D)]
-    runs = [handle for handle in handles if handle not in lines]
-    upper: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.03, 1.01), "fontsize": 7.5, "markerscale": 1.6}
-    lower: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (1.03, -0.02), "fontsize": 7, "labelspacing": 0.45}
-    axes.add_artist(axes.legend(handles=runs, title="runs", alignment="left", **upper))
-    axes.legend(handles=lines, title="lines", alignment="left", **lower)
+        if len(there):
+            k = there[int((0.96 - 0.085 * (number - 1)) * (len(there) - 1))]
+            box = {"boxstyle": "circle,pad=0.18", "facecolor": "white", "edgecolor": style.BLACK, "linewidth": 0.6}
+            place = (float(line.G[k]), float(line.other[k]))
+            axes.annotate(str(number), place, ha="center", va="center", fontsize=6, bbox=box, zorder=4)
+    return drawn
 
 
 _LOW, _HIGH = 1e-3, 3.0
-_PLACES: Final[tuple[tuple[str, Callable[[PhaseRun], float]], ...]] = (
-    ("at the clamp", lambda run: run.clamp_strain),
-    ("at midspan", lambda run: run.midspan_strain),
-)
+_PLACES: Final[dict[str, Callable[[PhaseRun], float]]] = {
+    "at the clamp": lambda run: run.clamp_strain,
+    "at midspan": lambda run: run.midspan_strain,
+}
 
 
+@styled()
 def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw two maps of one plane: every run at its place, coloured by a strain."""
     title = f"Local strain over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
     answers = [point.run for point in sheet.points if point.run.regime]
     others = [point.run for point in sheet.points if not point.run.regime]
-    with style.styled():
-        figure, body = style.sheet(title, height=3.3, notes=diagram.strain_caption, columns=128)
-        panels = body.subplots(1, 2, sharey=True)
-        for axes, (words, strain) in zip(panels, _PLACES, strict=True):
-            draw_tints(axes, sheet)
-            strains = np.clip([strain(run) for run in answers], _LOW, _HIGH)
-            look: dict[str, Any] = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
-            edges = [style.BLACK if value > PAPER_STRAIN else "none" for value in strains]
-            drawn = axes.scatter(*_places(sheet, answers), c=strains, s=12, edgecolors=edges, **look)
-            colour = look_of("localised").colour
-            axes.scatter(*_places(sheet, others), marker="x", s=9, c=colour, linewidths=0.6, zorder=2)
-            finish(axes, sheet)
-            axes.set_title(words, fontsize=9)
-            axes.label_outer()
-        bar = body.colorbar(drawn, ax=panels, format=lambda value, _: f"{value:g}", label="strain", pad=0.02, aspect=22)
-        bar.ax.axhline(PAPER_STRAIN, color=style.BLACK, linewidth=1.2)
+    figure, body = style.sheet(title, height=3.3, notes=diagram.strain_caption, columns=128)
+    panels = body.subplots(1, 2, sharey=True)
+    for axes, (words, strain) in zip(panels, _PLACES.items(), strict=True):
+        draw_tints(axes, sheet)
+        strains = np.clip([strain(run) for run in answers], _LOW, _HIGH)
+        look: dict[str, Any] = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
+        edges = [style.BLACK if value > PAPER_STRAIN else "none" for value in strains]
+        drawn = axes.scatter(*_places(sheet, answers), c=strains, s=12, edgecolors=edges, **look)
+        colour = look_of("localised").colour
+        axes.scatter(*_places(sheet, others), marker="x", s=9, c=colour, linewidths=0.6, zorder=2)
+        finish(axes, sheet)
+        axes.set_title(words, fontsize=9)
+        axes.label_outer()
+    bar = body.colorbar(drawn, ax=panels, format=lambda value, _: f"{value:g}", label="strain", pad=0.02, aspect=22)
+    bar.ax.axhline(PAPER_STRAIN, color=style.BLACK, linewidth=1.2)
     return figure
-
-
-def _places(sheet: PhaseSheet, runs: list[PhaseRun]) -> tuple[list[float], list[float]]:
-    return [run.place.G for run in runs], [getattr(run.place, sheet.plane.y.key) for run in runs]
 
 
 _HEADER = ("boundary of the runs", "against the line", "source", "rows", "off by")
@@ -180,16 +167,10 @@ def phase_report(diagram: PhaseDiagram) -> Report:
     """A table and a sentence for each plane, and the strains of the paper's continual descent."""
     shown: list[Any] = []
     for sheet in diagram.sheets:
-        rows = [
-            (
-                distance.kind,
-                distance.line.name,
-                distance.line.source,
-                str(distance.rows),
-                f"{100 * distance.median:+.0f} % ({100 * distance.least:+.0f} to {100 * distance.most:+.0f})",
-            )
-            for distance in sheet.distances
-        ]
+        rows = []
+        for one in sheet.distances:
+            median, least, most = (f"{100 * share:+.0f}" for share in (one.median, one.least, one.most))
+            rows.append((one.kind, one.line.name, one.line.source, str(one.rows), f"{median} % ({least} to {most})"))
         title = f"boundaries over {sheet.plane.name}: G of the runs against the lines"
         again = sheet.runs - len(sheet.points)
         saved = (
@@ -198,7 +179,7 @@ def phase_report(diagram: PhaseDiagram) -> Report:
             f"({sheet.lattice.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time"
             f". {', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
         )
-        shown += [text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)), Text(saved)]
+        shown += [TextTable(_HEADER, rows, right=(3,)).printed(title), Text(saved)]
     tables = {"runs": diagram.to_frame, "boundaries": diagram.boundaries, "lines": diagram.lines}
     files = {
         "phase.json": diagram.to_dict,

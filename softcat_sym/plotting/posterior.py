@@ -17,8 +17,8 @@ from softcat_sym.fitting.posterior import Posterior
 from softcat_sym.fitting.priors import Prior
 from softcat_sym.fitting.result import Fit
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_figures import headed, parameter_axis
-from softcat_sym.plotting.style import legend, number_axis
+from softcat_sym.plotting.fit_figures import fit_sheet, parameter_axis, parameter_label
+from softcat_sym.plotting.style import legend, number_axis, styled
 from softcat_sym.plotting.units import Unit
 
 _GRID = 200
@@ -28,6 +28,7 @@ _SHARES = (0.95, 0.5)
 
 
 @drawing.plot.register(Posterior)
+@styled()
 def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
     """Draw the density of each parameter on the diagonal, of each pair below it, and correlations above.
 
@@ -44,46 +45,44 @@ def posterior_figure(posterior: Posterior, fit: Fit) -> Figure:
     scaled = [
         np.array([one.free.scaled(x) for x in values.tolist()]) for one, values in zip(priors, draws, strict=True)
     ]
-    with style.styled():
-        outcome = f"posterior: {posterior.outcome.word} · {posterior.message}"
-        figure, body = headed(fit, outcome, max(count * min(2.4, 6.9 / count), 2.6) + 0.4)
-        panels: Any = body.subplots(count, count, squeeze=False)
-        units = [_draw_one(panels[k, k], fit, one, draws[k], scaled[k]) for k, one in enumerate(priors)]
-        for (row, column), axes in np.ndenumerate(panels):
-            if row > column:
-                for which, one in (("x", panels[column, column]), ("y", panels[row, row])):
-                    number_axis(axes, which, *one.get_xlim(), is_log=one.get_xscale() == "log", room=0.0)
-                pair = (column, row)
-                _draw_pair(axes, fit, [priors[k] for k in pair], [scaled[k] for k in pair], [units[k] for k in pair])
-            elif row < column:
-                axes.set_axis_off()
-                text = f"{np.corrcoef(scaled[row], scaled[column])[0, 1]:+.3f}".replace("-", "\N{MINUS SIGN}")
-                axes.text(0.5, 0.5, text, ha="center", va="center", fontsize=10, transform=axes.transAxes)
-            if row >= column:
-                axes.set_xlabel(_name(priors[column], units[column]) if row == count - 1 else "", fontsize=8)
-                axes.tick_params(labelbottom=row == count - 1, labelleft=row > column == 0)
-                axes.set_ylabel(_name(priors[row], units[row]) if row > column == 0 else "", fontsize=8)
-        handles: list[Any] = [
-            Line2D([], [], color=style.BLUE, label="posterior"),
-            Patch(color=style.SKY, alpha=0.3, linewidth=0, label="its 95 % interval"),
-            Line2D([], [], color=style.GREY, linestyle="--", label="prior"),
-            Line2D([], [], color=style.VERMILLION, label="best fit"),
-            Line2D([], [], color=style.VERMILLION, linewidth=4, alpha=0.5, label="95 % interval of the fit"),
-        ]
-        legend(body, handles=handles, ncols=5)
+    outcome = f"posterior: {posterior.outcome.word} · {posterior.message}"
+    figure, body = fit_sheet(fit, outcome, max(count * min(2.4, 6.9 / count), 2.6) + 0.4)
+    panels: Any = body.subplots(count, count, squeeze=False)
+    units = [_draw_one(panels[k, k], fit, one, draws[k], scaled[k]) for k, one in enumerate(priors)]
+    for (row, column), axes in np.ndenumerate(panels):
+        if row > column:
+            for which, one in (("x", panels[column, column]), ("y", panels[row, row])):
+                number_axis(axes, which, *one.get_xlim(), is_log=one.get_xscale() == "log", room=0.0)
+            pair = (column, row)
+            _draw_pair(axes, fit, [priors[k] for k in pair], [scaled[k] for k in pair], [units[k] for k in pair])
+        elif row < column:
+            axes.set_axis_off()
+            text = f"{np.corrcoef(scaled[row], scaled[column])[0, 1]:+.3f}".replace("-", "\N{MINUS SIGN}")
+            axes.text(0.5, 0.5, text, ha="center", va="center", fontsize=10, transform=axes.transAxes)
+        if row >= column:
+            is_last, is_first = row == count - 1, row > column == 0
+            axes.set_xlabel(parameter_label(priors[column].free, units[column]) if is_last else "", fontsize=8)
+            axes.set_ylabel(parameter_label(priors[row].free, units[row]) if is_first else "", fontsize=8)
+            axes.tick_params(labelbottom=is_last, labelleft=is_first)
+    handles: list[Any] = [
+        Line2D([], [], color=style.BLUE, label="posterior"),
+        Patch(color=style.SKY, alpha=0.3, linewidth=0, label="its 95 % interval"),
+        Line2D([], [], color=style.GREY, linestyle="--", label="prior"),
+        Line2D([], [], color=style.VERMILLION, label="best fit"),
+        Line2D([], [], color=style.VERMILLION, linewidth=4, alpha=0.5, label="95 % interval of the fit"),
+    ]
+    legend(body, handles=handles, ncols=5)
     return figure
-
-
-def _name(prior: Prior, unit: Unit) -> str:
-    return prior.free.name if prior.free.unit == "1" else f"{prior.free.name} [{unit.symbol}]"
 
 
 def _draw_one(axes: Axes, fit: Fit, prior: Prior, values: Floats, scaled: Floats) -> Unit:
     """Density of the draws, of the prior, and the fit's best value and interval."""
     free, found = prior.free, fit.parameters[prior.free.name]
     ends = [end for end in found.ci95 if end is not None]
-    # The few draws far out would make the rest a line; what the fit says stays in sight.
-    reach = np.array([*np.quantile(values, [0.001, 0.999]), *(end for end in ends if _is_near(end, values))])
+    # The few draws far out would make the rest a line; what the fit says stays in sight, unless it is far away.
+    low, high = np.quantile(values, [0.001, 0.999])
+    near = [end for end in ends if low - (high - low) < end < high + (high - low)]
+    reach = np.array([low, high, *near])
     unit = parameter_axis(axes, free, reach, found.best)
     q = np.linspace(free.scaled(float(reach.min())), free.scaled(float(reach.max())), _GRID)
     x = np.array([free.value(one) for one in q.tolist()])
@@ -101,17 +100,11 @@ def _draw_one(axes: Axes, fit: Fit, prior: Prior, values: Floats, scaled: Floats
     top = 1.08 * float(density.max())
     axes.axvline(float(unit.of(found.best)), color=style.VERMILLION, linewidth=1.0)
     if len(ends) == 2:
-        axes.plot(
-            unit.of(ends), [0.02 * top] * 2, color=style.VERMILLION, linewidth=4, alpha=0.5, solid_capstyle="butt"
-        )
+        bar: dict[str, Any] = {"color": style.VERMILLION, "alpha": 0.5, "solid_capstyle": "butt"}
+        axes.plot(unit.of(ends), [0.02 * top] * 2, linewidth=4, **bar)
     axes.set(ylim=(0.0, top), yticks=[])
     axes.spines["left"].set_visible(False)
     return unit
-
-
-def _is_near(end: float, values: Floats) -> bool:
-    low, high = np.quantile(values, [0.001, 0.999])
-    return bool(low - (high - low) < end < high + (high - low))
 
 
 def _draw_pair(axes: Axes, fit: Fit, pair: list[Prior], scaled: list[Floats], units: list[Unit]) -> None:

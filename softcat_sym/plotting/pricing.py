@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import headed, legend, plain_log
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.studies.effect_importance import Pricing, PricingRow, percent
 
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
@@ -40,10 +40,12 @@ _MARKS: dict[str, dict[str, Any]] = {
     "not in force, put in": {"marker": "D", "markersize": 5.0, "color": style.VERMILLION, "markerfacecolor": "white"},
     "everything at once": {"marker": "s", "markersize": 5.5, "color": style.BLACK},
 }
+_RATIOS = {"solve time": "time_ratio", "unknowns": "states_ratio", "instructions": "instructions_ratio"}
 _NOTE = "Ratios are with the effect over without it. What needs it is left out of both runs, what it needs is in both."
 
 
 @drawing.plot.register(Pricing)
+@styled()
 def pricing_figure(pricing: Pricing) -> Figure:
     """Draw a row an effect: change of the midpoint, and ratios with the effect over without it."""
     # Everything is a point of its own only where it is more than the base.
@@ -52,46 +54,36 @@ def pricing_figure(pricing: Pricing) -> Figure:
     shown = [pair for pair in found if pair[1]["share"] is not None and pair[1]["time_ratio"] is not None]
     shown.sort(key=lambda pair: -pair[1]["share"])
     accuracy, lost = pricing.scene.run.accuracy, "; ".join(text for row in rows if row.fails for text in _failure(row))
-    notes = _NOTE + (f"\nNot to be trusted, and not drawn: {lost}." if lost else "")
-    with style.styled():
-        figure, body = headed(
-            pricing.scene, "each effect left out or put in, in turn", {"outcome": pricing.base.outcome.name},
-            height=1.4 + 0.22 * len(shown), notes=notes,
-        )  # fmt: skip
-        panels = body.subplots(1, 4, sharey=True, width_ratios=[3, 2, 2, 2])
-        columns = {
-            "change of the midpoint": [max(values["share"], _SMALLEST * accuracy) for _, values in shown],
-            "solve time": [values["time_ratio"] for _, values in shown],
-            "unknowns": [values["states_ratio"] for _, values in shown],
-            "instructions": [values["instructions_ratio"] for _, values in shown],
-        }
-        places = np.arange(len(shown))
-        kinds = [
-            "everything at once" if row is pricing.everything else list(_MARKS)[not row.in_force] for row, _ in shown
-        ]
-        for axes, (name, values) in zip(panels, columns.items(), strict=True):
-            axes.set_xscale("log")
-            for kind, mark in _MARKS.items():
-                picked = [k for k, each in enumerate(kinds) if each == kind]
-                if not picked:  # The legend would have it, too
-                    continue
-                axes.plot([values[k] for k in picked], places[picked], linestyle="none", label=kind, **mark)
-            low, high = (accuracy / 3, 10 * accuracy) if axes is panels[0] else (0.8, 1.25)
-            axes.update_datalim([(low, 0.0), (high, 1.0)])
-            axes.set_xlabel(name)
-            axes.margins(x=0.12)
-            axes.grid(True)
-            axes.tick_params(axis="x", labelsize=7)
-        for axes in panels[1:]:
-            axes.axvline(1.0, color=style.GREY, linewidth=0.5, zorder=1)
-            plain_log(axes.xaxis, "× {:g}".format)
-        change = panels[0]
-        asked = f"accuracy asked, {percent(accuracy)}"
-        change.axvline(accuracy, color=style.GREY, linestyle="--", linewidth=0.9, label=asked)
-        plain_log(change.xaxis, lambda share: f"{100 * share:g} %", 4)
-        change.set_yticks(places, [row.effect for row, _ in shown])
-        change.invert_yaxis()
-        legend(body, handles=change.get_legend_handles_labels()[0], ncols=4)
+    figure, body = titled_figure(
+        pricing.scene, "each effect left out or put in, in turn", {"outcome": pricing.base.outcome.name},
+        height=1.4 + 0.22 * len(shown), notes=_NOTE + (f"\nNot to be trusted, and not drawn: {lost}." if lost else ""),
+    )  # fmt: skip
+    panels = body.subplots(1, 4, sharey=True, width_ratios=[3, 2, 2, 2])
+    table = pd.DataFrame([values for _, values in shown], columns=["share", *_RATIOS.values()])
+    table["share"] = table["share"].clip(lower=_SMALLEST * accuracy)
+    kinds = ["everything at once" if row is pricing.everything else list(_MARKS)[not row.in_force] for row, _ in shown]
+    names = ["change of the midpoint", *_RATIOS]
+    for axes, name, column in zip(panels, names, table, strict=True):
+        axes.set_xscale("log")
+        for kind, mark in _MARKS.items():
+            picked = [k for k, each in enumerate(kinds) if each == kind]
+            if picked:  # The legend would have it, too
+                axes.plot(table[column][picked], picked, linestyle="none", label=kind, **mark)
+        low, high = (accuracy / 3, 10 * accuracy) if axes is panels[0] else (0.8, 1.25)
+        axes.update_datalim([(low, 0.0), (high, 1.0)])
+        axes.set_xlabel(name)
+        axes.margins(x=0.12)
+        axes.grid(True)
+        axes.tick_params(axis="x", labelsize=7)
+    for axes in panels[1:]:
+        axes.axvline(1.0, color=style.GREY, linewidth=0.5, zorder=1)
+        plain_log(axes.xaxis, "× {:g}".format)
+    change, asked = panels[0], f"accuracy asked, {percent(accuracy)}"
+    change.axvline(accuracy, color=style.GREY, linestyle="--", linewidth=0.9, label=asked)
+    plain_log(change.xaxis, lambda share: f"{100 * share:g} %", 4)
+    change.set_yticks(range(len(shown)), [row.effect for row, _ in shown])
+    change.invert_yaxis()
+    legend(body, of=change, ncols=4)
     return figure
 
 
@@ -132,12 +124,12 @@ def pricing_report(pricing: Pricing) -> Report:
         ratios = [values[key] for key in ("states_ratio", "instructions_ratio", "time_ratio")]
         costs = ["–" if value is None else f"{value:.2g}" if value < 100 else f"{value:.0f}" for value in ratios]
         rows.append((row.effect, side, *amounts, *costs))
-    looks: dict[str, Any] = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
-    table = text_table(names, rows, title=pricing.scene.title or "Filament", caption=_CAPTION, **looks)
+    table = TextTable(names, rows, range(2, 8))
+    shown = table.printed(pricing.scene.title or "Filament", _CAPTION, whole=range(9))
     files = {
         "effects.json": pricing.to_dict,
         "effects.csv": pricing.to_frame,
         "effects.png": pricing.plot,
         "scene.toml": pricing.scene.to_toml,
     }
-    return Report(files, [table, *(Text(text, style="dim") for text in remarks(pricing)), Text(f"{pricing.reading}.")])
+    return Report(files, [shown, *(Text(text, style="dim") for text in remarks(pricing)), Text(f"{pricing.reading}.")])

@@ -58,7 +58,7 @@ def telling_frames(data: Fields, count: int = 5) -> list[int]:
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class FilamentOutline:
     """The filament at one instant."""
 
     x: Floats  # Centreline, shape (node,) [m]
@@ -74,13 +74,13 @@ class Section:
         return points
 
 
-def section_at(data: Fields, frame: int, clamped: Sequence[bool] = (False, False)) -> Section:
+def section_at(data: Fields, frame: int, clamped: Sequence[bool] = (False, False)) -> FilamentOutline:
     """Read the filament of one frame."""
     x, y = array(data, "x")[frame], array(data, "y")[frame]
     thickness = np.interp(array(data, "X_node"), array(data, "X_cell"), array(data, "thickness")[frame])
     angle = node_angles(x, y)
     angle[[0, -1]] = np.where(clamped, 0.0, angle[[0, -1]])
-    return Section(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
+    return FilamentOutline(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
 
 
 def node_angles(x: Floats, y: Floats) -> Floats:
@@ -94,7 +94,7 @@ def node_angles(x: Floats, y: Floats) -> Floats:
     return np.concatenate([[chord[0] - turns[0]], middle, [chord[-1] + turns[1]]])
 
 
-def outline(section: Section) -> Floats:
+def outline(section: FilamentOutline) -> Floats:
     """Closed polygon of the filament's side view."""
     return np.concatenate([section.at(-1.0), section.at(1.0)[::-1]])
 
@@ -157,7 +157,7 @@ def yielding_of(data: Fields, scene: Scene) -> Yielding:
     return Yielding(np.where(flows, low, -1.0), np.where(flows, high, 1.0), share, slowest)
 
 
-def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
+def quads_outside(section: FilamentOutline, lower: Floats, upper: Floats) -> Floats:
     """Quadrilaterals below and above the elastic core of cells, linear between nodes; empty ones are left out."""
     left, right, quads = slice(None, -1), slice(1, None), []
     for core, face in ((lower, -1.0), (upper, 1.0)):

@@ -48,17 +48,20 @@ def packed(dataset: xr.Dataset) -> dict[str, Any]:
     keys = [str(name) for name, values in dataset.data_vars.items() if values.attrs.get("varied")]
     if not members or not keys:
         raise ValueError("a page of sliders needs a sweep of at least one member in which something was varied")
-    axes = [_axis(key, key, str(dataset[key].attrs.get("units", "")), dataset[key], varied=True) for key in keys]
-    sound = _sound(dataset)
-    axes += [_axis(*result, dataset[result[0]], varied=False, sound=sound) for result in RESULTS]
+    texts = {name: _texts(dataset, name) for name in ("regime", "outcome", "message")}
+    # Members whose answer has a regime, whose scales the page has; all where none has. What ruptures is far longer.
+    sound = np.array([bool(regime) for regime in texts["regime"]])
+    sound |= not sound.any()
+    axes = [_axis(key, key, str(dataset[key].attrs.get("units", "")), dataset[key]) for key in keys]
+    axes += [_axis(*result, dataset[result[0]], sound) for result in RESULTS]
     return {
         "members": members,
         "axes": [axis for axis in axes if axis is not None],
-        **{name: _texts(dataset, name) for name in ("regime", "outcome", "message")},
+        **texts,
         **{name: _listed(dataset[name].values) for name in ("span", "duration", "thickness")},
         "sheet": dataset.attrs.get("section") == "sheet",
-        "midpoint": _curves(dataset),
-        "shapes": _shapes(dataset),
+        "midpoint": _fields(dataset, "midpoint"),
+        "shapes": _fields(dataset, "x", "y", "stretch", sound=sound),
         "colours": np.rint(255 * colormaps["cividis"](np.linspace(0.0, 1.0, 17))[:, :3]).astype(int).tolist(),
     }
 
@@ -77,34 +80,30 @@ def quantised(values: Floats) -> dict[str, Any]:
     return {"low": low.tolist(), "step": step.tolist(), "codes": text}
 
 
-def _sound(dataset: xr.Dataset) -> NDArray[np.bool_]:
-    """Members whose answer has a regime, whose scales the page has; all where none has. What ruptures is far longer."""
-    sound = np.array([bool(regime) for regime in _texts(dataset, "regime")])
-    return sound if sound.any() else np.ones_like(sound)
-
-
 def _axis(
-    key: str, name: str, unit: str, values: xr.DataArray, *, varied: bool, sound: NDArray[np.bool_] | None = None
+    key: str, name: str, unit: str, values: xr.DataArray, sound: NDArray[np.bool_] | None = None
 ) -> dict[str, Any] | None:
-    """One axis; words, such as the name of a law, stand at equal distances. None where there is nothing to show."""
+    """One axis; words, such as the name of a law, stand at equal distances. None where there is nothing to show.
+
+    Of a result, which is not varied, the members that are `sound` say how far it goes.
+    """
+    varied = sound is None
     axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else typeset(unit), "varied": varied}
     if values.dtype.kind not in "fiub":
-        words = [str(value) for value in values.values]
-        known = sorted(set(words))
-        return axis | {"scale": "lin", "words": known, "values": [known.index(word) for word in words]}
+        known, places = np.unique(values.values.astype(np.str_), return_inverse=True)
+        return axis | {"scale": "lin", "words": known.tolist(), "values": places.tolist()}
     numbers = np.asarray(values.values, dtype=np.float64)
     finite = numbers[np.isfinite(numbers) & (True if sound is None else sound)]
     if not finite.size:
         return None
-    wide = bool(finite.min() > 0 and finite.max() > 100 * finite.min())
-    logarithmic = wide if not varied else values.attrs.get("scale") == "log" and bool(finite.min() > 0)
-    return axis | {"scale": "log" if logarithmic else "lin", "values": _listed(numbers)}
+    wide = values.attrs.get("scale") == "log" if varied else bool(finite.max() > 100 * finite.min())
+    return axis | {"scale": "log" if wide and finite.min() > 0 else "lin", "values": _listed(numbers)}
 
 
-def _kept(dataset: xr.Dataset, *names: str) -> tuple[list[float], dict[str, Floats]] | None:
-    """Shares of the duration and fields, shape (members, frames, ...); every second frame, fourth, ... of large ones.
+def _fields(dataset: xr.Dataset, *names: str, sound: NDArray[np.bool_] | None = None) -> dict[str, Any] | None:
+    """Fields over shares of the duration; every second frame, fourth, ... of large ones.
 
-    None where not even two frames would fit.
+    Of shapes the stretches that colours tell apart, and the number of nodes, too. None where not even two frames fit.
     """
     fields = {name: np.asarray(dataset[name].values, dtype=np.float64) for name in names}
     frames, size, every = fields[names[0]].shape[1], sum(2 * values.size for values in fields.values()), 1
@@ -112,30 +111,15 @@ def _kept(dataset: xr.Dataset, *names: str) -> tuple[list[float], dict[str, Floa
         every *= 2
         if every > max(1, frames - 1):
             return None
-    fewer = {name: values[:, ::every] for name, values in fields.items()}
-    return np.linspace(0.0, 1.0, frames)[::every].tolist(), fewer
-
-
-def _curves(dataset: xr.Dataset) -> dict[str, Any] | None:
-    """Midpoints over the fraction of the duration."""
-    kept = _kept(dataset, "midpoint")
-    return kept and {"at": kept[0], **quantised(kept[1]["midpoint"])}
-
-
-def _shapes(dataset: xr.Dataset) -> dict[str, Any] | None:
-    """Centrelines and stretch."""
-    kept = _kept(dataset, "x", "y", "stretch")
-    if kept is None:
-        return None
-    at, fields = kept
-    stretch = fields["stretch"][_sound(dataset)]
+    at = {"at": np.linspace(0.0, 1.0, frames)[::every].tolist()}
+    kept = {name: values[:, ::every] for name, values in fields.items()}
+    if sound is None:
+        return at | quantised(kept[names[0]])
+    stretch = kept["stretch"][sound]
     stretch = stretch[np.isfinite(stretch)]
-    return {
-        "at": at,
-        "nodes": fields["x"].shape[2],
-        "stretches": np.quantile(stretch, (0.0, _BRIGHTEST)).tolist() if stretch.size else [1.0, 1.0],
-        **{name: quantised(field) for name, field in fields.items()},
-    }
+    ends = np.quantile(stretch, (0.0, _BRIGHTEST)).tolist() if stretch.size else [1.0, 1.0]
+    packs = {name: quantised(field) for name, field in kept.items()}
+    return {**at, "nodes": kept["x"].shape[2], "stretches": ends, **packs}
 
 
 def _texts(dataset: xr.Dataset, name: str) -> list[str]:

@@ -1,18 +1,18 @@
-"""One restrained publication style: colours, fonts, sheets with their headings, names beside points, stamps."""
+"""One restrained publication style: colours, fonts, sheets with their headings, numbers along axes, stamps."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from io import BytesIO
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
+import matplotlib
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -29,8 +29,6 @@ from softcat_sym.results.fields import DENSE
 from softcat_sym.solvers.outcome import refused
 
 if TYPE_CHECKING:
-    from matplotlib.text import Text
-
     from softcat_sym.scene.scene import Scene
 
 Fields: TypeAlias = Mapping[Any, Any]
@@ -39,6 +37,13 @@ Fields: TypeAlias = Mapping[Any, Any]
 SCREEN: Final = "screen"
 STYLES: Final = {SCREEN: SCREEN, "publication": "column", "column": "column", "page": "page"}
 """What may be asked for, and what it means: pictures for a screen, or for print as wide as a column or a page."""
+
+WIDTHS: Final = {SCREEN: 7.2, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
+"""Widths of a figure [inch]: of the screen's, one column of a journal, its whole page."""
+
+WIDTH: Final = WIDTHS[SCREEN]
+PRINT_DPI: Final = 400
+"""Of the PNG files for print, and of what is drawn as pixels within a PDF."""
 
 
 def picture_style(asked: str) -> str:
@@ -58,77 +63,54 @@ def drawn_radius(asked: float) -> float:
     return asked
 
 
-BLACK: Final = "#222222"
-GREY: Final = "#8a8a8a"
-BLUE: Final = "#0072B2"
-SKY: Final = "#56B4E9"
-GREEN: Final = "#009E73"
-ORANGE: Final = "#E69F00"
-VERMILLION: Final = "#D55E00"
-PURPLE: Final = "#CC79A7"
-FILAMENT: Final = "#e3eaf0"
+BLACK, GREY, FILAMENT = "#222222", "#8a8a8a", "#e3eaf0"
+BLUE, SKY, GREEN, ORANGE = "#0072B2", "#56B4E9", "#009E73", "#E69F00"
+VERMILLION, PURPLE = "#D55E00", "#CC79A7"
 
-DPI: Final = 150
-WIDTH: Final = 7.2
-"""Width of every picture [inch]: a page's text width."""
-
-RC: Final[dict[str, Any]] = {
-    # Said even where it is the default: a user's own matplotlibrc must neither restyle a report nor call LaTeX.
-    "text.usetex": False,
-    "font.family": ["DejaVu Sans"],
+_LOOKS = (
+    "axes. figure. font. grid. hatch. image. legend. lines. mathtext. patch. pdf. savefig. scatter. text. xtick. ytick."
+)
+_RC: Final[dict[str, Any]] = {
+    # A user's own matplotlibrc neither restyles a report nor calls LaTeX.
+    **{name: value for name, value in matplotlib.rcParamsDefault.items() if name.partition(".")[0] in _LOOKS.split()},
     "font.size": 9.0,
-    "axes.unicode_minus": True,
     "axes.titlesize": 10.0,
-    "axes.titleweight": "normal",
     "axes.labelsize": 9.0,
-    "axes.labelcolor": BLACK,
     "axes.edgecolor": GREY,
     "axes.linewidth": 0.6,
-    "axes.facecolor": "white",
-    "axes.grid": False,
     "axes.axisbelow": True,
-    "axes.formatter.use_locale": False,
     # Units are chosen to fit: neither a power of ten nor an offset stands beside an axis.
     "axes.formatter.limits": (-5, 6),
     "axes.formatter.useoffset": False,
-    # Mathtext would load a parser, a sixth of a second, for the sake of one power of ten.
-    "axes.formatter.use_mathtext": False,
     "axes.xmargin": 0.0,
     # Only the spines that carry an axis; a picture that fills its axes is framed.
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "xtick.labelsize": 8.0,
-    "ytick.labelsize": 8.0,
-    "xtick.color": GREY,
-    "ytick.color": GREY,
-    "xtick.labelcolor": BLACK,
-    "ytick.labelcolor": BLACK,
-    "xtick.direction": "out",
-    "ytick.direction": "out",
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
+    **dict.fromkeys(("axes.spines.top", "axes.spines.right"), False),
+    **dict.fromkeys(("xtick.labelsize", "ytick.labelsize", "legend.fontsize"), 8.0),
+    **dict.fromkeys(("xtick.color", "ytick.color"), GREY),
+    **dict.fromkeys(("text.color", "axes.labelcolor", "xtick.labelcolor", "ytick.labelcolor"), BLACK),
+    **dict.fromkeys(("xtick.major.width", "ytick.major.width", "grid.linewidth"), 0.6),
     "grid.color": "#e8e8e8",
-    "grid.linewidth": 0.6,
     "legend.frameon": False,
-    "legend.fontsize": 8.0,
     "lines.linewidth": 1.4,
-    "text.color": BLACK,
-    "figure.facecolor": "white",
-    "figure.dpi": DPI,
-    "savefig.dpi": DPI,
-    "savefig.facecolor": "white",
-    "savefig.bbox": None,
+    **dict.fromkeys(("figure.dpi", "savefig.dpi"), 150),
     # TrueType, as journals ask: text in a PDF stays text.
     "pdf.fonttype": 42,
 }
-"""Settings of Matplotlib in force while a picture is made and drawn."""
+_PRINT: Final[dict[str, Any]] = {
+    **dict.fromkeys(("font.size", "axes.labelsize", "axes.titlesize", "legend.fontsize"), 8.0),
+    **dict.fromkeys(("axes.linewidth", "xtick.major.width", "ytick.major.width", "hatch.linewidth"), 0.5),
+    **dict.fromkeys(("xtick.major.size", "ytick.major.size", "axes.labelpad"), 2.5),
+    "lines.linewidth": 0.9,
+}
 
 
-def styled() -> AbstractContextManager[None]:
-    """Put the style in force for the length of a ``with`` block; what was set before comes back."""
+@contextmanager
+def styled(style: str = SCREEN) -> Iterator[None]:
+    """Put a style in force for the length of a ``with`` block or of a function; what was set before comes back."""
     # Matplotlib's versions disagree on the type of the keys, not on the keys.
-    settings: Any = RC
-    return rc_context(settings)
+    settings: Any = _RC if style == SCREEN else _RC | _PRINT
+    with matplotlib.rc_context(settings):
+        yield
 
 
 def printable(text: str, longest: int = 78) -> str:
@@ -138,10 +120,7 @@ def printable(text: str, longest: int = 78) -> str:
     """
     line = " ".join(text.split())
     line = line if len(line) <= longest else line[: longest - 1].rstrip() + "…"
-    if line.isascii():
-        return line
-    known = _glyphs()
-    return "".join(character if ord(character) in known else "?" for character in line)
+    return line if line.isascii() else "".join(one if ord(one) in _glyphs() else "?" for one in line)
 
 
 @cache
@@ -150,27 +129,19 @@ def _glyphs() -> frozenset[int]:
     return frozenset(get_font(findfont("DejaVu Sans")).get_charmap())
 
 
-STAMP: Final = "REFUSED: "
-
-
-def stamp(figure: Figure, summary: Summary) -> list[Text]:
+def stamp(figure: Figure, summary: Summary) -> list[Any]:
     """Write across a picture that its result is refused, and what of it is not drawn."""
     outcome = refused(summary)
-    if not outcome:
-        return []
+    lines = (f"REFUSED: {outcome}", str(summary.get("not_drawn") or "")) if outcome else ()
     width, height = figure.get_size_inches()
-    texts = []
-    for line, largest, below in ((STAMP + outcome, 30.0, 0.0), (str(summary.get("not_drawn") or ""), 11.0, 0.45)):
+    look: dict[str, Any] = {"fontweight": "bold", "color": VERMILLION, "alpha": 0.75, "zorder": 100}
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.6, "pad": 1.5}
+    return [
         # Letters of a bold font are three quarters as wide as it is high.
-        size = min(largest, 72 * 0.8 * width / (0.75 * max(1, len(line))))
-        texts.append(
-            figure.text(
-                0.5, 0.5 - below / height, line, ha="center", va="center", fontsize=size, fontweight="bold",
-                color=VERMILLION, alpha=0.75, zorder=100, parse_math=False, in_layout=False,
-                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.6, "pad": 1.5},
-            )
-        )  # fmt: skip
-    return texts if summary.get("not_drawn") else texts[:1]
+        figure.text(0.5, 0.5 - 0.45 * k / height, line, fontsize=min(largest, 72 * 0.8 * width / (0.75 * len(line))),
+                    ha="center", va="center", parse_math=False, in_layout=False, bbox=box, **look)
+        for k, (line, largest) in enumerate(zip(lines, (30.0, 11.0), strict=False)) if line
+    ]  # fmt: skip
 
 
 def shown_part(data: Fields, summary: Summary) -> tuple[Fields, Summary]:
@@ -181,7 +152,7 @@ def shown_part(data: Fields, summary: Summary) -> tuple[Fields, Summary]:
     if not refused(summary):
         return data, summary
     x, y, time = (np.asarray(data[name], dtype=np.float64) for name in ("x", "y", "time"))
-    line = y[:, :1] + (y[:, -1:] - y[:, :1]) * np.linspace(0.0, 1.0, y.shape[1])
+    line = np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)
     reach = np.maximum(np.ptp(np.asarray(data["X_node"])), np.hypot(x[:, -1] - x[:, 0], y[:, -1] - y[:, 0]))
     # Written so that what is not a number is beyond it too.
     beyond = ~(np.abs(y - line).max(axis=1) <= reach)
@@ -199,11 +170,8 @@ def first_frames(data: Fields, end: int) -> dict[str, NDArray[Any]]:
     return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*names, "time", *whole)}
 
 
-HEADING = 0.62
-"""Height that a heading takes at the top of a picture [inch]."""
-
 _TITLE = 0.31
-"""Height of its first line, the title."""
+"""Height of the first line of a heading, the title [inch]."""
 
 
 class Picture(Figure):
@@ -222,8 +190,8 @@ def new_figure(width: float, height: float) -> Figure:
 
 def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
     """Add axes at a place given in inches, so that a layout needs no solver and an aspect is exact."""
-    full_width, full_height = figure.get_size_inches()
-    return figure.add_axes((left / full_width, bottom / full_height, width / full_width, height / full_height))
+    wide, tall = figure.get_size_inches()
+    return figure.add_axes((left / wide, bottom / tall, width / wide, height / tall))
 
 
 def sheet(
@@ -241,43 +209,45 @@ def sheet(
     Matplotlib's constrained layout places axes and legends in that part, which is `height` [inch] high.
     """
     text = "\n".join(fill(line, columns) for line in notes.splitlines())
-    top = HEADING if below else _TITLE + 0.05 if title else 0.05
+    top = 2 * _TITLE if below else _TITLE + 0.05 if title else 0.05
     foot = 0.2 + 0.145 * text.count("\n") if text else 0.0
     tall = top + height + foot
     figure = new_figure(width, tall)
     if is_constrained:
         figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
     ratios = [top, height, *([foot] if foot else [])]
-    parts: Any = figure.subfigures(len(ratios), 1, height_ratios=ratios)
-    body: SubFigure = parts[1]
+    body: SubFigure = figure.subfigures(len(ratios), 1, squeeze=False, height_ratios=ratios)[1, 0]
     for words, down, look in (
         (printable(title), 0.12, {"fontsize": 10.5, "fontweight": "bold"}),
         (printable(below, 118), 0.33, {"fontsize": 8.5, "color": GREY}),
         (text, tall - foot + 0.03, {"fontsize": 7.5, "linespacing": 1.3}),
     ):
-        if not words:
-            continue
-        # In inches from the top: a figure may yet be made as high as its panels need.
         place = figure.transFigure + ScaledTranslation(0.2, -down, figure.dpi_scale_trans)
         figure.text(0.0, 1.0, words, va="top", parse_math=False, transform=place, **look)
     return figure, body
 
 
-def headed(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
+def titled_figure(scene: Scene, what: str, summary: Summary, **layout: Any) -> tuple[Figure, SubFigure]:
     """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused.
 
     Without `what` there is no heading, as in print.
     """
-    ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
-    title, below = (scene.title or "Filament", " · ".join([what, *ending])) if what else ("", "")
+    title, below = (scene.title or "Filament", " · ".join([what, *ending_of(summary)])) if what else ("", "")
     figure, body = sheet(title, below, **layout)
     stamp(figure, summary)
     return figure, body
 
 
-def legend(part: Figure | SubFigure, where: str = "lower left", **settings: Any) -> Legend:
-    """A legend outside the axes of a part of a figure."""
+def ending_of(summary: Summary) -> list[str]:
+    """Regime and outcome, as far as they are known."""
+    return [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
+
+
+def legend(part: Figure | SubFigure, where: str = "lower left", of: Axes | None = None, **settings: Any) -> Legend:
+    """A legend outside the axes of a part of a figure, by default of all its lines, or of those of one of its axes."""
     close = {"borderaxespad": 1.0, "columnspacing": 1.1, "handletextpad": 0.5, "fontsize": 7.5, **settings}
+    if of is not None:
+        close["handles"] = of.get_legend_handles_labels()[0]
     place: Any = f"outside {where}"
     drawn: Legend = part.legend(loc=place, **close)
     return drawn
@@ -314,6 +284,13 @@ def plain_log(axis: Axis, text: Callable[[float], str] = plain, ticks: int = 8) 
     axis.set_minor_formatter(NullFormatter())
 
 
+def log_axes(axes: Axes, **settings: Any) -> None:
+    """Make both axes logarithmic, with plain numbers along them."""
+    axes.set(xscale="log", yscale="log", **settings)
+    for axis in (axes.xaxis, axes.yaxis):
+        plain_log(axis)
+
+
 def number_axis(
     axes: Axes, which: str, low: float, high: float, *, is_log: bool, ticks: int = 4, room: float = 0.05
 ) -> None:
@@ -339,22 +316,18 @@ def pixel_edges(values: NDArray[np.float64], *, is_log: bool) -> NDArray[np.floa
     return np.asarray(np.exp(edges) if is_log else edges)
 
 
-_PACKING: Final = {"compress_level": 2}
-"""Of PNG files: a little larger than by default, in a third of the time."""
-
-
+@styled()
 def png(figure: Figure, *, titled: bool = True) -> bytes:
     """Draw a figure; it is laid out once, as it is."""
-    content = BytesIO()
-    width, height = figure.get_size_inches()
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
-    with styled():
-        engine = figure.get_layout_engine()
-        if engine is not None:
-            engine.execute(figure)
-            figure.set_layout_engine("none")
-        shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
-        figure.savefig(content, format="png", bbox_inches=shown, pil_kwargs=_PACKING)
+    width, height = figure.get_size_inches()
+    if (engine := figure.get_layout_engine()) is not None:
+        engine.execute(figure)
+        figure.set_layout_engine("none")
+    content = BytesIO()
+    shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
+    # Packed a little larger than by default, in a third of the time.
+    figure.savefig(content, format="png", bbox_inches=shown, pil_kwargs={"compress_level": 2})
     return content.getvalue()
 
 

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -14,7 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm, Normalize
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from rich import box
 
@@ -25,7 +26,7 @@ from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
-from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
 if TYPE_CHECKING:
@@ -110,7 +111,7 @@ def sweep_report(sweep: Sweep) -> Report:
         rows.append(("time", f"{sweep.wall_s:.1f} s, {ran / sweep.wall_s:.0f} members/s; {sweep.place}"))
     if sweep.peak_memory:
         rows.append(("peak memory", f"{sweep.peak_memory:.0f} MB"))
-    table = text_table(("", ""), rows, title=plan.scene.title or "sweep", box=box.SIMPLE, padding=(0, 1, 0, 0))
+    table = TextTable(("", ""), rows).printed(plan.scene.title or "sweep", box=box.SIMPLE)
     has_page = plan.shapes and counts.outcomes.get("solved")
     files = {
         "sweep.json": sweep.to_dict,
@@ -141,20 +142,15 @@ class _Members:
     def of(cls, data: xr.Dataset) -> _Members:
         regimes, outcomes = (data[name].values.astype(np.str_) for name in ("regime", "outcome"))
         names = np.unique(regimes[regimes != ""]).tolist()
-        looks = {name: (LOOKS[name].marker, LOOKS[name].colour) for name in LOOKS if name in names}
+        looks = {name: (look.marker, look.colour) for name, look in LOOKS.items() if name in names}
         others = [name for name in names if name not in looks]
-        looks |= {name: _OTHER_LOOKS[k % len(_OTHER_LOOKS)] for k, name in enumerate(others)}
-        return cls(regimes, outcomes, looks)
-
-    @property
-    def shown(self) -> npt.NDArray[np.int_]:
-        """Members that are drawn one by one."""
-        count = len(self.regimes)
-        return np.unique(np.linspace(0, count - 1, min(count, MAX_DRAWN)).round().astype(int))
+        return cls(regimes, outcomes, looks | dict(zip(others, cycle(_OTHER_LOOKS), strict=False)))
 
     def scatter(self, axes: Axes, x: Floats, y: Floats, size: float) -> None:
-        """A mark for each member that is shown, by its regime."""
-        x, y, regimes = x[self.shown], y[self.shown], self.regimes[self.shown]
+        """A mark for each member by its regime; of many, for so many evenly from the first to the last."""
+        count = len(self.regimes)
+        shown = np.unique(np.linspace(0, count - 1, min(count, MAX_DRAWN)).round().astype(int))
+        x, y, regimes = x[shown], y[shown], self.regimes[shown]
         size = float(np.clip(size / max(len(x), 1), 4, 20))
         axes.scatter(x[regimes == ""], y[regimes == ""], s=size, **_NO_ANSWER)
         for name, (marker, colour) in self.looks.items():
@@ -168,9 +164,8 @@ class _Members:
         """Regimes with their members, in colour or hollow, then what is no answer."""
         handles = []
         for name, (marker, colour) in self.looks.items():
-            look: dict[str, Any] = {"color": colour}
-            if hollow:
-                look = {"markeredgecolor": style.BLACK, "markerfacecolor": "white"}
+            edge = {"markeredgecolor": style.BLACK, "markerfacecolor": "white"}
+            look: dict[str, Any] = edge if hollow else {"color": colour}
             label = f"{_words(name)} ({int(np.sum(self.regimes == name))})"
             handles.append(Line2D([], [], linestyle="", marker=marker, markersize=5, label=label, **look))
         for outcome, count in zip(*np.unique(self.outcomes[self.regimes == ""], return_counts=True), strict=True):
@@ -179,51 +174,49 @@ class _Members:
         style.legend(body, handles=handles, ncols=3)
 
 
-drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.figure_by_name({"sag": sweep_figure}, what, sweep))
-
-
 def sweep_figure(sweep: Sweep) -> Figure | None:
     """A line over one key, a map over two on a grid, pairs of more; None if no key takes two values."""
-    data, title = sweep.data, f"{_title(sweep)}: {len(sweep)} filaments"
-    axes = drawn_axes(data)
-    if len(axes) < 2:
-        return line_figure(data, title) if axes else None
-    whole = all(np.all(np.isfinite(axis.values)) for axis in axes)
-    is_map = len(axes) == 2 and sweep.plan.mode == "grid" and len(sweep.plan.axes) == 2 and whole
-    return map_figure(data, title) if is_map else pairs_figure(data, title)
+    keys = drawn_axes(sweep.data)
+    if not keys:
+        return None
+    whole = all(np.all(np.isfinite(key.values)) for key in keys)
+    if len(keys) == 1:
+        draw, height = _draw_line, 6.2
+    elif len(keys) == 2 and sweep.plan.mode == "grid" and len(sweep.plan.axes) == 2 and whole:
+        draw, height = _draw_map, 5.0
+    else:
+        draw, height = _draw_pairs, 0.8 + (min(len(keys), _MAX_PAIRS) * 1.6 if len(keys) > 2 else 4.8)
+    with style.styled():
+        figure, body = style.sheet(f"{_title(sweep)}: {len(sweep)} filaments", height=height)
+        draw(body, sweep.data, keys, _Members.of(sweep.data))
+    return figure
 
 
-def line_figure(data: xr.Dataset, title: str) -> Figure:
-    """Draw largest sag over span, time to 90 % and largest stretch against the one key that varies."""
-    axis, members = drawn_axes(data)[0], _Members.of(data)
-    times = data.time_to_90.values
+def _draw_line(body: SubFigure, data: xr.Dataset, keys: list[DrawnAxis], members: _Members) -> None:
+    """Largest sag over span, time to 90 % and largest stretch against the one key that varies."""
+    (key,), times = keys, data.time_to_90.values
     clock = time_unit(float(np.max(times[np.isfinite(times)], initial=0.0)) or 1.0)
     rows = (
         ("largest sag / span", data.sag_over_span.values),
         (f"time to 90 % [{clock.symbol}]", clock.of(times)),
         ("largest stretch", data.largest_stretch.values),
     )
-    order = np.argsort(axis.values, kind="stable")
-    with style.styled():
-        figure, body = style.sheet(title, height=6.2)
-        panels = body.subplots(3, 1, height_ratios=[2.2, 1, 1], sharex=True)
-        for axes, (label, values) in zip(panels, rows, strict=True):
-            if not axis.words:
-                axes.plot(axis.values[order], values[order], color=style.GREY, linewidth=0.7, zorder=2)
-            members.scatter(axes, axis.values, values, 1800)
-            nothing = axis.values[members.regimes == ""]
-            axes.scatter(nothing, np.full(len(nothing), 0.03), s=14, transform=axes.get_xaxis_transform(), **_NO_ANSWER)
-            axis.dress(axes)
-            axes.set_ylabel(label)
-            axes.label_outer()
-        members.legend(body)
-    return figure
+    order, nothing = np.argsort(key.values, kind="stable"), key.values[members.regimes == ""]
+    panels = body.subplots(3, 1, height_ratios=[2.2, 1, 1], sharex=True)
+    for axes, (label, values) in zip(panels, rows, strict=True):
+        if not key.words:
+            axes.plot(key.values[order], values[order], color=style.GREY, linewidth=0.7, zorder=2)
+        members.scatter(axes, key.values, values, 1800)
+        axes.scatter(nothing, np.full(len(nothing), 0.03), s=14, transform=axes.get_xaxis_transform(), **_NO_ANSWER)
+        key.dress(axes)
+        axes.set_ylabel(label)
+        axes.label_outer()
+    members.legend(body)
 
 
-def map_figure(data: xr.Dataset, title: str) -> Figure:
-    """Draw largest sag over span over the plane of two keys, the first across; lines part the regimes."""
-    across, upwards = drawn_axes(data)
-    members = _Members.of(data)
+def _draw_map(body: SubFigure, data: xr.Dataset, keys: list[DrawnAxis], members: _Members) -> None:
+    """Largest sag over span over the plane of two keys, the first across; lines part the regimes."""
+    across, upwards = keys
     x, y = np.unique(across.values), np.unique(upwards.values)
     places = (np.searchsorted(y, upwards.values), np.searchsorted(x, across.values))
     sag = np.full((len(y), len(x)), np.nan)
@@ -232,25 +225,20 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
     edges = (style.pixel_edges(x, is_log=across.is_log), style.pixel_edges(y, is_log=upwards.is_log))
     known = sag[np.isfinite(sag)]
     spreads = len(known) and np.min(known) > 0 and np.max(known) > _LOG_SAG * np.min(known)
-    with style.styled():
-        figure, body = style.sheet(title, height=5.0)
-        axes = body.subplots()
-        axes.set_facecolor("#e6e6e6")
-        axes.spines[:].set_visible(True)
-        norm = LogNorm() if spreads else Normalize()
-        picture = axes.pcolormesh(
-            *edges, np.ma.masked_invalid(sag), cmap="cividis", norm=norm, rasterized=True, zorder=1
-        )
-        across.dress(axes, "x")
-        upwards.dress(axes, "y")
-        _draw_boundaries(axes, edges, marks)
-        _draw_marks(axes, (x, y), marks, members)
-        axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
-        scale = body.colorbar(picture, ax=axes, label="largest sag / span", aspect=25, pad=0.02)
-        if spreads:
-            style.plain_log(scale.ax.yaxis)
-        members.legend(body, hollow=True)
-    return figure
+    axes = body.subplots()
+    axes.set_facecolor("#e6e6e6")
+    axes.spines[:].set_visible(True)
+    look: dict[str, Any] = {"cmap": "cividis", "norm": LogNorm() if spreads else Normalize(), "rasterized": True}
+    picture = axes.pcolormesh(*edges, np.ma.masked_invalid(sag), zorder=1, **look)
+    across.dress(axes, "x")
+    upwards.dress(axes, "y")
+    _draw_boundaries(axes, edges, marks)
+    _draw_marks(axes, (x, y), marks, members)
+    axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
+    scale = body.colorbar(picture, ax=axes, label="largest sag / span", aspect=25, pad=0.02)
+    if spreads:
+        style.plain_log(scale.ax.yaxis)
+    members.legend(body, hollow=True)
 
 
 def _draw_boundaries(axes: Axes, edges: tuple[Floats, Floats], marks: npt.NDArray[np.str_]) -> None:
@@ -276,26 +264,25 @@ def _draw_marks(axes: Axes, values: tuple[Floats, Floats], marks: npt.NDArray[np
         axes.scatter(x[there], y[there], s=size, zorder=2, **look)
 
 
-def pairs_figure(data: xr.Dataset, title: str) -> Figure:
-    """Draw a triangle: the sag in the top row, below it each key over those before it; of more keys the first five."""
-    keys, members = drawn_axes(data)[:_MAX_PAIRS], _Members.of(data)
-    count = len(keys)
-    with style.styled():
-        figure, body = style.sheet(title, height=0.8 + count * (1.6 if count > 2 else 2.4))
-        for (row, column), axes in np.ndenumerate(body.subplots(count, count, squeeze=False)):
-            if row and column >= row:
-                axes.remove()
-                continue
-            members.scatter(axes, keys[column].values, keys[row].values if row else data.sag_over_span.values, 2500)
-            keys[column].dress(axes)
-            if row:
-                keys[row].dress(axes, "y")
-            else:
-                axes.set_ylabel("largest sag / span")
-            # The first panel of a row and the lowest of a column carry their labels.
-            lowest = row == (count - 1 if column < count - 1 else 0)
-            axes.tick_params(labelbottom=lowest, labelleft=column == 0, which="both")
-            axes.xaxis.label.set_visible(lowest)
-            axes.yaxis.label.set_visible(column == 0)
-        members.legend(body)
-    return figure
+def _draw_pairs(body: SubFigure, data: xr.Dataset, keys: list[DrawnAxis], members: _Members) -> None:
+    """A triangle: the sag in the top row, below it each key over those before it; of more keys the first five."""
+    count = len(keys := keys[:_MAX_PAIRS])
+    for (row, column), axes in np.ndenumerate(body.subplots(count, count, squeeze=False)):
+        if row and column >= row:
+            axes.remove()
+            continue
+        members.scatter(axes, keys[column].values, keys[row].values if row else data.sag_over_span.values, 2500)
+        keys[column].dress(axes)
+        if row:
+            keys[row].dress(axes, "y")
+        else:
+            axes.set_ylabel("largest sag / span")
+        # The first panel of a row and the lowest of a column carry their labels.
+        lowest = row == (count - 1 if column < count - 1 else 0)
+        axes.tick_params(labelbottom=lowest, labelleft=column == 0, which="both")
+        axes.xaxis.label.set_visible(lowest)
+        axes.yaxis.label.set_visible(column == 0)
+    members.legend(body)
+
+
+drawing.plot.register(Sweep, lambda sweep, what="sag": drawing.figure_by_name({"sag": sweep_figure}, what, sweep))

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import zip_longest
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.plotting.units import error_percent, length_unit, regime_words, significant, time_unit
@@ -83,37 +85,40 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
         rows.append(("interpreted", str(summary["backend_reason"])))
     if _left_out_worth(summary) > summary.get("accuracy", float("inf")):
         rows.append(_left_out(summary))
-    rows += [(key, str(text)) for key in ("converted", "assumed") for text in summary.get(key) or ()]
-    return rows + [("warning", str(text)) for text in summary.get("warnings") or ()]
+    return rows + _listed(summary, converted="converted", assumed="assumed", warnings="warning")
+
+
+def _listed(summary: Summary, **names: str) -> Rows:
+    """A row for each text of some lists of a summary."""
+    return [(name, str(text)) for key, name in names.items() for text in summary.get(key) or ()]
+
+
+_PARTS = {"space": "grid", "time": "time steps", "section": "fibres"}
+_OWN = {"sideways": "way aside", "turn": "turn", "torque": "torque"}
+"""Parts of the estimated error, and what has one of its own."""
 
 
 def detail_rows(summary: Summary) -> Rows:
     """Everything else that a summary holds."""
-    estimate, text = summary.get("error_estimate"), "not estimated"
-    if estimate is not None:
-        names = {"space": "grid", "time": "time steps", "section": "fibres"}
-        parts = [f"{name} {error_percent(estimate[k])}" for k, name in names.items() if estimate.get(k) is not None]
-        total = estimate.get("total")
-        text = f"{error_percent(total)} of the largest displacement" if total is not None else "not estimated in full"
-        text += f" ({', '.join(parts)})" if parts else ""
-        own = [f"{error_percent(estimate[k])} of the largest {_OWN[k]}" for k in _OWN if estimate.get(k) is not None]
-        text = "; ".join([text, *own])
-    rows = [("error", text)]
+    estimate = summary.get("error_estimate")
+    known = {key: error_percent(share) for key, share in (estimate or {}).items() if share is not None}
+    parts = ", ".join(f"{name} {known[key]}" for key, name in _PARTS.items() if key in known)
+    total = f"{known['total']} of the largest displacement" if "total" in known else "not estimated in full"
+    own = [f"{known[key]} of the largest {name}" for key, name in _OWN.items() if key in known]
+    error = "; ".join([total + (f" ({parts})" if parts else ""), *own])
+    rows = [("error", "not estimated" if estimate is None else error)]
     if summary.get("energy_residual") is not None:
         rows.append(("energy", f"balanced to {significant(summary['energy_residual'])} of the largest energy"))
-    effects = (summary.get("effects") or {}).items()
-    rows.append(
-        ("effects", "\n".join(f"{name}: on, {why}" if why else f"{name}: on" for name, why in effects) or "none")
-    )
+    effects = [f"{name}: on" + (f", {why}" if why else "") for name, why in (summary.get("effects") or {}).items()]
+    rows.append(("effects", "\n".join(effects) or "none"))
     if summary.get("left_out"):
         rows.append(_left_out(summary))
-    rows += [("repeated", str(text)) for text in summary.get("repeats") or ()]
-    rows += [("refined", str(text)) for text in summary.get("refinements") or ()]
-    parts = [str(summary[key]) for key in ("solver", "backend") if summary.get(key)]
+    rows += _listed(summary, repeats="repeated", refinements="refined")
+    solver = [str(summary[key]) for key in ("solver", "backend") if summary.get(key)]
     if summary.get("cells") is not None:
-        parts.append(f"{summary['cells']} cells a half span")
-    rows.append(("solver", ", ".join(parts) or "not stated"))
+        solver.append(f"{summary['cells']} cells a half span")
     wall = [f"{name} {significant(seconds)} s" for name, seconds in (summary.get("wall_s") or {}).items()]
+    rows.append(("solver", ", ".join(solver) or "not stated"))
     return [*rows, ("wall time", ", ".join(wall) or "not measured")]
 
 
@@ -161,36 +166,47 @@ def print_rows(rows: Rows, console: Console) -> None:
             console.print(Text.assemble((label, _STYLES.get(name, "dim")), (line, style)), soft_wrap=True)
 
 
-def text_table(
-    header: Sequence[str],
-    rows: Iterable[Sequence[str]],
-    *,
-    title: str = "",
-    caption: str = "",
-    right: Container[int] = (),
-    styles: Iterable[str] = (),
-    whole: Container[int] = (),
-    **settings: Any,
-) -> Table:
-    """A table of texts, none of which is read as markup; columns on the `right`, and those that stay `whole`."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
+@dataclass(frozen=True)
+class TextTable:
+    """A table of texts, none of which is read as markup, for a terminal or a page."""
 
-    looks: dict[str, Any] = {
-        "box": box.SIMPLE_HEAD,
-        "show_header": any(header),
-        "title_justify": "left",
-        "title_style": "bold",
-    } | settings
-    table = Table(title=Text(title) if title else None, **looks)
-    if caption:
-        table.caption, table.caption_justify = Text(caption, style="dim"), "left"
-    for k, name in enumerate(header):
-        table.add_column(Text(name), justify="right" if k in right else "left", no_wrap=k in whole, overflow="fold")
-    for row, style in zip_longest(rows, styles, fillvalue=""):
-        table.add_row(*(Text(cell, style=style) for cell in row))
-    return table
+    headings: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    right: Container[int] = ()  # Columns whose texts stand at the right, such as numbers
+    kinds: Sequence[str] = ()  # What kind of row each is, which has a style
+
+    def printed(
+        self,
+        title: str = "",
+        caption: str = "",
+        *,
+        whole: Container[int] = (),
+        styles: Mapping[str, str] = MappingProxyType({}),
+        **settings: Any,
+    ) -> Table:
+        """The table for a terminal; columns that stay `whole` are not broken, rows have the styles of their kinds."""
+        from rich import box
+        from rich.table import Table
+        from rich.text import Text
+
+        looks: dict[str, Any] = {"box": box.SIMPLE_HEAD, "title_justify": "left", "title_style": "bold"}
+        looks |= {"padding": (0, 1, 0, 0), "show_header": any(self.headings), "caption_justify": "left", **settings}
+        table = Table(title=Text(title) if title else None, **looks)
+        table.caption = Text(caption, style="dim") if caption else None
+        for k, name in enumerate(self.headings):
+            justify: Any = "right" if k in self.right else "left"
+            table.add_column(Text(name), justify=justify, no_wrap=k in whole, overflow="fold")
+        for row, kind in zip_longest(self.rows, self.kinds, fillvalue=""):
+            table.add_row(*(Text(cell, style=styles.get(kind, "")) for cell in row))
+        return table
+
+
+def _length(value: float, span: float = 1.0) -> str:
+    return length_unit(abs(value), span).text(abs(value))
+
+
+def _of_span(value: float, scene: Scene) -> str:
+    return f"{float(f'{100 * abs(value) / scene.filament.span:.2g}'):g} % of the span"
 
 
 def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
@@ -205,27 +221,22 @@ def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     if moved and (moved["midpoint_m"] < _HARDLY * moved["scale_m"] or largest > moved["largest_m"] / _FAR):
         return _displacement(summary, scene, refused=refused)
     sags = place <= 0 and not any(one.is_free for one in ends.supports) and ends.drop == 0 and not ends.motion
-    ruler = length_unit(abs(place), scene.filament.span)
-    where = f"{ruler.text(abs(place))}{'' if sags else ' down' if place <= 0 else ' up'}"
+    where = f"{_length(place, scene.filament.span)}{'' if sags else ' down' if place <= 0 else ' up'}"
     if refused and total is None:
         return "reached", f"midpoint {where} when the run ended: no answer"
-    error = _error(summary, abs(place), largest)
-    share = f"{float(f'{100 * abs(place) / scene.filament.span:.2g}'):g} % of the span"
     swing = float(rest.get("amplitude") or 0.0)
-    swings = f", swinging by {length_unit(swing).text(swing)} about it" if swing > abs(place) / 1000 else ""
-    return "sag" if sags else "midpoint", f"{where}{error}, {share}{swings}{_creep(summary)}"
+    swings = f", swinging by {_length(swing)} about it" if swing > abs(place) / 1000 else ""
+    text = f"{where}{_error(summary, abs(place), largest)}, {_of_span(place, scene)}{swings}{_creep(summary)}"
+    return "sag" if sags else "midpoint", text
 
 
 def _creep(summary: Summary) -> str:
     """How fast what does not swing still moves when the run ends, and where it tends if that is known."""
-    creep = summary.get("creep")
-    if not creep:
+    if not (creep := summary.get("creep")):
         return ""
-    rate, tends = creep["rate_m_per_s"], creep["tends_to_m"]
-    unit = time_unit(summary["time_final_s"])
-    pace = f"{length_unit(abs(rate) * unit.size).text(abs(rate) * unit.size)}/{unit.symbol}"
-    end = "" if tends is None else f" towards {length_unit(abs(tends)).text(abs(tends))}"
-    return f", still moving {'down' if rate < 0 else 'up'} by {pace}{end}"
+    rate, tends, unit = creep["rate_m_per_s"], creep["tends_to_m"], time_unit(summary["time_final_s"])
+    pace = f"{'down' if rate < 0 else 'up'} by {_length(rate * unit.size)}/{unit.symbol}"
+    return f", still moving {pace}" + ("" if tends is None else f" towards {_length(tends)}")
 
 
 def _rebound(summary: Summary) -> str:
@@ -239,34 +250,23 @@ _HARDLY, _FAR = 0.1, 0.5
 """Rise or fall of the midpoint over the largest displacement, and the latter over the midpoint's depth, below which the
 midpoint does not tell what has happened."""
 
-_OWN = {"sideways": "way aside", "turn": "turn", "torque": "torque"}
-
 _WAYS = (("to the left", "to the right"), ("down", "up"), ("to the back", "to the front"))
 
 
 def _displacement(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     """How far the node that moves farthest has moved in the end."""
-    moved = summary["displacement"]
+    moved, span = summary["displacement"], scene.filament.span
     if moved["largest_m"] < moved["scale_m"]:
-        most = length_unit(moved["largest_m"], scene.filament.span).text(moved["largest_m"])
-        return "displacement", f"as good as none: at most {most}"
+        return "displacement", f"as good as none: at most {_length(moved['largest_m'], span)}"
     where, size = float(moved["where"]), math.hypot(*moved["final_m"])
     names = {-0.5: "left end", 0.0: "midpoint", 0.5: "right end"}
     name = names.get(round(where, 6), f"point at X/L = {where:.2g}")
-    ruler = length_unit(size, scene.filament.span)
-    ways = [
-        (abs(part), way[part > 0])
-        for part, way in zip(moved["final_m"], _WAYS, strict=False)
-        if abs(part) > _HARDLY * size
-    ]
-    if len(ways) == 1:
-        text = f"{ruler.text(size)} {ways[0][1]}"
-    else:
-        text = ", ".join([ruler.text(size), *(f"{ruler.text(part)} {way}" for part, way in ways)])
+    ruler, parts = length_unit(size, span), zip(moved["final_m"], _WAYS, strict=False)
+    ways = [f"{ruler.text(abs(part))} {way[part > 0]}" for part, way in parts if abs(part) > _HARDLY * size]
+    text = f"{ruler.text(size)} {ways[0].split(' ', 2)[2]}" if len(ways) == 1 else ", ".join([ruler.text(size), *ways])
     if refused and not summary.get("error_estimate"):
         return "reached", f"{name} moved {text} when the run ended: no answer"
-    share = f"{float(f'{100 * size / scene.filament.span:.2g}'):g} % of the span"
-    return name, f"moved {text}{_error(summary, size, float(moved['largest_m']))}, {share}"
+    return name, f"moved {text}{_error(summary, size, float(moved['largest_m']))}, {_of_span(size, scene)}"
 
 
 def _error(summary: Summary, size: float, largest: float) -> str:
@@ -276,8 +276,7 @@ def _error(summary: Summary, size: float, largest: float) -> str:
         return " (error not estimated)"
     error = total * float((summary.get("displacement") or {}).get("scale_m", largest))
     # What swings, or has come back: a share of nearly nothing would mislead.
-    share = size >= largest / 2 and size > 0
-    numbers = error_percent(error / size) if share else length_unit(error).text(error)
+    numbers = error_percent(error / size) if size >= largest / 2 and size > 0 else _length(error)
     theory = summary.get("theory_error")
     return f" ± {numbers}" + (f" (numbers), about {error_percent(theory)} (slender theory)" if theory else "")
 
@@ -295,7 +294,7 @@ def _settled(summary: Summary) -> str:
         return "no: it still swings when the run ends"
     if rest is not None and moved <= least:
         return "yes, to the accuracy asked"
-    return f"no: it moved by {length_unit(moved).text(moved)} in the last fifth of the run"
+    return f"no: it moved by {_length(moved)} in the last fifth of the run"
 
 
 def _left_out_worth(summary: Summary) -> float:

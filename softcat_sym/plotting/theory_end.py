@@ -16,9 +16,10 @@ from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.compare import percent
-from softcat_sym.plotting.style import headed, legend, plain_log
-from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import significant
+from softcat_sym.plotting.phase import AXES
+from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
+from softcat_sym.plotting.terminal import TextTable
+from softcat_sym.plotting.units import Unit, length_unit, significant
 from softcat_sym.studies.theory_end import TheoryEnd, TheoryError
 
 _LOGARITHMIC = 5.0
@@ -31,15 +32,10 @@ _TITLES = {
     "published, material closure": "published theory, material closure",
     "filament": "all that the program chooses",
 }
-_LABELS = {
-    "groups.delta": "δ = h₀ / L",
-    "groups.G": "G = ρ g L / σY",
-    "groups.V": "V = η / (ρ √(g L³))",
-    "filament.thickness": "thickness [m]",
-}
 
 
 @drawing.plot.register(TheoryEnd)
+@styled()
 def theory_end_figure(end: TheoryEnd) -> Figure:
     """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _TITLES if name in end.names]
@@ -53,42 +49,45 @@ def theory_end_figure(end: TheoryEnd) -> Figure:
         notes.append(f"Not run: {', '.join(lost.text for lost in end.unmeasured)}.")
     if end.limits:
         notes.append("Lines: fit of first or second order in the thickness; diamonds: its intercept, with uncertainty.")
+    path, (first, last) = end.variation.path, (end.measured[0].value, end.measured[-1].value)
+    group, unit = path.removeprefix("groups."), Unit("", 1.0)
+    if path == "filament.thickness":
+        unit = length_unit(last)
+    label = AXES.get(group, group.rpartition(".")[2].replace("_", " ")) + (f" [{unit.symbol}]" if unit.symbol else "")
     what = "midpoint, filament against elements: where the theory ends"
-    with style.styled():
-        figure, body = headed(end.scene, what, {}, height=3.9, notes="\n".join(notes))
-        panels = body.subplots(1, len(names), squeeze=False, sharex=True, sharey=True).ravel()
-        for axes, name in zip(panels, names, strict=True):
-            _draw(axes, end, name)
-            axes.set_xlabel(_LABELS.get(end.variation.path, end.variation.path))
-            axes.grid(True)
-            own = end.scene.run.effects == "auto" or name != "filament"
-            axes.set_title(_TITLES[name] if own else "the scene's own effects", fontsize=9.0, loc="left")
-        first, last = end.measured[0].value, end.measured[-1].value
-        panels[0].set_ylim(-extent, extent)
-        if not end.limits and first > 0 and last / first >= _LOGARITHMIC:
-            panels[0].set_xscale("log")
-            plain_log(panels[0].xaxis)
-        panels[0].margins(x=0.05)
-        panels[0].set_ylabel("filament / elements − 1  [%]\n← sags less        sags more →", fontsize=8.5)
-        point: dict[str, Any] = {"marker": "o", "markersize": 4.5}
-        handles = [
-            *(Line2D([], [], color=c, label=name, **point) for c, name in zip(_COLOURS, end.moments, strict=False)),
-            Line2D([], [], label="largest since the first", **_LARGEST),
-            Line2D([], [], color=style.BLACK, markerfacecolor="white", linestyle="none", label="at rest", **point),
-            Patch(label="elements' own", **_BAND),
-        ]
-        legend(body, handles=handles, ncols=len(handles), columnspacing=0.9, handlelength=1.5, handletextpad=0.4)
+    figure, body = titled_figure(end.scene, what, {}, height=3.9, notes="\n".join(notes))
+    panels = body.subplots(1, len(names), squeeze=False, sharex=True, sharey=True).ravel()
+    for axes, name in zip(panels, names, strict=True):
+        _draw(axes, end, name, unit)
+        own = end.scene.run.effects == "auto" or name != "filament"
+        axes.set_title(_TITLES[name] if own else "the scene's own effects", fontsize=9.0, loc="left")
+        axes.set_xlabel(label)
+        axes.grid(True)
+    if not end.limits and first > 0 and last / first >= _LOGARITHMIC:
+        panels[0].set_xscale("log")
+        plain_log(panels[0].xaxis)
+    panels[0].margins(x=0.05)
+    panels[0].set_ylim(-extent, extent)
+    panels[0].set_ylabel("filament / elements − 1  [%]\n← sags less        sags more →", fontsize=8.5)
+    point: dict[str, Any] = {"marker": "o", "markersize": 4.5}
+    handles = [
+        *(Line2D([], [], color=c, label=name, **point) for c, name in zip(_COLOURS, end.moments, strict=False)),
+        Line2D([], [], label="largest since the first", **_LARGEST),
+        Line2D([], [], color=style.BLACK, markerfacecolor="white", linestyle="none", label="at rest", **point),
+        Patch(label="elements' own", **_BAND),
+    ]
+    legend(body, handles=handles, ncols=len(handles), columnspacing=0.9, handlelength=1.5, handletextpad=0.4)
     return figure
 
 
-def _draw(axes: Axes, end: TheoryEnd, name: str) -> None:
+def _draw(axes: Axes, end: TheoryEnd, name: str, unit: Unit) -> None:
     """Errors of one theory at four moments, with the extrapolation to a thickness of zero if there is one."""
     found = [(each.value, each.theories[name]) for each in end.measured if name in each.theories]
     values = np.array([each.value for each in end.measured])
     own = 100 * np.abs([each.mesh[:4] for each in end.measured]).max(axis=1)
-    axes.fill_between(values, -own, own, **_BAND)
+    axes.fill_between(unit.of(values), -own, own, **_BAND)
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
-    places = [value for value, theory in found if theory.trusted]
+    places = unit.of([value for value, theory in found if theory.trusted])
     errors = 100 * np.array([theory.error for _, theory in found if theory.trusted]).reshape(-1, len(end.moments))
     axes.plot(places, errors[:, -1], **_LARGEST)
     for k, colour in enumerate(_COLOURS):
@@ -97,14 +96,15 @@ def _draw(axes: Axes, end: TheoryEnd, name: str) -> None:
             axes.plot(places, errors[:, k], color=colour, linewidth=1.2, zorder=2)
         elif limit is not None:
             # The variable is h0/L or h0 itself.
-            unit = 1.0 if end.variation.path == "groups.delta" else 1 / end.scene.filament.span
+            span = 1.0 if end.variation.path == "groups.delta" else end.scene.filament.span
             line = np.linspace(0.0, values[-1], 60)
-            fitted = np.polynomial.polynomial.polyval(line * unit, limit["coefficients"])
-            axes.plot(line, 100 * fitted, color=colour, linewidth=1.2, zorder=2)
+            fitted = np.polynomial.polynomial.polyval(line / span, limit["coefficients"])
+            axes.plot(unit.of(line), 100 * fitted, color=colour, linewidth=1.2, zorder=2)
             bar: dict[str, Any] = {"fmt": "D", "markersize": 4.0, "capsize": 2.5, "linewidth": 1.0, "zorder": 4}
             axes.errorbar([0.0], [100 * limit["intercept"]], [100 * limit["uncertainty"]], color=colour, **bar)
         for value, theory in found:
-            axes.plot([value], [100 * theory.error[k]], color=colour, linestyle="none", zorder=3, **_mark(theory))
+            mark = {"color": colour, "linestyle": "none", "zorder": 3, **_mark(theory)}
+            axes.plot(unit.of([value]), [100 * theory.error[k]], **mark)
 
 
 def _mark(theory: TheoryError) -> dict[str, Any]:
@@ -119,34 +119,33 @@ def _mark(theory: TheoryError) -> dict[str, Any]:
 _NOTE = "filament/elements − 1 in %: positive where the filament sags more; t in L √(ρ/E)"
 
 
-def tables(end: TheoryEnd) -> list[tuple[str, tuple[str, ...], list[tuple[str, ...]]]]:
-    """Title, header and rows: errors of half as many elements and of each theory, limits, costs."""
+def tables(end: TheoryEnd) -> list[tuple[str, TextTable]]:
+    """Errors of half as many elements and of each theory, limits, costs; with their titles."""
     errors: list[tuple[str, ...]] = []
     for each in end.measured:
         errors.append((each.text, "half the elements", *map(percent, each.mesh)))
         errors += [("", _short(name), *map(percent, theory.error)) for name, theory in each.theories.items()]
     errors += [(lost.text, "not run", *[""] * 6) for lost in end.unmeasured]
     header = ("", "", *(name.replace("t = ", "t ") for name in end.moments))
-    found = [(f"{end.variation.path}: error of the midpoint\n{_NOTE}", header, errors)]
+    found = [(f"{end.variation.path}: error of the midpoint\n{_NOTE}", TextTable(header, errors, range(2, 8)))]
     limits: list[tuple[str, ...]] = []
     for name, row in end.limits.items():
         known = [each or dict.fromkeys(("intercept", "uncertainty", "order"), math.nan) for each in row]
-        for label, key, text in (
-            ("limit", "intercept", percent),
-            ("±", "uncertainty", lambda share: percent(share).removeprefix("+")),
-            ("order", "order", _plain),
-        ):
-            limits.append((_short(name) if label == "limit" else "", label, *(text(each[key]) for each in known)))
+        limits.append((_short(name), "limit", *(percent(each["intercept"]) for each in known)))
+        limits.append(("", "±", *(percent(each["uncertainty"]).removeprefix("+") for each in known)))
+        limits.append(("", "order", *(_plain(each["order"]) for each in known)))
     if limits:
-        found.append(("Slender limit: the error as the thickness goes to zero, in %", header, limits))
+        title = "Slender limit: the error as the thickness goes to zero, in %"
+        found.append((title, TextTable(header, limits, range(2, 8))))
     costs: list[tuple[str, ...]] = []
     for each, (_, cost) in zip(end.measured, end.costs().groupby("value", sort=False), strict=True):
         for k, row in enumerate(cost.itertuples()):
             sizes = (str(row.dofs), str(row.steps), significant(row.solve_s), _plain(row.solve_ratio))
             # The finest mesh has no finer one to be measured against.
             costs.append(("" if k else each.text, row.run, *sizes, percent(row.largest_error) if k else ""))
+    header = ("", "", "unknowns", "steps", "solve [s]", "×", "error")
     title = "Cost; ×: seconds of the finer elements over it; error: the largest, in %"
-    return [*found, (title, ("", "", "unknowns", "steps", "solve [s]", "×", "error"), costs)]
+    return [*found, (title, TextTable(header, costs, range(2, 7)))]
 
 
 def _plain(number: float) -> str:
@@ -177,10 +176,7 @@ def remarks(end: TheoryEnd) -> list[str]:
 @drawing.report.register(TheoryEnd)
 def theory_end_report(end: TheoryEnd) -> Report:
     """The tables of errors, costs and limits, and the remarks."""
-    shown = []
-    for title, header, rows in tables(end):
-        looks: dict[str, Any] = {"right": range(2, len(header)), "whole": range(9), "padding": (0, 1, 0, 0)}
-        shown.append(text_table(header, rows, title=title, title_style="none", **looks))
+    shown = [table.printed(title, title_style="none", whole=range(9)) for title, table in tables(end)]
     files = {
         "compare.json": end.to_dict,
         "scene.toml": end.scene.to_toml,

@@ -22,6 +22,9 @@ EARLY: Final = 0.08
 _LONGEST: Final = 100.0
 """Unit of a logarithmic axis [s]: its first numbers would be too small in minutes."""
 
+STEPS: Final = (1, 2, 2.5, 5, 10)
+"""Between ticks, times a power of ten."""
+
 _COLUMNS: Final = 600
 """Points of a curve and columns of a map, evenly along the axis: more would be finer than a pixel."""
 
@@ -39,9 +42,9 @@ class TimeAxis:
     def of(cls, time: Floats, *curves: Floats) -> TimeAxis:
         """The axis of what moves most: logarithmic after the first quarter of a motion of which half lies early."""
         start, end = float(time.min()), float(time.max())
-        steps = sum((_shares(np.abs(np.diff(curve))) for curve in curves), np.zeros(time.size - 1))
-        if steps.any() and end > start >= 0:
-            way = np.append(0.0, np.cumsum(steps))
+        ways = [np.append(0.0, np.cumsum(np.abs(np.diff(curve)))) for curve in curves]
+        way = sum((one / one[-1] for one in ways if one[-1] > 0), np.zeros(time.size))
+        if way[-1] > 0 and end > start >= 0:
             quarter, half = np.interp([0.25 * way[-1], 0.5 * way[-1]], way, time)
             if half - start < EARLY * (end - start) and start < quarter:
                 return cls(start, end, time_unit(min(end, _LONGEST)), nice_floor(float(quarter)))
@@ -81,7 +84,7 @@ class TimeAxis:
         axes.set_xlim(start, end if end > start else start + max(1.0, abs(start)))
         axes.set_xlabel(self.label if label is None else label)
         if self.is_even:
-            axes.xaxis.set_major_locator(MaxNLocator(ticks, steps=(1, 2, 2.5, 5, 10)))
+            axes.xaxis.set_major_locator(MaxNLocator(ticks, steps=STEPS))
             return
         axes.set_xscale("asinh", linear_width=self.even / size)
         axes.set_xticks(self.ticks(ticks, size), minor=False)
@@ -131,14 +134,14 @@ class TimeAxis:
 
     def columns(self, time: Floats, values: Floats) -> Floats:
         """Values, shape (frames, rows), at even places along the axis, linear between frames; shape (columns, rows)."""
-        if time.size == 1:
-            return values
         at = self.times((np.arange(_COLUMNS) + 0.5) / _COLUMNS)
-        k = np.clip(np.searchsorted(time, at, side="right") - 1, 0, time.size - 2)
-        part = ((at - time[k]) / (time[k + 1] - time[k]))[:, None]
-        return np.asarray((1 - part) * values[k] + part * values[k + 1])
+        return values if time.size == 1 else between(time, values, at)
 
 
-def _shares(steps: Floats) -> Floats:
-    total = float(steps.sum())
-    return steps / total if total > 0 else steps
+def between(time: Floats, values: Floats, at: Floats) -> Floats:
+    """Values, shape (frames, ...), at other times, linear between frames."""
+    if time.size == 1:
+        return np.repeat(values, at.size, axis=0)
+    k = np.clip(np.searchsorted(time, at, side="right") - 1, 0, time.size - 2)
+    part = ((at - time[k]) / (time[k + 1] - time[k])).reshape(-1, *(1,) * (values.ndim - 1))
+    return np.asarray((1 - part) * values[k] + part * values[k + 1])

@@ -40,7 +40,12 @@ def typeset(unit: str) -> str:
     """A unit as it is printed: ``Pa·s^0.5``, ``s⁻¹``, ``m/s²`` of ``Pa*s^0.5``, ``1/s``, ``m/s^2``."""
     inverse = re.fullmatch(r"1/(\w+)(?:\^(\d+))?", unit)
     text = f"{inverse[1]}^-{inverse[2] or 1}" if inverse else unit.replace("*", "·").replace(" ", "·")
-    return re.sub(r"\^(-?\d+)(?![.\d])", lambda power: power[1].translate(_RAISED), text)
+    return re.sub(r"\^(-?\d+)(?![.\d])", lambda power: raised(power[1]), text)
+
+
+def raised(power: object) -> str:
+    """A whole number as an exponent."""
+    return str(power).translate(_RAISED)
 
 
 LENGTHS = (Unit("nm", 1e-9), Unit("µm", 1e-6), Unit("mm", 1e-3), Unit("m", 1.0), Unit("km", 1e3))

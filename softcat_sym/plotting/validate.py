@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 from base64 import b64encode
 from collections.abc import Iterable, Iterator
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -18,13 +19,14 @@ from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page
-from softcat_sym.plotting.style import legend, plain_log, png, sheet
+from softcat_sym.plotting.style import legend, plain_log, png, sheet, styled
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import typeset
 from softcat_sym.scene.table_reader import counted
-from softcat_sym.studies.published.case import Case, DataKind, Row, published_scene
+from softcat_sym.studies.published.case import Case, DataKind, PublishedValue, published_scene
 from softcat_sym.studies.validate import Result, Validation
 
-HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
+_HEADINGS = ("case", "number, source", "published", "ours", "difference", "what may explain it")
 _NUMBERS = (2, 3, 4)
 """Columns of the table that are numbers."""
 
@@ -36,7 +38,7 @@ _NAMED = 8
 """More curves than this are told apart by no legend."""
 
 
-def difference_text(row: Row) -> str:
+def difference_text(row: PublishedValue) -> str:
     """A difference in the unit of the number, or in per cent; none within a range that is published."""
     if row.agrees and row.band is not None and row.band[0] < row.band[1]:
         return "within"
@@ -49,14 +51,14 @@ def _number(value: float, unit: str, digits: int) -> str:
     return f"{value:.{digits}g} {typeset(unit)}".rstrip()
 
 
-def _published(row: Row) -> str:
+def _published(row: PublishedValue) -> str:
     if row.band is None:
         return _number(row.published, row.unit, 4)
     low, high = row.band
     return _number(low, row.unit, 4) if low == high else f"{low:g} to {high:g} {typeset(row.unit)}".rstrip()
 
 
-def _texts(row: Row, case: Case) -> tuple[str, str, str]:
+def _texts(row: PublishedValue, case: Case) -> tuple[str, str, str]:
     """What is published, ours, and the difference; what is assumed does not differ by being right."""
     apart = "assumed" if case.kind is DataKind.ASSUMED else difference_text(row)
     return _published(row), _number(row.ours, row.unit, 4), apart
@@ -69,13 +71,15 @@ def _remark(result: Result) -> str:
     return f"no answer: {result.failure}" if result.failure else result.case.explains
 
 
-def table_rows(validation: Validation) -> Iterator[tuple[str, ...]]:
-    """Cells of the table: a row for each case and its source, and one for each of its numbers."""
+def validation_table(validation: Validation) -> TextTable:
+    """A row for each case and its source, and one for each of its numbers."""
+    rows, kinds = list[tuple[str, ...]](), list[str]()
     for result in validation.results:
-        case = result.case
-        yield case.name, case.source, "", "", str(case.kind), _remark(result)
-        for row in result.finding.rows if result.finding else ():
-            yield "", row.quantity, *_texts(row, case), ""
+        case, numbers = result.case, result.finding.rows if result.finding else ()
+        rows.append((case.name, case.source, "", "", str(case.kind), _remark(result)))
+        rows += [("", row.quantity, *_texts(row, case), "") for row in numbers]
+        kinds += ["case", *[""] * len(numbers)]
+    return TextTable(_HEADINGS, rows, _NUMBERS, kinds)
 
 
 def summary_of(validation: Validation) -> str:
@@ -109,40 +113,36 @@ def _shown(result: Result) -> Iterator[RenderableType]:
 
 
 @drawing.plot.register(Result)
+@styled()
 def case_figure(result: Result) -> Figure:
     """Draw what was run, as lines, beside what is published, as points."""
-    case, finding = result.case, result.finding
-    picture = None if finding is None else finding.picture
-    with style.styled():
-        figure, body = sheet(case.title, case.source, height=3.1)
-        axes = body.subplots()
-        if picture is None:
-            axes.set_axis_off()
-            return figure
-        drawn = iter(_LINES * (1 + len(picture.curves) // len(_LINES)))
-        many = len(picture.curves) > _NAMED
-        colour = style.BLUE
-        for curve in picture.curves:
-            look: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5, "markerfacecolor": "white"}
-            if not curve.is_published or many:
-                colour = next(drawn)
-            if not curve.is_published:
-                look = {"linewidth": 1.4}
-            elif many:
-                look = {"linewidth": 0.6, "marker": ".", "markersize": 3.0}
-            axes.plot(curve.x, curve.y, color=colour, label=curve.label, **look)
-        for place, draw in ((picture.published_x, axes.axvline), (picture.published_y, axes.axhline)):
-            if place is not None:
-                draw(place, color=style.GREY, linestyle="--", linewidth=1.0, label=f"published, {place:.4g}")
-        axes.set_xlabel(picture.x)
-        axes.set_ylabel(picture.y)
-        axes.margins(x=0.03, y=0.06)
-        for name in "x" * picture.is_log_x + "y" * picture.is_log_y:
-            axes.set(**{f"{name}scale": "log"})
-            plain_log(getattr(axes, f"{name}axis"))
-        axes.grid(True)
-        if not many:
-            legend(body, "lower center", ncols=2)
+    case, picture = result.case, None if result.finding is None else result.finding.picture
+    figure, body = sheet(case.title, case.source, height=3.1)
+    axes = body.subplots()
+    if picture is None:
+        axes.set_axis_off()
+        return figure
+    drawn, many, colour = cycle(_LINES), len(picture.curves) > _NAMED, style.BLUE
+    for curve in picture.curves:
+        look: dict[str, Any] = {"linestyle": "none", "marker": "o", "markersize": 4.5, "markerfacecolor": "white"}
+        if not curve.is_published or many:
+            colour = next(drawn)
+        if not curve.is_published:
+            look = {"linewidth": 1.4}
+        elif many:
+            look = {"linewidth": 0.6, "marker": ".", "markersize": 3.0}
+        axes.plot(curve.x, curve.y, color=colour, label=curve.label, **look)
+    for place, draw in ((picture.published_x, axes.axvline), (picture.published_y, axes.axhline)):
+        if place is not None:
+            draw(place, color=style.GREY, linestyle="--", linewidth=1.0, label=f"published, {place:.4g}")
+    axes.set(xlabel=picture.x, ylabel=picture.y)
+    axes.margins(x=0.03, y=0.06)
+    for name in "x" * picture.is_log_x + "y" * picture.is_log_y:
+        axes.set(**{f"{name}scale": "log"})
+        plain_log(getattr(axes, f"{name}axis"))
+    axes.grid(True)
+    if not many:
+        legend(body, "lower center", ncols=2)
     return figure
 
 
@@ -158,59 +158,53 @@ def _relative(validation: Validation) -> list[tuple[str, float]]:
 
 
 @drawing.plot.register(Validation)
+@styled()
 def validation_figure(validation: Validation) -> Figure:
     """Draw every relative difference as a bar, on a scale that shows a tenth of a per cent and a half alike."""
     found = _relative(validation)
-    with style.styled():
-        figure, body = sheet(
-            "Held against the world", summary_of(validation), height=0.5 + 0.24 * max(1, len(found)),
-            notes="Ours over what is published, minus one; differences in kelvin, decades or counts are in the table.",
-        )  # fmt: skip
-        axes = body.subplots()
-        values = np.array([100 * value for _, value in found])
-        colours = [style.BLUE if value >= 0 else style.VERMILLION for value in values]
-        axes.barh(np.arange(len(found)), values, color=colours, height=0.62)
-        axes.set_yticks(np.arange(len(found)), [style.printable(name, 58) for name, _ in found], fontsize=7.0)
-        axes.set_xscale("symlog", linthresh=0.1)
-        axes.set_xticks([-30, -10, -3, -1, 0, 1, 3, 10, 30], [f"{t:g}" for t in (-30, -10, -3, -1, 0, 1, 3, 10, 30)])
-        axes.axvline(0.0, color=style.GREY, lw=0.6)
-        axes.invert_yaxis()
-        axes.tick_params(axis="y", length=0)
-        axes.set_xlabel("difference [%]")
-        axes.grid(True, axis="x")
+    figure, body = sheet(
+        "Held against the world", summary_of(validation), height=0.5 + 0.24 * max(1, len(found)),
+        notes="Ours over what is published, minus one; differences in kelvin, decades or counts are in the table.",
+    )  # fmt: skip
+    axes = body.subplots()
+    values, places = np.array([100 * value for _, value in found]), np.arange(len(found))
+    axes.barh(places, values, color=[style.BLUE if value >= 0 else style.VERMILLION for value in values], height=0.62)
+    axes.set_yticks(places, [style.printable(name, 58) for name, _ in found], fontsize=7.0)
+    axes.set_xscale("symlog", linthresh=0.1)
+    ticks = (-30, -10, -3, -1, 0, 1, 3, 10, 30)
+    axes.set_xticks(ticks, [str(tick) for tick in ticks])
+    axes.axvline(0.0, color=style.GREY, lw=0.6)
+    axes.invert_yaxis()
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel("difference [%]")
+    axes.grid(True, axis="x")
     return figure
+
+
+_VERDICTS = {None: "no uncertainty is published", True: "within what is published", False: "outside what is published"}
 
 
 def validation_page(validation: Validation, pictures: dict[str, bytes], command: str = "") -> bytes:
     """Write the page: the table, then every case with its picture."""
-    cases = [
-        {
-            **result.to_dict(),
-            "picture": b64encode(pictures[result.case.name]).decode() if result.case.name in pictures else None,
-            "numbers": [
-                (row.quantity, *_texts(row, result.case), _verdict(row))
-                for row in (result.finding.rows if result.finding else ())
-            ],
-        }
-        for result in validation.results
-    ]
+    cases = []
+    for result in validation.results:
+        case, picture = result.case, pictures.get(result.case.name)
+        rows = [
+            (row.quantity, *_texts(row, case), _VERDICTS[row.agrees])
+            for row in (result.finding.rows if result.finding else ())
+        ]
+        numbers = TextTable(("number", "published", "ours", "difference", ""), rows, (1, 2, 3)) if rows else None
+        shown = None if picture is None else b64encode(picture).decode()
+        cases.append({**result.to_dict(), "picture": shown, "numbers": numbers})
     return page(
         "validate.html",
         title="Held against the world",
         version=importlib.metadata.version("softcat_sym"),
         summary=summary_of(validation),
-        headings=HEADINGS,
-        rows=[("case" if row[0] else "", row) for row in table_rows(validation)],
-        right=_NUMBERS,
+        table=validation_table(validation),
         cases=cases,
         command=command,
     )
-
-
-def _verdict(row: Row) -> str:
-    if row.agrees is None:
-        return "no uncertainty is published"
-    return "within what is published" if row.agrees else "outside what is published"
 
 
 @drawing.report.register(Validation)
@@ -233,6 +227,6 @@ def validation_report(validation: Validation, command: str = "") -> Report:
         **{f"{name}.png": figure for name, figure in figures.items()},
         **{f"{name}.toml": published_scene(name).to_toml for name in scenes},
     }
-    header = _numbers_table([("case, number", *(HEADINGS[k] for k in _NUMBERS))])
+    header = _numbers_table([("case, number", *(_HEADINGS[k] for k in _NUMBERS))])
     summary = Text(f"{summary_of(validation)}; no constant is fitted", style="bold")
     return Report(files, [header, *(line for result in results for line in _shown(result)), summary])

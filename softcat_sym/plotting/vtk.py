@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -46,7 +47,8 @@ def write_vtk(scene: Scene, run: ElementRun, directory: str | Path) -> list[Path
     strip, span = strip_of(scene, run), scene.filament.span
     nodes = np.column_stack([span * strip.position, np.zeros(len(strip.position))])
     fields = list(element_fields(scene, run))
-    meshes = ((field.time, _mesh(nodes, strip.corner, field)) for field in fields)
+    # Meshio's quad8 numbers nodes as the elements do.
+    meshes = ((field.time, nodes, ("quad8", strip.corner), *_data_of(field)) for field in fields)
     return _written(Path(directory), SERIES, meshes, len(fields))
 
 
@@ -92,56 +94,46 @@ def write_run_vtk(run: Run, directory: str | Path) -> list[Path]:
     meshes = (
         (
             float(at),
-            _lines(
-                places[frame],
-                cells,
-                {name: values[frame] for name, values in points.items()},
-                {name: [np.asarray(fields[name][frame])] for name in names},
-            ),
+            places[frame],
+            ("line", cells),
+            {name: values[frame] for name, values in points.items()},
+            {name: [np.asarray(fields[name][frame])] for name in names},
         )
         for frame, at in enumerate(time)
     )
     return _written(Path(directory), RUN_SERIES, meshes, len(time))
 
 
-def _lines(places: Floats, cells: NDArray[np.int64], points: dict[str, Floats], fields: dict[str, list[Floats]]) -> Any:
+Mesh: TypeAlias = tuple[float, Floats, tuple[str, NDArray[Any]], dict[str, Floats], dict[str, list[Floats]]]
+"""Time, nodes, cells, fields at nodes and of cells."""
+
+
+def _written(folder: Path, series: str, meshes: Iterable[Mesh], count: int) -> list[Path]:
+    """A file for every mesh, and the series that lists them with their times."""
     import meshio
 
-    return meshio.Mesh(places, [("line", cells)], point_data=points, cell_data=fields)
-
-
-def _written(folder: Path, series: str, meshes: Iterable[tuple[float, Any]], count: int) -> list[Path]:
-    """A file for every mesh with its time, and the series that lists them."""
-    digits, written = max(2, len(str(count - 1))), dict[Path, float]()
+    digits, written, rows = max(2, len(str(count - 1))), list[Path](), ""
     with new_folder(folder), written_together():
-        for number, (time, mesh) in enumerate(meshes):
+        for number, (time, nodes, cells, points, fields) in enumerate(meshes):
+            mesh = meshio.Mesh(nodes, [cells], point_data=points, cell_data=fields)
             path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"
-            fill_atomically(path, lambda passing, mesh=mesh: mesh.write(passing, file_format="vtu"))  # type: ignore[misc]
-            written[path] = time
-        return [replace_atomically(folder / series, _series(written)), *written]
+            fill_atomically(path, partial(mesh.write, file_format="vtu"))
+            written.append(path)
+            rows += f'    <DataSet timestep="{time!r}" file={quoteattr(path.name)}/>\n'
+        content = (
+            '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n  <Collection>\n'
+            f"{rows}  </Collection>\n</VTKFile>\n"
+        )
+        return [replace_atomically(folder / series, content.encode()), *written]
 
 
-def _mesh(nodes: np.ndarray[Any, Any], corner: np.ndarray[Any, Any], field: ElementField) -> Any:
-    """A mesh of meshio; its quad8 numbers nodes as the elements do."""
-    import meshio
-
-    stress = np.zeros((len(corner), 3, 3))
+def _data_of(field: ElementField) -> tuple[dict[str, Floats], dict[str, list[Floats]]]:
+    """Displacements at the nodes; rates and stresses of elements."""
+    stress = np.zeros((len(field.stress), 3, 3))
     stress[:, :2, :2] = field.stress.mean(axis=1)
-    return meshio.Mesh(
-        nodes,
-        [("quad8", corner)],
-        point_data={"displacement": np.column_stack([field.displacement, np.zeros(len(nodes))])},
-        cell_data={
-            "plastic_shear_rate": [field.shear_rate.mean(axis=1)],
-            "plastic_shear_rate_at_points": [field.shear_rate],
-            "cauchy_stress": [stress.reshape(-1, 9)],
-        },
-    )
-
-
-def _series(files: dict[Path, float]) -> bytes:
-    rows = "".join(f'    <DataSet timestep="{time!r}" file={quoteattr(path.name)}/>\n' for path, time in files.items())
-    return (
-        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n  <Collection>\n'
-        f"{rows}  </Collection>\n</VTKFile>\n"
-    ).encode()
+    cells = {
+        "plastic_shear_rate": [field.shear_rate.mean(axis=1)],
+        "plastic_shear_rate_at_points": [field.shear_rate],
+        "cauchy_stress": [stress.reshape(-1, 9)],
+    }
+    return {"displacement": np.pad(field.displacement, ((0, 0), (0, 1)))}, cells

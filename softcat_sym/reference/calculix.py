@@ -20,6 +20,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Floats, HalfFilament, Indices, Mesh, problem_of
 from softcat_sym.reference.elements import ElementProgress
 from softcat_sym.scene.scene import Scene, elastic_time
+from softcat_sym.scene.tables import bodies_of
 
 _HEAD = re.compile(r"^ displacements \(vx,vy,vz\) for set \S+ and time\s+(\S+)\s*$", re.MULTILINE)
 
@@ -110,6 +111,9 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     if problem.pull:
         found = f"{scene.surroundings.surface_tension:g} N/m, which the deck of CalculiX does not know"
         raise SceneError([Fault("surroundings.surface_tension", found, "0 N/m, or our own elements")])
+    for body in bodies_of(scene):
+        found = "given, but the deck of CalculiX knows neither floor nor pillars"
+        raise SceneError([Fault(body.table_name, found, "leaving it out, or our own elements")])
     strip = HalfFilament(mesh if mesh is not None else Mesh(), problem.thickness)
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)

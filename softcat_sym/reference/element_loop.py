@@ -25,6 +25,7 @@ from softcat_sym.files import replace_atomically
 from softcat_sym.reference.material_point import LAWS, PointCode
 from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
+from softcat_sym.scene.tables import bodies_of
 from softcat_sym.store import packed, unpacked
 
 _ONLY: dict[str, object] = {
@@ -46,6 +47,7 @@ _ONLY: dict[str, object] = {
     "initial.centreline": (),
     "run.until": "duration",
     "initial.stretch": 1.0,
+    **dict.fromkeys(("floor.friction", "floor.speed", "pillars.friction"), 0.0),
 }
 """The only value of each key that the elements know."""
 
@@ -61,8 +63,23 @@ class Problem:
     gravity: float  # rho g L/E
     pull: float  # Of the surface in the undeformed filament, gamma (1/h0 + 1/D0)/E
     ramp: float  # Over the elastic time
+    bodies: tuple[tuple[str, float], ...]  # Levels, place and radius of what the lower edge may lie on
     duration: float
     frames: int  # Evenly spaced output times, the first at 0
+
+
+def _bodies(scene: Scene) -> tuple[tuple[str, float], ...]:
+    """Floor and pillars over the span, as the loop takes them; none of a scene without."""
+    span, pillars, half, floor = scene.filament.span, scene.pillars, scene.filament.thickness / 2, scene.floor
+    if not (pillars.present or floor.present):
+        return ()
+    sizes = {
+        "floor": -floor.room() - half if floor.present else -_FAR,
+        "wall": (pillars.gap or _FAR) / 2,
+        "top": pillars.height - half if pillars.present else -_FAR,
+        "roundness": pillars.edge,
+    }
+    return tuple((name, size / span) for name, size in sizes.items())
 
 
 def problem_of(scene: Scene) -> Problem:
@@ -84,6 +101,11 @@ def problem_of(scene: Scene) -> Problem:
         Fault(f"material.{name}", f"{value!r}, which changes in time, has no finite elements", "a constant")
         for name, value in (*scene.material.histories().items(), *scene.material.natural_strains().items())
     ]
+    faults += [
+        Fault(f"{body.table_name}.bond", f"{body.bond!r} has no finite elements", "none")
+        for body in bodies_of(scene)
+        if body.bond != "none"
+    ]
     if scene.material.law not in LAWS:
         faults.append(Fault("material.law", f"'{scene.material.law}' has no finite elements", ", ".join(LAWS)))
     if faults or scene.material.youngs_modulus is None:
@@ -99,6 +121,7 @@ def problem_of(scene: Scene) -> Problem:
         gravity=filament.density * scene.load.gravity * filament.span / modulus,
         pull=scene.surroundings.surface_tension * (1 / filament.thickness + 1 / filament.width) / modulus,
         ramp=scene.load.ramp / time,
+        bodies=_bodies(scene),
         duration=scene.run.duration / time,
         frames=scene.run.frames,
     )
@@ -325,8 +348,16 @@ def element_sources(code: PointCode) -> dict[str, str]:
     return {**code.source, **own}
 
 
+_STIFFNESS = 0.3
+"""Of bodies over that of an element: they are nearly rigid, and the stable step stays that of the elements."""
+
+_FAR = 1e30
+
 _ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
-_SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy", "surface_energy")
+_SCALARS = (
+    *("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy", "surface_energy"),
+    "contact_energy",
+)
 _TYPES: dict[str, Any] = {
     **dict.fromkeys(("elements", "nodes"), ctypes.c_long),
     "p_corner": _INTEGERS,
@@ -338,10 +369,12 @@ _TYPES: dict[str, Any] = {
     "p_face_height": _DOUBLES,
     "face_inertia": ctypes.c_double,
     "p_material": _DOUBLES,
-    **dict.fromkeys(("pull", "full_gravity", "ramp", "start", "step"), ctypes.c_double),
+    "pull": ctypes.c_double,
+    **dict.fromkeys(("half", "floor", "wall", "top", "roundness", "stiffness"), ctypes.c_double),
+    **dict.fromkeys(("full_gravity", "ramp", "start", "step"), ctypes.c_double),
     **dict.fromkeys(("steps", "taken"), ctypes.c_long),
     **dict.fromkeys(("p_displacement", "p_velocity", "p_acceleration", "p_point"), _DOUBLES),
-    **dict.fromkeys(("gravity_work", "plastic_work", "elastic_energy", "surface_energy"), ctypes.c_double),
+    **dict.fromkeys(_SCALARS[4:], ctypes.c_double),
     "p_rate": _DOUBLES,
 }
 """``struct softcat_strip`` of elements.h in its order; ``p_`` stands before what points at an array."""
@@ -367,6 +400,7 @@ class ElementLoop(ctypes.Structure):
         gravity: float = 0.0,
         pull: float = 0.0,
         ramp: float = 0.0,
+        bodies: Mapping[str, float] | None = None,
     ) -> None:
         height = np.ascontiguousarray(strip.position[supports.face, 1])
         elements, nodes = len(strip.corner), len(strip.position)
@@ -380,6 +414,9 @@ class ElementLoop(ctypes.Structure):
             pull=pull * strip.thickness,
             full_gravity=gravity,
             ramp=ramp,
+            half=strip.thickness / 2,
+            stiffness=_STIFFNESS * strip.mesh.through / strip.thickness if bodies else 0.0,
+            **(bodies or {}),
         )
         functions = ("softcat_gravity", "softcat_evaluate", "softcat_march")
         self._library = load(compile_library(element_sources(code), units=["elements.c"]), *functions)

@@ -39,7 +39,7 @@ from softcat_sym.scene.scene import Scene, elastic_time
 
 # Fields kept unless their times are named, evenly spaced; the last output time is always among them.
 _FIELDS = 21
-ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "potential")
+ENERGIES = ("kinetic", "elastic", "surface", "contact", "dissipated", "gravity_work", "potential")
 
 
 class Records:
@@ -73,6 +73,7 @@ class Records:
             "kinetic": loop.kinetic_energy,
             "elastic": loop.elastic_energy,
             "surface": loop.surface_energy,
+            "contact": loop.contact_energy,
             "dissipated": loop.plastic_work,
             "gravity_work": loop.gravity_work,
             "potential": loop.gravity(loop.time) * (strip.mass @ loop.displacement[:, 1]),
@@ -133,7 +134,7 @@ def run_of(scene: Scene, strip: HalfFilament, clamp: Clamp, records: Records, *,
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
-    held = kept["kinetic"] + kept["elastic"] + kept["surface"] + kept["dissipated"]
+    held = sum(kept[name] for name in ("kinetic", "elastic", "surface", "contact", "dissipated"))
     joule = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width
     energy = {name: joule * kept[name] for name in ENERGIES}
     return ElementRun(
@@ -312,7 +313,7 @@ class March:
     def _audit(self) -> None:
         """Refuse a state whose energies do not add up: steps too long for what the strip has become."""
         loop = self._loop
-        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.plastic_work
+        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.contact_energy + loop.plastic_work
         residual = held - loop.gravity_work
         self._work = max(self._work, abs(loop.gravity_work))
         # Written so that NaN is refused too.
@@ -377,7 +378,14 @@ def run_elements(
     supports = half_span_supports(strip, clamp)
     key = checkpoint_key(scene, strip.mesh, clamp, step_factor, fields)
     loop = ElementLoop(
-        strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
+        strip,
+        supports,
+        code,
+        dict(problem.material),
+        gravity=problem.gravity,
+        pull=problem.pull,
+        ramp=problem.ramp,
+        bodies=dict(problem.bodies),
     )
     march, second = March(problem, loop, step_factor, fields), elastic_time(scene)
     if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:

@@ -21,7 +21,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.constitutive_laws import bingham_rate, maxwell_rate
 
 _HAND_WRITTEN = ("point.h", "point.c")
 

@@ -10,13 +10,13 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
 from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
-from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.estimates.scaling import instant_modulus
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
 from softcat_sym.scene.tables import right_places
 from softcat_sym.solvers.outcome import refused
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
+from softcat_sym.solvers.solve import Prepared
 
 
 class Variable(NamedTuple):
@@ -67,6 +67,11 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "conformation_across": Variable(_CELL, "1", "section mean of the conformation of polymer chains across the fibres"),
     "core_low": Variable(_CELL, "1", "zeta below which fibres yield, of a section resolved fibre by fibre"),
     "core_high": Variable(_CELL, "1", "zeta above which fibres yield, of a section resolved fibre by fibre"),
+    "contact_pressure": Variable(_NODE, "N/m", "force of floor and pillars per rest length, along their normals"),
+    "contact_length": Variable(_FRAME, "m", "rest length that lies on floor or pillars"),
+    "contact_length_blur": Variable(_FRAME, "m", "length over which either end of a contact is blurred"),
+    "contact_force": Variable(_FRAME, "N", "sum of the contact pressure"),
+    "penetration_max": Variable(_FRAME, "m", "largest depth to which the filament sinks into floor or pillars"),
     "energy_kinetic": Variable(_FRAME, "J", "kinetic energy", True),
     "energy_elastic": Variable(_FRAME, "J", "elastic energy", True),
     "energy_surface": Variable(_FRAME, "J", "surface tension times the growth of the area since t = 0", True),
@@ -165,10 +170,7 @@ def unknown_at(graph: Graph, solution: Solution, name: str, where: float) -> Flo
     places = np.concatenate([graph.x_where, graph.z_where])[rows]
     order = np.argsort(places)
     near, weights = cubic_weights(places[order], where)
-    states = (
-        solution.x[row] if row < len(graph.x_kinds) else solution.z[row - len(graph.x_kinds)]
-        for row in rows[order][near]
-    )
+    states = (solution.row(row) for row in rows[order][near])
     return np.asarray(sum(weight * state for weight, state in zip(weights, states, strict=True) if weight), dtype=float)
 
 
@@ -233,7 +235,7 @@ def _unloaded_places(scene: Scene, graph: Graph) -> Floats | None:
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution, *, along: bool = True) -> dict[str, Floats]:
     """Every variable of the trajectory that this theory has, whole span, whole filament; or none `along` it."""
-    graph, span = prepared.graph, rest_length(scene)
+    graph, span, solution = prepared.graph, rest_length(scene), solution.whole
     observed = prepared.observe(solution)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     plastic, load, gradient, *lost = solution.quad * unit

@@ -10,11 +10,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import (
+from softcat_sym.discretization.unknowns import PLACES, Floats
+from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.expected_regime import TURNS_BACK
+from softcat_sym.estimates.forecast import (
     compliant_sag,
     flowing_overstress,
     forecast,
@@ -23,9 +22,10 @@ from softcat_sym.effects.forecast import (
     sheared_share,
     tension_share,
 )
-from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
-from softcat_sym.effects.quasi_static_sag import load_factor, retardation, solvent_lag
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.estimates.free_vibration import first_vibration, ringing, solid_decay
+from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.quasi_static_sag import load_factor, retardation, solvent_lag
+from softcat_sym.estimates.scaling import (
     effective_viscosity,
     effective_viscosity_at,
     pull_of_surface,
@@ -36,9 +36,9 @@ from softcat_sym.effects.scaling_estimates import (
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.results.fields import least_displacement, midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
-from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
-from softcat_sym.solvers.run import Prepared
+from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, loaded_from, rest_length, undeformed_area
 from softcat_sym.solvers.solution import Extremes, Progress, Solution
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.solvers.start import Start
 
 FRAMES_A_PERIOD = 4.0
@@ -319,11 +319,6 @@ def last_fifth(time: Floats, midpoint: Floats) -> float:
     return float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint))
 
 
-def loaded_from(scene: Scene) -> float:
-    """Time from which neither the load nor a support changes [s]."""
-    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
-
-
 def rings_on(scene: Scene, rings: Ringing | None, largest: float) -> bool:
     """Whether a run rings for so long, and to its end, that height and amplitude are its whole answer."""
     if rings is None or scene.load.shake > 0 or scene.run.duration < MIN_PERIODS * rings.period:
@@ -364,10 +359,20 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
         rings, least = ringing_of(seen), scene.run.accuracy * largest
         means.append(float(seen.height[-1]) if rings is None else rings.mean)
         left, still = scene.run.duration - loaded, float(np.ptp(seen.height)) / 2 < least
+        if effects.terms().touches:
+            # What lies on a floor goes on moving beside a midpoint that rests: by its velocity until the end.
+            still = still and _fastest(prepared, piece) * (scene.run.duration - end) < least
         if still and len(means) > 2 and still_to_move(means, left / elapsed, NOISE * least, flows=flows) < least:
             return end
         elapsed *= STRIDE
     return None
+
+
+def _fastest(prepared: Prepared, piece: Solution) -> float:
+    """Mean speed of the node that goes farthest during a piece of a run [m/s]."""
+    places = [prepared.observe(piece)[name] for name in PLACES[:2]]
+    moved = np.sqrt(sum((place[-1] - place[0]) ** 2 for place in places))
+    return float(np.max(moved)) / (float(piece.time[-1] - piece.time[0]) * prepared.scale)
 
 
 def still_to_move(means: list[float], times: float, noise: float, *, flows: bool) -> float:

@@ -11,8 +11,8 @@ import numpy as np
 from softcat_sym.discretization.unknowns import PLACES, TURN, Floats
 from softcat_sym.results.fields import cubic_weights, least_displacement, turn_of, unknown_at
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
+from softcat_sym.solvers.solve import Prepared
 
 DISPLACEMENT: Final = "displacement"
 OWN: Final = ("sideways", "turn", "torque")

@@ -18,9 +18,9 @@ import numpy.typing as npt
 
 from softcat_sym.discretization.point_rule import warping_rule
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.free_vibration import solid_viscosity
-from softcat_sym.effects.scaling_estimates import instant_modulus, section_of
 from softcat_sym.errors import SceneError
+from softcat_sym.estimates.free_vibration import solid_viscosity
+from softcat_sym.estimates.scaling import instant_modulus, section_of
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.ends import Support
 from softcat_sym.scene.scene import Scene, undeformed_area

@@ -16,12 +16,12 @@ from pydantic import TypeAdapter, ValidationError
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.free_vibration import damping_note
-from softcat_sym.effects.initial_stress import surface_note
+from softcat_sym.effects.selection import Effects
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.estimates.free_vibration import damping_note
+from softcat_sym.estimates.initial_stress import surface_note
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import break_frame
@@ -60,8 +60,8 @@ from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Extremes, Solution
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.store import Form, packed, unpacked, version
 
 if TYPE_CHECKING:
@@ -245,6 +245,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     carried = residual if prepared.integration is not None else 0.0
     audited = carried if prepared.graph.conserves_energy else 0.0
     outcome, message = verdict(scene, effects, solution, fields, places[0], audited)
+    seen_of = [one.observe(scene, fields | {"time": time, "X_node": places[0]}) for one in effects.in_force]
+    fields |= {name: values for one in seen_of for name, values in one.fields.items()}
+    if outcome.is_success and (doubts := [one.doubt for one in seen_of if one.doubt]):
+        outcome, message = Outcome.penetrated, "; ".join(doubts)
     # The run ends there: what follows is no filament.
     if outcome is Outcome.ruptured:
         sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
@@ -315,6 +319,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "solver_reason": settings.reason,
         "rtol": settings.rtol,
         "steps": solution.steps,
+        "tail_from_s": None if solution.tail_from is None else solution.tail_from * prepared.scale,
+        "tail_error": solution.tail_error,
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
@@ -324,6 +330,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         ],
         "warnings": warnings,
         "wall_s": wall,
+        **{name: value for one in seen_of for name, value in one.summary.items()},
     }
     fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
     return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome), watched)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from softcat_sym.scene.ends import Hold
 from softcat_sym.scene.natural_curve import misses_supports
 from softcat_sym.scene.parts import DOWN, Rule, if_given
-from softcat_sym.scene.tables import Tables
+from softcat_sym.scene.tables import Tables, bodies_of
 
 _IN_THE_PLANE = 3
 """Values in a row of a motion that stays in the plane: time, right and up."""
@@ -112,6 +112,7 @@ def _of_space(scene: Tables) -> Iterator[Rule]:
     yield scene.run.closure == "printed", "run.closure", f"'printed', {only}", "material"
     yield material.spec.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
     tables = [f"effects.{name}" for name, _ in scene.effects] + ["temperature"] * scene.temperature.present
+    tables += [body.table_name for body in bodies_of(scene)]
     for path in (*(f"material.{name}" for name in (*material.histories(), *material.natural_strains())), *tables):
         yield True, path, f"given, {only}", out
     keys = ("material.structure", "material.hardening_modulus", "surroundings.density", "surroundings.viscosity")

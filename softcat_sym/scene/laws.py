@@ -13,7 +13,7 @@ from softcat_sym.scene.history import ChangingQuantity
 from softcat_sym.scene.units import Number, Quantity, consistency_unit
 
 LINEAR, POWER = "linear", "power"
-"""Flow rules whose means over a section, or whose slope at zero stress, ``physics.laws`` has by hand."""
+"""Flow rules whose means over a section, or whose slope at zero stress, ``physics.constitutive_laws`` has by hand."""
 
 _STRESS, _VISCOSITY = ChangingQuantity("stress", "9.32 kPa"), ChangingQuantity("viscosity", "13.84 kPa*s")
 CONSTANTS: Mapping[str, ChangingQuantity | Quantity | Number] = MappingProxyType(

@@ -286,6 +286,7 @@ class RunSettings(Part, table="run"):
 
 Solver = Literal["cvodes", "idas", "rosenbrock"]
 Backend = Literal["auto", "interpreted", "compiled"]
+Tail = Literal["auto", "integrate"]
 
 
 class Numerics(Part, table="numerics"):
@@ -305,5 +306,7 @@ class Numerics(Part, table="numerics"):
     """Relative tolerance of the integrator; chosen by the program unless given."""
     backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
+    tail: Annotated[Tail, Choice(Tail)] = "auto"
+    """A long undamped ringing that no longer yields: by its modes of vibration where they serve, or step by step."""
     estimate: Annotated[bool, FLAG] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

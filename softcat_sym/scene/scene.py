@@ -21,7 +21,15 @@ from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.material import NamedConstant, power
 from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import DOWN, Numerics, Part, Rule, dotted, if_given, kinds_of
-from softcat_sym.scene.tables import Tables, farthest, frozen_note, motion_rules, temperature_rules
+from softcat_sym.scene.tables import (
+    Tables,
+    bodies_of,
+    body_rules,
+    farthest,
+    frozen_note,
+    motion_rules,
+    temperature_rules,
+)
 from softcat_sym.scene.toml import Override, apply, toml_of, toml_value
 from softcat_sym.scene.units import fault_of, in_si, shown
 
@@ -82,6 +90,11 @@ def carries_moment(scene: Scene) -> bool:
     return any(support.carries_moment for support in scene.ends.supports)
 
 
+def loaded_from(scene: Scene) -> float:
+    """Time from which neither the load nor a support changes [s]."""
+    return float(max(scene.load.ramp, *(row[0] for row in ((0.0,), *scene.ends.motion, *scene.ends.right_twist))))
+
+
 def is_slack(scene: Scene) -> bool:
     """Tell whether both ends are held and the filament is longer without stress than they are apart.
 
@@ -104,6 +117,7 @@ def is_symmetric(scene: Scene) -> bool:
         and mirrored
         and ends.drop == 0
         and not ends.motion
+        and not any(body.speed_along for body in bodies_of(scene))
         and (not heated or math.isclose(sum(heated), rest_length(scene), rel_tol=_ROUNDING))
         and all(values == values[::-1] for values in along)
     )
@@ -147,7 +161,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
         return faults  # Without a shape it has no length
     checks = (motion_rules, _of_lengths, _of_slack, _of_initial_state, _of_surface, temperature_rules)
-    others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
+    others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules, body_rules)
     rules = (*end_rules(scene.ends), *(rule for check in (*checks, *others) for rule in check(scene)))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
@@ -309,7 +323,7 @@ class Scene(Tables):
         Title for pictures and tables.
     model : str
         ``"filament"``.
-    filament, material, ends, load, initial, surroundings, temperature, run, numerics : Part
+    filament, material, ends, load, initial, surroundings, temperature, floor, pillars, run, numerics : Part
         The tables of the scene file, under the file's own names.
 
     Raises

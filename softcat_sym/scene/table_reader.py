@@ -52,6 +52,10 @@ _SPELLINGS = (
 )
 
 
+_RATIOS = {"%": 0.01, "pct": 0.01, "percent": 0.01, "1": 1.0, "-": 1.0}
+"""SI value of what instruments write as the unit of a strain."""
+
+
 def read_text(file: Path, kind: str, accepted: str) -> str:
     """Read a text in UTF-8, UTF-16 with its mark, or Windows' Latin-1."""
     reason = "not text"
@@ -169,13 +173,17 @@ def is_pixels(unit: str) -> bool:
 def scale_of(quantity: str, unit: str) -> tuple[float, float]:
     """SI value of the unit of a column, and the number at which its quantity is zero."""
     kind = known("columns")[quantity]
-    if not unit and kind["unit"]:
+    if not unit and kind["unit"] and kind["dimension"] != "ratio":
         raise NotAQuantity("no unit in its name")
     # Pint knows a px of 1/96 inch, which is no camera's, and takes turns for a shear rate.
     if is_pixels(unit):
         raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
     if unit.lower() in ("rpm", "rps"):
         raise NotAQuantity(f"{unit} is a rotational speed, whose shear rate depends on the geometry")
+    if kind["dimension"] == "ratio":
+        if unit.lower() not in _RATIOS:
+            raise NotAQuantity(f"{shown(unit)} is no unit of a ratio" if unit else "no unit, which may be % or 1")
+        return _RATIOS[unit.lower()], 0.0
     return to_si(f"1 {_spelt(unit)}", kind["dimension"], kind["unit"]) if kind["unit"] else 1.0, 0.0
 
 

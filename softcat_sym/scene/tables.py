@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
+from softcat_sym.scene.bodies import BODIES, Body, Floor, Pillars
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.history import History
 from softcat_sym.scene.laws import laws_with
@@ -53,6 +54,8 @@ class Tables(Part):
     initial: Initial = Initial()
     surroundings: Surroundings = Surroundings()
     temperature: Temperature = Temperature()
+    floor: Floor = Floor()
+    pillars: Pillars = Pillars()
     run: RunSettings
     numerics: Numerics = Numerics()
     effects: Annotated[tuple[EffectTable, ...], EFFECT_TABLES] = ()
@@ -111,6 +114,67 @@ def _to_origin(start: Point, end: Point) -> float:
         return math.hypot(*start)
     at = min(1.0, max(0.0, -sum(a * b for a, b in zip(start, along, strict=True)) / squared))
     return math.hypot(*(a + at * b for a, b in zip(start, along, strict=True)))
+
+
+def bodies_of(scene: Tables) -> tuple[Body, ...]:
+    """Return the bodies that a scene has."""
+    return tuple(one for one in (getattr(scene, name) for name in BODIES) if one.present)
+
+
+SceneT = TypeVar("SceneT", bound=Tables)
+
+
+def unsupported(scene: SceneT) -> SceneT:
+    """Return the scene of what hangs free at the start: over pillars, a filament clamped where their tops end."""
+    place = scene.pillars.edge_place
+    if place is None:
+        return scene
+    filament = scene.filament.model_copy(update={"span": 2 * place, "rest_length": None})
+    return scene.model_copy(update={"filament": filament, "pillars": Pillars()})
+
+
+def body_rules(scene: Tables) -> Iterator[Rule]:
+    """List what may be wrong with the tables of bodies, and what does not go with them."""
+    out, small, printed = "leaving it out", scene.model == "small-deflection", scene.run.closure == "printed"
+    for name in BODIES:
+        body = getattr(scene, name)
+        given = sorted(key for key in body.model_fields_set if key != body.required)
+        missing = given and not body.present
+        found = f"missing, but {name}.{given[0]} is given" if missing else ""
+        yield missing, f"{name}.{body.required}", found, f'a length, such as "0.2 mm", or no table [{name}]'
+    for body in bodies_of(scene):
+        name, gravity = body.table_name, scene.load.gravity
+        yield small, name, "given with model 'small-deflection'", f'{out}, or model = "filament"'
+        yield printed, name, "given with run.closure = 'printed'", f'{out}, or run.closure = "material"'
+        yield gravity == 0, "load.gravity", f"zero, but [{name}] bears a weight", f"an acceleration, or no [{name}]"
+        yield scene.filament.profile, "filament.profile", f"given, but what lies on [{name}] has one thickness", out
+    if scene.floor.present:
+        yield from _of_floor(scene)
+    if scene.pillars.present:
+        yield from _of_pillars(scene)
+
+
+def _of_floor(scene: Tables) -> Iterator[Rule]:
+    """The right support stands above it; a belt that nothing couples to the filament drives nothing."""
+    floor, depths = scene.floor, [-y for _, y, *_ in right_places(scene)]
+    path = "ends.drop" if depths[0] > floor.room() else "ends.motion"
+    found = f"the right support comes {max(depths) - floor.room():.3g} m below the floor"
+    yield max(depths) > floor.room(), path, found, f"at most floor.depth, {floor.room():.4g} m"
+    found = f"{floor.speed:g} m/s, but neither floor.bond nor floor.friction carries the filament along"
+    accepted = 'floor.bond = "stick", or a coefficient floor.friction'
+    yield floor.speed and not floor.resists_sliding, "floor.speed", found, accepted
+
+
+def _of_pillars(scene: Tables) -> Iterator[Rule]:
+    """Both supports stand over the tops, at the height of the filament at rest."""
+    pillars, span, floor = scene.pillars, scene.filament.span, scene.floor
+    found = f"{pillars.gap:.4g} m, but the supports are {span:.4g} m apart and stand over the pillars"
+    yield (pillars.gap or 0.0) >= span, "pillars.gap", found, f"less than filament.span, {span:.4g} m"
+    yield scene.ends.drop, "ends.drop", "given, but the pillars are equally high", "leaving it out"
+    found = f"{pillars.height:.4g} m: the filament would begin inside the pillars"
+    yield pillars.height > 0, "pillars.height", found, "zero, or a negative length"
+    found = f"{floor.room():.4g} m, not below the tops of the pillars"
+    yield floor.present and floor.room() <= -pillars.height, "floor.depth", found, "a floor between the pillars"
 
 
 def temperature_rules(scene: Tables) -> Iterator[Rule]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from softcat_sym.errors import Fault
+from softcat_sym.scene.bodies import Body
 from softcat_sym.scene.material import Material, twins
 from softcat_sym.scene.parts import Filament, Part, meanings_of
 from softcat_sym.scene.temperature_table import Temperature
@@ -125,7 +126,7 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return not part.spec.has_index
-    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, Temperature) or value in ((), "")
+    says_nothing = name in _IDLE.get(part.table_name, ()) or isinstance(part, (Temperature, Body)) or value in ((), "")
     return bool(part.table_name) and says_nothing and bool(value == type(part).model_fields[name].default)
 
 

@@ -41,6 +41,7 @@ _FACTORS: Mapping[Dimension, Mapping[str, float]] = {
     _VISCOSITY: {"Pa*s": 1.0, "mPa*s": 0.001, "kPa*s": 1000.0, "MPa*s": 1e6, "GPa*s": 1e9},
     (1.0, -3.0, 0.0): {"kg/m^3": 1.0, "g/cm^3": 1000.0},
     (0.0, 1.0, -2.0): {"m/s^2": 1.0},
+    (0.0, 1.0, -1.0): {"m/s": 1.0, "mm/s": 0.001},
     (1.0, 1.0, -2.0): {"N": 1.0, "mN": 0.001},
     (1.0, 0.0, -2.0): {"N/m": 1.0, "mN/m": 0.001},
     (1.0, 2.0, -2.0): {"N*m": 1.0, "mN*m": 0.001},
@@ -66,6 +67,7 @@ SI_UNITS = {
     "curvature": "1/m",
     "angle": "rad",
     "frequency": "Hz",
+    "velocity": "m/s",
 }
 _SHORT: dict[Dimension, str] = {
     STRESS: "Pa",

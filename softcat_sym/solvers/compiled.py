@@ -14,15 +14,16 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from softcat_sym.codegen.c_model import Model, Structure, model_for
 from softcat_sym.codegen.compiler import beside
 from softcat_sym.codegen.library import SOON, STEADY, compile_library, load
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.structure import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.section_rule import POINT, shown_of_section
-from softcat_sym.discretization.unknowns import Floats
+from softcat_sym.discretization.unknowns import Floats, Numbers
 from softcat_sym.errors import SoftcatError
 from softcat_sym.interrupts import check_time
+from softcat_sym.solvers.modal_tail import Conditions, Partition, Pieces, solved_with_tail
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
 from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
@@ -71,6 +72,10 @@ class Physics(ct.Structure):
         *((name, Integers) for name in ("rate", "differential", "held_first", "held_last", "row", "offset", "column")),
         *((name, ct.c_void_p) for name in ("rates", "jacobian", "work", "work_slope", "rates_in_time", "work_in_time")),
     )
+
+
+_Evaluated = ct.CFUNCTYPE(ct.c_int, ct.POINTER(FilamentStruct), ct.c_double, *[Doubles] * 3)
+"""A function of a softcat_model at a time and a state, with its result and scratch."""
 
 
 class CBounds(ct.Structure):
@@ -293,6 +298,41 @@ class CModel:
                 fields[name] = values.sum(axis=1, keepdims=True) if summed else values
         return fields, points
 
+    def rates(self, parameters: Floats, places: Floats, time: float, states: Floats) -> tuple[Floats, Floats]:
+        """Rates (frames, sites, slots) and powers (frames, powers) of several states at one time."""
+        filament, scratch = self._filament(len(places), parameters, places), self._scratch(len(places))
+        rates, powers = np.zeros_like(states), np.zeros((len(states), len(self.model.powers)))
+        pointer, size = ct.cast(self._physics.rates, _Evaluated), ct.sizeof(ct.c_double)
+        work = ct.cast(self._physics.work, _Evaluated) if self.model.powers else None
+
+        def row(array: Floats, number: int) -> ct._Pointer[ct.c_double]:
+            return ct.cast(array.ctypes.data + number * array[0].size * size, Doubles)
+
+        for frame in range(len(states)):
+            state = row(states, frame)
+            pointer(filament, time, state, row(rates, frame), doubles(scratch))
+            if work is not None:
+                work(filament, time, state, row(powers, frame), doubles(scratch))
+        return rates, powers
+
+    def jacobian(self, parameters: Floats, places: Floats, time: float, state: Floats) -> Floats:
+        """Derivatives of rates by unknowns, of all sites but without states of sections, as a square matrix."""
+        sites, kept = len(places), self.model.sizes["slots"] - self.model.sizes["sections"]
+        entries = np.zeros((sites, self.model.sizes["entries"]))
+        filament, scratch = self._filament(sites, parameters, places), self._scratch(sites)
+        pointer = ct.cast(self._physics.jacobian, _Evaluated)
+        pointer(filament, time, doubles(state), doubles(entries), doubles(scratch))
+        row, offset, column = (self._columns[name] for name in ("row", "offset", "column"))
+        found = np.zeros((sites, kept, sites, kept))
+        for entry in np.flatnonzero((row < kept) & (column < kept)):
+            first, last = max(0, -offset[entry]), sites - max(0, offset[entry])
+            here = np.arange(first, last)
+            found[here, row[entry], here + offset[entry], column[entry]] += entries[first:last, entry]
+        return found.reshape(sites * kept, sites * kept)
+
+    def _scratch(self, sites: int) -> Floats:
+        return np.zeros(sites * self.model.sizes["scratch"])
+
     def room(self, run: RunInput, status: Status) -> Answer:
         """Arrays for the frames of a run, filled with NaN, and for its turning points."""
         frames = len(run.times)
@@ -469,6 +509,35 @@ class CompiledNewton:
 
 
 @dataclass(frozen=True)
+class CompiledRates:
+    """Rates at one instant, as :class:`softcat_sym.solvers.modal_tail.Rates` has them."""
+
+    filament: CompiledFilament
+    p: Floats
+    time: float
+
+    def rates(self, states: Floats) -> Floats:
+        """Rates of states (frames, sites * slots)."""
+        return self._evaluated(states)[0].reshape(states.shape)
+
+    def powers(self, states: Floats) -> Floats:
+        """Powers of them, shape (powers, frames); none of a filament whose balance has none."""
+        return self._evaluated(states)[1].T if self.filament.model.model.powers else np.zeros((0, len(states)))
+
+    def jacobian(self, state: Floats, of: Numbers) -> Floats:
+        """Derivatives of the rates of unknowns that are no section's, by each other."""
+        model, shape = self.filament.model, self.filament.sites.shape
+        site, slot = np.divmod(of, shape[1])
+        found = model.jacobian(self.p, self.filament.places, self.time, state)
+        rows = site * (len(found) // shape[0]) + slot
+        return np.asarray(found[np.ix_(rows, rows)])
+
+    def _evaluated(self, states: Floats) -> tuple[Floats, Floats]:
+        rows = np.ascontiguousarray(states).reshape(-1, *self.filament.sites.shape)
+        return self.filament.model.rates(self.p, self.filament.places, self.time, rows)
+
+
+@dataclass(frozen=True)
 class CompiledIntegration:
     """A prepared run of the C model."""
 
@@ -478,10 +547,21 @@ class CompiledIntegration:
     frames: int  # Output times, t = 0 included
     kinks: Floats  # Times, in units of the time scale, at which a support changes its rate
     bounds: Bounds | None = None  # Where the filament falls for ever
+    conditions: Conditions | None = None  # When its modes may carry it to the end
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
-        return self.piece(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
+        frames, sites, conditions = np.linspace(0.0, duration, self.frames), self.filament.sites, self.conditions
+
+        def piece(start: Start, times: Floats) -> Solution:
+            return self.piece(start, p, times, scale, progress)
+
+        at = None if conditions is None else Partition.of(self.filament.model.model.slots, sites)
+        if conditions is None or at is None:
+            return piece(start, frames)
+        rates = CompiledRates(self.filament, np.ascontiguousarray(p), conditions.begin)
+        midpoint = self.graph.midpoint_row("y")
+        return solved_with_tail(conditions, rates, at, Pieces(piece, sites, frames, start), midpoint)
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate from a state at the first of several times to the last."""

@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.scaling_estimates import elastic_sag
+from softcat_sym.estimates.scaling import elastic_sag
 from softcat_sym.scene.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.solvers.start import Newton, with_plastic_strain
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.expected_regime import worst_gravity_number
+from softcat_sym.estimates.expected_regime import worst_gravity_number
 from softcat_sym.physics import beams
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, is_held, rest_length

@@ -14,9 +14,9 @@ import casadi as ca
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from softcat_sym.codegen.c_model import Model
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
-from softcat_sym.codegen.structure import Model
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import check_time
@@ -310,7 +310,7 @@ class Integration:
         return replace(found, extremes=self._extremes(found))
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
-        """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
+        """Integrate a part; parameters as :meth:`softcat_sym.solvers.solve.Prepared.piece`."""
         begin, end, samples = float(times[0]), float(times[-1]), len(times) - 1
         parts = [Solution.at(start.x, start.z, len(self._graph.powers))]
         if samples == 1:

@@ -43,6 +43,10 @@ class Outcome(Enum):
         "a string that does not bend is pushed together: it would fold at every length, and the answer changes with "
         "the grid; take in the effect bending, or keep the supports apart"
     )
+    penetrated = (
+        "the filament sinks into a floor or a pillar by more than the accuracy allows: state a smaller penetration in "
+        "its table, or more numerics.cells where an edge is sharp"
+    )
     energy_drift = (
         "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, take more numerics.cells, "
         "or ask for a smaller run.accuracy"

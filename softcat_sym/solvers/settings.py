@@ -12,10 +12,11 @@ import numpy as np
 from softcat_sym.codegen.compiler import TO_INSTALL, find_compiler
 from softcat_sym.discretization.assembly import choose_grid
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.free_vibration import ringing
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.effects.selection import Effects
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag, expected_strain
+from softcat_sym.estimates.free_vibration import ringing
+from softcat_sym.estimates.scaling import (
     effective_viscosity,
     gravity_number_of,
     instant_modulus,
@@ -24,7 +25,6 @@ from softcat_sym.effects.scaling_estimates import (
     yield_stress_of,
     yields_throughout,
 )
-from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack, why_interpreted
 
@@ -129,6 +129,7 @@ class Settings:
     velocity: float = 0.0  # Absolute tolerance of velocities, if it is looser than those
     max_step: float | None = None  # [s]; None if only the tolerances limit the steps
     method: int = RODAS5P  # Of the compiled solver
+    lasting: float | None = None  # Period of an undamped ringing [s]
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
@@ -191,7 +192,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     across = max(rtol * smallest, noise * slope)
     longest = None if lasting is None else _longest_step(scene, lasting, rtol)
     atol, velocity = max(rtol * smallest, noise), choice.per_velocity * rtol * smallest
-    return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method)
+    return Settings("rosenbrock", rtol, atol, "the compiled one", across, velocity, longest, method, lasting)
 
 
 def _lasting_period(scene: Scene, effects: Effects) -> float | None:

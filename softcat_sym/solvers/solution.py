@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.interrupts import Interrupts, interrupts_go_to
@@ -89,6 +90,12 @@ class Extremes:
         """The same in other units."""
         return Extremes(self.time * time, self.height * length, self.area * time * length)
 
+    def followed_by(self, later: Extremes) -> Extremes:
+        """These and those of what follows, whose integral begins anew."""
+        parts = ((getattr(self, name), getattr(later, name)) for name in ("time", "height"))
+        time, height = (np.append(*pair) for pair in parts)
+        return Extremes(time, height, np.append(self.area, self.area[-1] + later.area)).beyond(0.0)
+
     def beyond(self, least: float) -> Extremes:
         """Without swings of this size and smaller ones."""
         height, kept = self.height, [0]
@@ -114,12 +121,24 @@ class Bounds:
     never: bool  # Whether it would not have come to rest from the beginning
 
 
+class Later(Protocol):
+    """Frames behind those that were integrated, computed when they are asked for."""
+
+    def row(self, number: int) -> Floats:
+        """One unknown in all of them, differential ones first."""
+        ...
+
+    def at(self, frames: npt.NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
+        """Differential and algebraic unknowns and quadratures in some of them, in columns."""
+        ...
+
+
 @dataclass(frozen=True)
 class Solution:
     """States at the output times that were reached, in columns."""
 
     time: Floats  # shape (frames,), in units of the time scale; shorter than requested if the integration failed
-    x: Floats  # Differential states
+    x: Floats  # Differential states, of the frames before `later`
     z: Floats  # Algebraic states
     quad: Floats  # Quadratures, shape (powers, frames)
     outcome: Outcome
@@ -127,6 +146,9 @@ class Solution:
     steps: int
     ended: float | None = None  # Time at which it was left to fall for ever
     extremes: Extremes | None = None  # Of the midpoint over the rest length; None of a sequence of equilibria
+    later: Later | None = None  # The frames of the modal tail
+    tail_from: float | None = None  # Time from which it is
+    tail_error: float = 0.0  # That it adds to the error, relative to the largest displacement
 
     @classmethod
     def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
@@ -136,7 +158,13 @@ class Solution:
     def row(self, number: int) -> Floats:
         """One unknown in all frames, differential ones first."""
         moving = len(self.x)
-        return np.asarray(self.x[number] if number < moving else self.z[number - moving], dtype=float)
+        known = np.asarray(self.x[number] if number < moving else self.z[number - moving], dtype=float)
+        return known if self.later is None else np.append(known, self.later.row(number))
+
+    @property
+    def whole(self) -> Solution:
+        """The solution with the columns of all its frames."""
+        return self if self.later is None else self.only(slice(None))
 
     @classmethod
     def joined(cls, parts: Sequence[Solution]) -> Solution:
@@ -163,12 +191,18 @@ class Solution:
 
     def only(self, frames: slice | list[int]) -> Solution:
         """The solution at some of its frames."""
-        time, x, z, quad = (part[..., frames] for part in (self.time, self.x, self.z, self.quad))
-        return replace(self, time=time, x=x, z=z, quad=quad)
+        parts = self.x, self.z, self.quad
+        if self.later is None:
+            x, z, quad = (part[:, frames] for part in parts)
+        else:
+            chosen, known = np.arange(len(self.time))[frames], self.x.shape[1]
+            more = self.later.at(chosen[chosen >= known] - known)
+            x, z, quad = (np.hstack([a[:, chosen[chosen < known]], b]) for a, b in zip(parts, more, strict=True))
+        return replace(self, time=self.time[frames], x=x, z=z, quad=quad, later=None)
 
     def every(self, stride: int, time: Floats) -> Solution:
         """The solution at every `stride`-th frame, with the times of `time`."""
-        found = self.only(slice(None, None, stride))
+        found = self if stride == 1 else self.only(slice(None, None, stride))
         return replace(found, time=time[: len(found.time)])
 
     def to_rupture(self, terms: Terms, stretch: Stretch, scale: float) -> Solution:

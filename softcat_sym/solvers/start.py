@@ -10,7 +10,7 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.initial_stress import initial_strain
+from softcat_sym.estimates.initial_stress import initial_strain
 from softcat_sym.scene.scene import Scene, force_free_stretch
 
 

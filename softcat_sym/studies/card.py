@@ -11,13 +11,13 @@ import pandas as pd
 
 from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.scaling import (
     effective_viscosity_at,
     pull_of_surface,
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.results.run import Run
 from softcat_sym.scene.laws import spec_of
@@ -54,7 +54,8 @@ _MATERIAL = {
     "shear-yield-stress": "material.shear_yield_stress",
 }
 _SURFACE = {path.partition(".")[2].replace("_", "-"): path for path in ("surroundings.surface_tension",)}
-FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, "ends", "duration", "flow-curve")
+_PILLARS = {"pillars": "pillars.edge"}
+FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, *_PILLARS, "ends", "duration", "flow-curve")
 """Options from which a scene can be made."""
 
 _EXAMPLES = {
@@ -66,6 +67,8 @@ _EXAMPLES = {
 }
 _SWINGS, _FLOWS = 20.0, 5.0
 _ACCURACY = 0.02
+OVER_PILLARS = 2.5
+"""Length of a strand over the gap below it. An elastic one lifts off behind its edges over 0.53 gaps on either side."""
 
 
 def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
@@ -106,6 +109,10 @@ def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = (
         duration = float(f"{_SWINGS * swing + slow:.3g}")
         late["run.duration"] = f"{duration!r} s"
         notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; change it by --duration")
+    if "pillars" in given:
+        notes.append("the strand lies on pillars, clamped so far behind their edges that it is flat there")
+        late |= {"pillars.gap": given["span"], "pillars.edge": given["pillars"]}
+        late["filament.span"] = f"{OVER_PILLARS * made.filament.span!r} m"
     return (made.replace(late) if late else made), tuple(notes)
 
 
@@ -254,9 +261,6 @@ SPAN, SURFACE, CAUSES = "the longest span", "what surface tension holds", "what 
 LIMIT = "5 %"
 """Default of the largest sag over span."""
 
-_NEAR, _FAR = 3.0, 30.0
-"""Factors of the scene's span within which the longest span is searched: first near, then far."""
-
 
 def card(
     scene: SceneLike,
@@ -351,22 +355,11 @@ def _with(card: Card, part: str, on_update: Callable[[Card], None], **more: Any)
 
 
 def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool, exponents: bool = True) -> Span:
-    """The critical span near the scene's own, or farther away; with a default limit, the reason if there is none."""
-    own = scene.filament.span
+    """The longest span, searched from the one that is foreseen; with a default limit, the reason if there is none."""
     progress.stage("the longest span")
-    for factor in (_NEAR, _FAR):
-        try:
-            return critical_span(
-                scene,
-                limit,
-                within=(own / factor, own * factor),
-                progress=progress,
-                exponents=exponents,
-            ), ""
-        except SoftcatError as error:
-            # Other spans may be invalid, for example with a moving support.
-            if factor == _FAR or isinstance(error, SceneError):
-                if given:
-                    raise
-                return None, str(error)
-    return None, ""
+    try:
+        return critical_span(scene, limit, progress=progress, exponents=exponents, scan=False), ""
+    except SoftcatError as error:
+        if given or isinstance(error, SceneError):
+            raise
+        return None, str(error)

@@ -12,9 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects.effect_sets import dependants, ordered, string_of, terms_of, with_effects
-from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.expected_regime import TURNS_BACK, expected_regime
+from softcat_sym.estimates.scaling import (
     beam_of,
     buoyant_share,
     effective_viscosity,
@@ -24,9 +25,8 @@ from softcat_sym.effects.scaling_estimates import (
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.errors import SoftcatError
 from softcat_sym.physics import beams, closed_forms, regimes
-from softcat_sym.physics.laws import K, n
+from softcat_sym.physics.constitutive_laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.breaking import unbreakable

@@ -13,7 +13,7 @@ import pandas as pd
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.files import folder_of
 from softcat_sym.reference.calculix import STEP, CalculixRun, require_calculix, run_calculix
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
@@ -53,7 +53,7 @@ _BALANCED = 1e-4  # Energy error of the elements over the work of gravity above 
 
 
 @dataclass(frozen=True)
-class Discrepancy:
+class CurveDifference:
     """Differences of two midpoint curves over the largest magnitude of the reference.
 
     The values are NaN after a filament's run has ended early, and with a reference that never moves.
@@ -74,13 +74,13 @@ class ClampStrain:
 
 
 @dataclass(frozen=True)
-class Row:
+class ComparisonRow:
     """A filament theory, or our elements, compared with the reference."""
 
     name: str  # ``filament`` for the scene's own effects, ``elements``, or the name of a published theory
     run: Run | ElementRun
     midpoint: Floats  # shape (frames,); Height [m] at the reference's output times; NaN after a run has ended early
-    discrepancy: Discrepancy
+    discrepancy: CurveDifference
     dofs: int  # Displacements that are free in the half filament, with shear the section angles too
     steps: int
     wall: float  # [s]
@@ -103,7 +103,7 @@ class Comparison(Drawable):
 
     scene: Scene
     reference: ElementRun | CalculixRun
-    rows: tuple[Row, ...]  # The filament with the scene's own effects first
+    rows: tuple[ComparisonRow, ...]  # The filament with the scene's own effects first
     warnings: tuple[str, ...]  # Why filament and elements might not be comparable
 
     @property
@@ -112,7 +112,7 @@ class Comparison(Drawable):
         return cast(ElementRun, self.reference)
 
     @property
-    def filament(self) -> Row:
+    def filament(self) -> ComparisonRow:
         """The row of the scene's own effects."""
         return self.rows[0]
 
@@ -176,7 +176,7 @@ def _midpoints(time: Floats, midpoint: Floats) -> dict[str, Any]:
     return {"midpoint_final_m": float(midpoint[-1]), "midpoint_mean_m": float(midpoint[late(time)].mean())}
 
 
-def _row_dict(row: Row, time: Floats) -> dict[str, Any]:
+def _row_dict(row: ComparisonRow, time: Floats) -> dict[str, Any]:
     found: dict[str, Any] = _midpoints(time, row.midpoint)
     found |= {"wall_s": row.wall, "dofs": row.dofs, "steps": row.steps}
     if isinstance(row.run, ElementRun):
@@ -203,12 +203,12 @@ def aligned(time: Floats, values: Floats, instants: Floats) -> Floats:
     return np.where(instants <= time[-1] + slack, np.interp(instants, time, values), np.nan)
 
 
-def discrepancy(time: Floats, filament: Floats, elements: Floats) -> Discrepancy:
+def discrepancy(time: Floats, filament: Floats, elements: Floats) -> CurveDifference:
     """Compare two midpoint curves."""
     scale = float(np.abs(elements).max())
     error = (filament - elements) / scale if scale > 0 else np.full(time.shape, np.nan)
     finite = np.abs(error[np.isfinite(error)])
-    return Discrepancy(
+    return CurveDifference(
         error=error,
         at=tuple(float(error[frame]) for frame in moments(len(time))),
         mean=float(error[late(time)].mean()),
@@ -271,7 +271,9 @@ def compare(
             rows.append(_filament_row(name, simulated(theory, listener), reference))
     if elements is not None and elements is not reference:
         errors = discrepancy(reference.time, elements.midpoint, reference.midpoint)
-        rows.append(Row("elements", elements, elements.midpoint, errors, elements.dofs, elements.steps, elements.wall))
+        rows.append(
+            ComparisonRow("elements", elements, elements.midpoint, errors, elements.dofs, elements.steps, elements.wall)
+        )
     return Comparison(scene, reference, tuple(rows), tuple(_warnings(scene, reference, rows[0])))
 
 
@@ -287,7 +289,7 @@ def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
             yield f"published, {closure} closure", paper
 
 
-def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRun) -> Row:
+def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRun) -> ComparisonRow:
     data, summary = trajectory.data, trajectory.summary
     cells = int(summary["cells"])
     dofs = 2 * cells - 1 + (cells - 1 if trajectory.terms.turns else 0)
@@ -297,10 +299,10 @@ def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRu
     if isinstance(reference, ElementRun):
         strain = filament_clamp_strain(data, reference, trajectory.scene.filament.thickness)
     wall = float(summary["wall_s"]["total"])
-    return Row(name, trajectory, midpoint, errors, dofs, int(summary["steps"]), wall, strain)
+    return ComparisonRow(name, trajectory, midpoint, errors, dofs, int(summary["steps"]), wall, strain)
 
 
-def _warnings(scene: Scene, reference: ElementRun | CalculixRun, own: Row) -> Iterator[str]:
+def _warnings(scene: Scene, reference: ElementRun | CalculixRun, own: ComparisonRow) -> Iterator[str]:
     width, thickness = scene.filament.width, scene.filament.thickness
     if width > _NARROW * thickness * (1 + 1e-9):
         yield (

@@ -14,7 +14,6 @@ import pandas as pd
 from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.choosing import Decision, choose_effects
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.effect_sets import (
     Names,
@@ -26,6 +25,7 @@ from softcat_sym.effects.effect_sets import (
     with_effects,
 )
 from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.selection import Decision, choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.run import Run, run_form
 from softcat_sym.scene.reading import as_scene

@@ -10,19 +10,20 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from softcat_sym.design.critical_span import DEFAULT_LIMIT, foreseen_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.drawing import html
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.free_vibration import damping_note
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.estimates.forecast import expected_sag, expected_strain
+from softcat_sym.estimates.free_vibration import damping_note
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import groups_of
-from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.run_cost import run_cost
 from softcat_sym.solvers.settings import choose_backend, settings_for
+from softcat_sym.solvers.solve import assembled
 
 if TYPE_CHECKING:
     from softcat_sym.physics.equation import Stated
@@ -82,6 +83,8 @@ class Explanation:
         Regime that a run should show.
     sag, strain : float
         Rough largest sag over span, and mean strain.
+    longest_span : float or None
+        Rough longest span whose sag stays below 5 % of it [m]; None where the forecast knows none.
     effects : list of dict
         All effects, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the
         midpoint without it, `estimate` (None where there is no estimate), its `meaning` and `formula`.
@@ -113,6 +116,7 @@ class Explanation:
     regime: ExpectedRegime
     sag: float
     strain: float
+    longest_span: float | None
     effects: list[dict[str, Any]]
     equations: tuple[Stated, ...]
     unknowns: list[dict[str, Any]]
@@ -169,7 +173,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
         If the scene names effects that it cannot have.
     """
     # The equations need SymPy, which is loaded only here.
-    from softcat_sym.physics.filament import equations_of
+    from softcat_sym.physics.section_equations import equations_of
     from softcat_sym.physics.written_equations import equations_in_force
 
     scene = as_scene(scene, changes)
@@ -223,6 +227,7 @@ def explain(scene: SceneLike, changes: Changes = ()) -> Explanation:
         ],
         regime=regime,
         sag=expected_sag(scene),
+        longest_span=foreseen_span(scene, DEFAULT_LIMIT),
         strain=expected_strain(scene),
         effects=decisions,
         equations=equations_in_force(

@@ -13,18 +13,18 @@ from typing import Any, Literal
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from softcat_sym.codegen.structure import model_for
+from softcat_sym.codegen.c_model import model_for
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.rates import Rates
-from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.solvers.solve import Assembled, Prepared, assembled, prepare
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +110,7 @@ def scene_of(scene: Scene, task: Task) -> Scene:
             "numerics.backend": method.backend if method else scene.numerics.backend,
             "numerics.solver": method.solver if method else scene.numerics.solver,
             "numerics.rtol": task.rtol,
+            "numerics.tail": "integrate",
         }
     )
 

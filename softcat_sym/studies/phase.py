@@ -17,10 +17,10 @@ import pandas as pd
 from softcat_sym.batch.executor import MembersProgress, RunPool, Where
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.expected_regime import TURNS_BACK
-from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
-from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, section_of, weight_stress
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.expected_regime import TURNS_BACK
+from softcat_sym.estimates.forecast import overshoot, rebound, ringing_share
+from softcat_sym.estimates.scaling import beam_of, instant_modulus, section_of, weight_stress
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CrossSection
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME

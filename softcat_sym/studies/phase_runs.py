@@ -15,8 +15,8 @@ from softcat_sym.batch.members import Member, Row
 from softcat_sym.batch.records import Batch, Record, RecordColumn, unpacked
 from softcat_sym.batch.worker import MemberRun, RowWork, shared_by
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.scaling_estimates import buoyant_share, pull_of_surface
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.scaling import buoyant_share, pull_of_surface
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.simulate import identity_of

@@ -17,14 +17,14 @@ from softcat_sym.batch.members import is_group, is_number, written
 from softcat_sym.batch.plan import read_axes
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
 from softcat_sym.reference.elements import ElementRun, checkpoint_key, run_elements
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
-from softcat_sym.studies.compare import Comparison, Listening, Row, aligned, compare, late, moments
+from softcat_sym.studies.compare import Comparison, ComparisonRow, Listening, aligned, compare, late, moments
 
 _FORM = "one variable, such as groups.delta=0.01,0.02,0.03 or groups.V=2.6:260:5:log"
 
@@ -157,7 +157,7 @@ _MAX_STEPS = 5_000
 class TheoryError:
     """One theory at one value of the variable."""
 
-    row: Row  # The run with the program's own cells and tolerance, for its cost
+    row: ComparisonRow  # The run with the program's own cells and tolerance, for its cost
     # Relative error, shape (6,), with twice the cells and a tenth of the tolerance, against the finer elements; of the
     # program's own run if that run fails or diverges.
     error: Floats
@@ -371,7 +371,7 @@ def _measure(
     return Measured(text, value, comparison, coarse, error, {row.name: _theory(row, fine) for row in comparison.rows})
 
 
-def _theory(row: Row, elements: ElementRun) -> TheoryError:
+def _theory(row: ComparisonRow, elements: ElementRun) -> TheoryError:
     """Run a theory again with a negligible discretization error."""
     run = row.trajectory
     chosen = relative_error(elements.time, row.midpoint, elements.midpoint)

@@ -19,11 +19,11 @@ from softcat_sym.scene.units import did_you_mean
 from softcat_sym.studies.published import elastic, glass, viscous, yield_stress
 from softcat_sym.studies.published.case import (
     Case,
+    CaseCurve,
+    CasePicture,
     DataKind,
     Finding,
-    PublishedCurve,
-    PublishedPicture,
-    Row,
+    PublishedValue,
     published_scene,
 )
 
@@ -42,7 +42,7 @@ CASES = _published_cases()
 """All cases, in the order of the table."""
 
 
-class Steps(Protocol):
+class StudyProgress(Protocol):
     """Receiver of the progress of a study with several tasks."""
 
     def step(self, what: str) -> None:
@@ -115,7 +115,7 @@ def chosen_cases(names: Sequence[str]) -> tuple[Case, ...]:
     return tuple(case for case in CASES if not names or case.name in names)
 
 
-def validate(names: Sequence[str] = (), progress: Steps | None = None) -> Validation:
+def validate(names: Sequence[str] = (), progress: StudyProgress | None = None) -> Validation:
     """Compare the package with published measurements and computations; all cases if none is named.
 
     Nothing is fitted: the constants of every case come from its source. Finished cases come from the store; one that
@@ -147,12 +147,10 @@ _PACKAGES = {"rheodata": "rheopy-rheodata"}
 
 
 def _read(written: Mapping[str, Any]) -> Finding:
-    rows = tuple(Row(**{**row, "band": row["band"] and tuple(row["band"])}) for row in written["rows"])
+    rows = tuple(PublishedValue(**{**row, "band": row["band"] and tuple(row["band"])}) for row in written["rows"])
     picture = written["picture"]
     if picture is not None:
-        picture = PublishedPicture(
-            **{**picture, "curves": tuple(PublishedCurve(**curve) for curve in picture["curves"])}
-        )
+        picture = CasePicture(**{**picture, "curves": tuple(CaseCurve(**curve) for curve in picture["curves"])})
     return Finding(rows, picture)
 
 

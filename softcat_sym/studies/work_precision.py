@@ -19,7 +19,7 @@ import pandas as pd
 from softcat_sym.discretization.assembly import choose_fibres, choose_grid
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.progress import LOOK, seconds_text
 from softcat_sym.scene.dimensions import is_spatial

@@ -16,10 +16,10 @@ from softcat_sym.discretization.grid import choose_grading
 from softcat_sym.discretization.section_rule import POINT
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects import theory_limits
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.expected_regime import TURNS_BACK, expected_regime
+from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.expected_regime import TURNS_BACK, expected_regime
 from softcat_sym.generation import ended_at
 from softcat_sym.results import motion, verdict
 from softcat_sym.results.breaking import breakable

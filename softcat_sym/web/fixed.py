@@ -11,20 +11,20 @@ from functools import cached_property
 import numpy as np
 
 from softcat_sym.batch.members import kind_of, written
+from softcat_sym.codegen.c_model import Structure
 from softcat_sym.codegen.interface import Description
-from softcat_sym.codegen.structure import Structure
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.parameters import heat_unit, parameter_values, time_scale
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.expected_regime import worst_gravity_number
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.scaling_estimates import (
+from softcat_sym.effects.selection import Effects, choose_effects
+from softcat_sym.errors import SceneError
+from softcat_sym.estimates.expected_regime import worst_gravity_number
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.scaling import (
     neck_length,
     pull_of_surface,
     yield_stress_of,
 )
-from softcat_sym.errors import SceneError
 from softcat_sym.generation import export, start_of
 from softcat_sym.results.fields import min_energy
 from softcat_sym.results.motion import lowest_yield_stress, pace_of
@@ -33,7 +33,7 @@ from softcat_sym.scene.material import physical_path
 from softcat_sym.scene.scene import Scene, force_free_stretch, groups_of, is_held, rest_length, undeformed_area
 from softcat_sym.scene.units import Dimension, Quantity
 from softcat_sym.solvers.initial_state import is_straight, starting_state
-from softcat_sym.solvers.run import Assembled, structure_for
+from softcat_sym.solvers.solve import Assembled, structure_for
 
 _FEW_CELLS = 16
 _SAME_START = 1e-7

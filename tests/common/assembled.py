@@ -16,14 +16,14 @@ from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.supports import Body
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.filament import FilamentEquations, derive
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.physics.section_equations import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import CLAMPED, PINNED, SYMMETRY
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.run import Prepared, prepare
 from softcat_sym.solvers.settings import Settings, choose_settings
 from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.solvers.solve import Prepared, prepare
 
 FILAMENT = {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"}
 MATERIALS: dict[str, dict[str, Any]] = {

@@ -219,6 +219,13 @@ def buoyancy_of_a_beam(ratio: float) -> Pair:
     return pair("buoyancy", ("bending",), material, {"thickness": 0.05}, run={"frames": 2}, surroundings=bath)
 
 
+def floor_of_a_beam(reached: float) -> Pair:
+    """A linear beam rests with its middle on a floor a little above its sag: the middle misses just that."""
+    material = {"law": "elastic", "youngs_modulus": beam_modulus(1e-3, 0.05)}
+    floor = {"floor.depth": f"{1e-3 * (1 - reached)!r} m", "floor.penetration": f"{1e-9 * reached!r} m"}
+    return changed_pair("contact", ("bending",), material, {"thickness": 0.05}, floor)
+
+
 # Drag and added mass: the first mode of a swinging beam loses zeta/(2 rho A) in time, and its period gains half of the
 # share of the mass.
 def bath_of_a_beam(effect: str, bath: Mapping[str, str]) -> Pair:

@@ -39,33 +39,19 @@ def scene(
     rtol: float | None = None,
     solver: str | None = None,
 ) -> Scene:
-    """A scene of SI numbers on equal cells; the law follows from the constants that are given."""
+    """A scene of SI numbers on equal cells, run once; the law follows from the constants that are given."""
     law = "elastic" if eta is None else "maxwell" if yield_stress is None else "bingham"
-    material: dict[str, Any] = {"law": law, "youngs_modulus": f"{float(E)!r} Pa"}
-    if eta is not None:
-        material["viscosity"] = f"{float(eta)!r} Pa*s"
-    if yield_stress is not None:
-        material["yield_stress"] = f"{float(yield_stress)!r} Pa"
+    constants = {"youngs_modulus": E, "viscosity": eta, "yield_stress": yield_stress}
     numerics = {"cells": cells, "grading": grading, "rtol": rtol, "solver": solver}
-    return Scene.model_validate(
+    run = {"duration": duration, "frames": frames, "accuracy": accuracy, "closure": closure}
+    return Scene.from_dict(
         {
-            "filament": {
-                "span": f"{float(span)!r} m",
-                "thickness": f"{float(thickness)!r} m",
-                "section": section,
-                "density": f"{float(density)!r} kg/m^3",
-            },
-            "material": material,
+            "filament": {"span": span, "thickness": thickness, "section": section, "density": density},
+            "material": {"law": law} | {name: value for name, value in constants.items() if value is not None},
             "ends": {"left": ends[0], "right": ends[1]},
-            "load": {"gravity": f"{float(gravity)!r} m/s^2", "ramp": f"{float(ramp)!r} s"},
-            "run": {
-                "duration": f"{float(duration)!r} s",
-                "frames": frames,
-                "accuracy": accuracy,
-                "effects": effects if isinstance(effects, str) else list(effects),
-                "closure": closure,
-            },
-            "numerics": {key: value for key, value in numerics.items() if value is not None},
+            "load": {"gravity": gravity, "ramp": ramp},
+            "run": run | {"effects": effects if isinstance(effects, str) else list(effects)},
+            "numerics": {"estimate": False} | {key: value for key, value in numerics.items() if value is not None},
         }
     )
 

@@ -24,14 +24,6 @@ class Problem:
     std: float
     seen: list[np.ndarray] = field(default_factory=list)
 
-    @property
-    def asked(self) -> int:
-        return len(self.names)
-
-    @property
-    def readings(self) -> int:
-        return self.data.size
-
     def residuals(self, q: np.ndarray) -> np.ndarray:
         return (self.model(q)[0] - self.data) / self.std
 

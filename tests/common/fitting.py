@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -44,6 +45,24 @@ def film(scene: Scene, frames: int, noise: float, seed: int = 0) -> Measurements
     run = sc.simulate(scene.replace({"run.frames": frames + 1})).data
     midpoint, std = noisy(run.midpoint.values[1:], noise, seed)
     return Measurements.of(run.time.values[1:], midpoint, std)
+
+
+METHODS_AGREE = 1e-3
+"""Of a standard error, between the optima of both methods."""
+
+
+def methods_apart(name: str, share: float, seed: int, rtol: float = 1e-8) -> float:
+    """Largest distance between the fits of one film by both methods, in standard errors: the camera's and all."""
+    whole = sc.load_scene(name, {"run.effects": "paper", "numerics.cells": 10})
+    scene = whole.replace({"run.duration": f"{share * whole.run.duration!r} s"})
+    free = CONSTANTS[:2] if scene.material.yield_stress is None else CONSTANTS[1:]
+    data, start = film(scene, 60, 0.01, seed), beside(scene, {key: WRONG[key] for key in free})
+    data = Measurements.of(data.series[0].time, data.series[0].midpoint)
+    how: dict[str, Any] = {"starts": 0, "profiles": False, "rtol": rtol}
+    one, other = (sc.fit(data, start, free, method=method, **how) for method in ("least-squares", "ipopt"))
+    errors = one.information.standard_errors
+    found = [np.array([each.parameters[key].best for key in free]) for each in (one, other)]
+    return float(np.max(np.abs(np.log(found[0] / found[1])) / errors))
 
 
 def values(problem: FilamentProblem, q: Floats) -> dict[str, float]:

@@ -217,7 +217,7 @@ def _beam_sag(E: float) -> float:
     return soft_beam_sag(E, 0.03, 1 / 12) if E < 1e8 else 1 / (32 * 0.03**2 * E)
 
 
-for E in (1e1, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12):
+for E in (1e1, 1e4, 1e8, 1e12):
     sagging = ends_at(lambda E=E: _beam_sag(E))
     case(f"stiffness: E* = {E:g}, at rest", sagging, "elastic", E=E, fast=E in (10, 1e12), **REST)
 # The closed form leaves out the stretch of the beam, and one that its modes beyond the twelfth carry.
@@ -229,7 +229,7 @@ case("stiffness: E* = 10, let go", refined, "elastic", E=10, T=5, **RINGS)
 
 # A string of h0/L = 0.001 still bends a little beside its clamps.
 string = ends_at(lambda: float(viscous_string([0.05]).sag[-1]))
-for V in (1e4, 1e6, 1e8):
+for V in (1e4, 1e8):
     name = f"viscosity: newtonian, V = {V:g}"
     case(name, string, "newtonian", V=V, T=0.05 * V, delta=1e-3, allowed=3e-3, fast=V == 1e8)
 case("viscosity: newtonian, V = 1", refined, "newtonian", V=1, T=1)
@@ -254,11 +254,9 @@ creeping = follows(lambda t: -t / (32 * 0.03**2 * 1e8))
 slow: dict[str, Any] = {"T": 5, "effects": ("bending", "viscous-stress")}
 case("viscosity: kelvin-voigt, V = 1e8", creeping, "kelvin-voigt", E=SOFT, V=1e8, **slow)
 
-for r in (1e-9, 1e-6):
-    fluid = moves_like("newtonian", V=1e3, T=10, last=True)
-    case(f"relaxation: {r:g} of the run", fluid, "maxwell", E=100 / r, V=1e3, T=10)
-for r in (1e6, 1e9):
-    case(f"relaxation: {r:g} of the run", beam, "maxwell", E=BEAM, V=BEAM * r, T=1)
+fluid = moves_like("newtonian", V=1e3, T=10, last=True)
+case("relaxation: 1e-9 of the run", fluid, "maxwell", E=1e11, V=1e3, T=10)
+case("relaxation: 1e9 of the run", beam, "maxwell", E=BEAM, V=1e9 * BEAM, T=1)
 modes = [(1e10, 1e-6), (1e10, 1.0), (1e10, 1e6)]
 decades: dict[str, Any] = {"T": 1e6, "delta": 0.1, "effects": ("bending", "viscous-flow"), "material": {"modes": modes}}
 name = "decades of time: modes that relax in 1e-6, 1 and 1e6"
@@ -296,19 +294,19 @@ flowing = moves_like("maxwell", last=True, accuracy=YIELDING, **ramped)
 case("yield stress: 1e-9 of the weight", flowing, "bingham", material={"yield_stress": 1e-9}, **ramped, **YIELDS)
 solid = moves_like("elastic", E=SOFT, T=4, ramp=2, accuracy=YIELDING)
 case("yield stress: 1e9 of the weight", solid, "bingham", material={"yield_stress": 1e9}, **ramped, **YIELDS)
-for n in (0.2, 0.5, 1.0, 2.0, 3.0):
+for n in (0.2, 1.0, 3.0):
     judge = moves_like("bingham", G=1, accuracy=YIELDING, **ramped) if n == 1 else refined
     # At small rates n = 3 hardly resists: its hinges are drawn to 2.5 times their length.
     name, drawn = f"herschel-bulkley: n = {n:g}", RUPTURES if n == 3 else ()
     case(name, judge, "herschel-bulkley", G=1, n=n, refusals=drawn, **ramped, **YIELDS)
 
-for N in (8, 200, 2000):
+for N in (8, 2000):
     # Who fixes the cells is told the error.
     numbers = {"cells": N}
     fixed = ends_at(lambda: soft_beam_sag(BEAM, 0.03, 1 / 12))
     case(f"cells: N = {N}", fixed, "elastic", E=BEAM, numerics=numbers, allowed=0.05 if N == 8 else 1e-3, **REST)
 
-for length in (1.1, 1.5, 3.0):
+for length in (1.1, 3.0):
     pinned = {"left": "pinned", "right": "pinned"}
     # The chain neither stretches nor bends at its lowest point.
     slack: dict[str, Any] = {"delta": 1e-3, "ends": pinned, "filament": {"rest_length": length}, "allowed": 6e-3}
@@ -371,23 +369,20 @@ def _mean_sag(run: Run, sag: float) -> float:
     return abs(mean - sag) / sag
 
 
-for G, sag in ((0.25, 0.0665), (0.3, 0.0790), (0.4, None)):
+for G, sag in ((0.25, 0.0665), (0.3, 0.0790)):
     # Of elements in plane stress on 96 x 6, which a finer mesh moves by 0.8 %.
-    judge = (lambda run, sag=sag: _mean_sag(run, sag)) if sag else None
     necking = lambda G=G: sc.load_scene("arrested-underdamped", {"groups.G": G})  # noqa: E731
-    drawn = () if sag else RUPTURES
-    case(f"necking: underdamped, G = {G:g}", judge, necking, allowed=0.03, refusals=drawn)
+    case(f"necking: underdamped, G = {G:g}", lambda run, sag=sag: _mean_sag(run, sag), necking, allowed=0.03)
 
 spike, notch = [1.0] * 20 + [3.0] + [1.0] * 20, [1.0] * 20 + [0.6] + [1.0] * 20
 uneven = ends_at(lambda: uneven_beam_sag(1e7, 0.03, spike))
 case("profile: elastic, a spike", uneven, "elastic", E=1e7, filament={"profile": spike}, **REST)
 case("profile: maxwell, a notch", refined, "maxwell", E=BEAM, V=SOFT, filament={"profile": notch})
 # Rounding moves the step in which a fibre begins to flow.
-for law, G, allowed in (("maxwell", None, 1e-6), ("bingham", 1, 1e-4)):
-    for span in (1e-6, 1e3):
-        groups: dict[str, Any] = {"E": SOFT, "V": 30, "G": G, "T": 10, "ramp": 1}
-        name, scales = f"scale: span of {span:g} m, {law}", Scales(span, 1000.0, 10.0)
-        case(name, moves_like(law, **groups), law, scales=scales, allowed=allowed, fast=law == "maxwell", **groups)
+for law, G, span, allowed in (("maxwell", None, 1e-6, 1e-6), ("maxwell", None, 1e3, 1e-6), ("bingham", 1, 1e-6, 1e-4)):
+    groups: dict[str, Any] = {"E": SOFT, "V": 30, "G": G, "T": 10, "ramp": 1}
+    name, scales = f"scale: span of {span:g} m, {law}", Scales(span, 1000.0, 10.0)
+    case(name, moves_like(law, **groups), law, scales=scales, allowed=allowed, fast=law == "maxwell", **groups)
 reversed_gravity = lambda: asked("elastic", E=BEAM).replace({"load.gravity": "-10 m/s^2"})  # noqa: E731
 case("gravity: reversed", None, reversed_gravity, refusals=("SceneError",), says="load.gravity")
 
@@ -404,12 +399,9 @@ def shaken(scene: sc.Scene, a: float, frequency: float) -> sc.Scene:
     return scene.replace({"load.shake": a, "load.shake_frequency": hertz, "run.effects": effects})
 
 
-for a, ratio in ((0.5, 0.6), (0.5, 1.7), (2.0, 0.6)):
-    swung = follows(lambda t, a=a, ratio=ratio: beam_shaken(t, STIFF, 0.03, a, ratio * FIRST))
-    still = lambda a=a, ratio=ratio: shaken(  # noqa: E731
-        asked("elastic", E=STIFF, effects=PAPER, T=4 / FIRST), a, ratio * FIRST
-    )
-    case(f"gravity: oscillating, a = {a:g}, f = {ratio:g} f_1", swung, still)
+swung = follows(lambda t: beam_shaken(t, STIFF, 0.03, 2.0, 0.6 * FIRST))
+still = lambda: shaken(asked("elastic", E=STIFF, effects=PAPER, T=4 / FIRST), 2.0, 0.6 * FIRST)  # noqa: E731
+case("gravity: oscillating, a = 2, f = 0.6 f_1", swung, still)
 for law, flows, extra, allowed in (
     ("maxwell", PLASTIC[:1], {}, 2e-3),
     # Yields in every period; the accuracy asked is that of the other filaments that yield.

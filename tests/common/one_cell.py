@@ -15,9 +15,9 @@ from softcat_sym.discretization.section_points import sampled
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.stencil import PARAMETER, UNKNOWN, Leaf
 from softcat_sym.discretization.supports import Body
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.physics import reissner
-from softcat_sym.physics.filament import derive
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import CLAMPED, SYMMETRY
 from softcat_sym.scene.scene import Scene

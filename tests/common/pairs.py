@@ -8,15 +8,15 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from softcat_sym.codegen.c_model import Model, model_for
 from softcat_sym.codegen.sites import Sites, places_in_rows, sites_of
-from softcat_sym.codegen.structure import Model, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.initial_state import starting_state
-from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.solve import assembled
 from softcat_sym.solvers.start import Start
 from tests.common.c_values import CModel, Values
 

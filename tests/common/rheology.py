@@ -24,27 +24,6 @@ FLOW = {
 }
 """Effects of each law; ``viscous-flow`` for the others."""
 
-_UNITS = {
-    "span": "m",
-    "rest_length": "m",
-    "thickness": "m",
-    "width": "m",
-    "density": "kg/m^3",
-    "curvature": "1/m",
-    "youngs_modulus": "Pa",
-    "second_modulus": "Pa",
-    "viscosity": "Pa*s",
-    "shear_viscosity": "Pa*s",
-    "yield_stress": "Pa",
-    "drop": "m",
-    "left_angle": "rad",
-    "right_angle": "rad",
-    "gravity": "m/s^2",
-    "ramp": "s",
-    "point_mass": "kg",
-    "duration": "s",
-}
-
 
 def flow_of(law: str) -> tuple[str, ...]:
     """Effects by which a law flows."""
@@ -64,30 +43,18 @@ def scene(
     rtol: float | None = None,
 ) -> sc.Scene:
     """A scene in SI numbers, run without an estimate; 1 m, 1000 kg/m^3, 10 m/s^2, 1 s and 2 frames if not given."""
-    named = effects if isinstance(effects, str) else list(effects)
-    table: dict[str, Any] = {
-        "filament": _with_units({"span": 1.0, "density": 1000.0, **filament}),
-        "material": _with_units(material),
-        "ends": _with_units(ends or {}),
-        "initial": dict(initial or {}),
-        "load": _with_units({"gravity": 10.0, **(load or {})}),
-        "run": _with_units({"duration": 1.0, "frames": 2, **(run or {})}) | {"effects": named},
-        "numerics": {"cells": cells, "grading": 1.0, "estimate": False} | ({} if rtol is None else {"rtol": rtol}),
-    }
-    return sc.Scene.model_validate(table)
-
-
-def _with_units(numbers: Mapping[str, Any]) -> dict[str, Any]:
-    table = dict(numbers)
-    for name, unit in _UNITS.items():
-        if name in table:
-            power = f"**{table['index']!r}" if name == "viscosity" and "index" in table else ""
-            table[name] = f"{float(table[name])!r} {unit}{power}"
-    if "modes" in table:
-        table["modes"] = [_with_units(mode) for mode in table["modes"]]
-    if "motion" in table:
-        table["motion"] = [[f"{float(t)!r} s", f"{float(x)!r} m", f"{float(y)!r} m"] for t, x, y in table["motion"]]
-    return table
+    return sc.Scene.from_dict(
+        {
+            "filament": {"span": 1.0, "density": 1000.0, **filament},
+            "material": dict(material),
+            "ends": dict(ends or {}),
+            "initial": dict(initial or {}),
+            "load": {"gravity": 10.0, **(load or {})},
+            "run": {"duration": 1.0, "frames": 2, **(run or {})}
+            | {"effects": effects if isinstance(effects, str) else list(effects)},
+            "numerics": {"cells": cells, "grading": 1.0, "estimate": False} | ({} if rtol is None else {"rtol": rtol}),
+        }
+    )
 
 
 def solved(asked: sc.Scene) -> xr.Dataset:

@@ -267,7 +267,10 @@ class Chain:
 
 
 def random_chain(random: np.random.Generator) -> Chain:
-    """Any number of sites, unknowns, rates, section states, held ends and entries of reach 2, diagonally heavy."""
+    """Any number of sites, unknowns, rates, section states, held ends and entries of reach 2, diagonally heavy.
+
+    At two sites of five no kept unknown moves the section states.
+    """
     sites, kept, sections = (int(random.integers(*bounds)) for bounds in ((1, 9), (1, 7), (0, 6)))
     slots, half = kept + sections, kept // 2
     rate, differential = [-1] * slots, [1] * slots
@@ -283,6 +286,10 @@ def random_chain(random: np.random.Generator) -> Chain:
             entries[:, place] = 1.0
         elif row == column and offset == 0:
             entries[:, place] -= 3.0
+    at_rest = random.random(sites) < 0.4
+    for place, (row, _, column) in enumerate(pattern):
+        if row >= kept > column:
+            entries[at_rest, place] = 0.0
     held = [[int(random.random() < 0.3) for _ in range(slots)] for _ in range(2)]
     return Chain(sites, sections, rate, differential, *held, pattern, entries)
 

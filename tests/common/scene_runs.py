@@ -1,14 +1,12 @@
-"""One drawn scene: read, written, run in a process of its own, and looked at for what must hold in every success."""
+"""One drawn scene: read, written, run, and looked at for what must hold in every success."""
 
 from __future__ import annotations
 
 import json
-import tempfile
 import time
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +19,9 @@ from softcat_sym.results.fields import min_energy
 from softcat_sym.results.run import Run
 from softcat_sym.scene import scene as geometry
 from softcat_sym.scene.scene import Scene
-from tests.common.limited_process import Ask, limit_this_process
+from tests.common.time_limit import within
 
-REFUSED = "refused"
+REFUSED, LATE = "refused", "late"
 _STORED = tuple(f"energy_{kind}" for kind in ("kinetic", "elastic", "potential", "dissipated", "gradient", "surface"))
 
 PLACE = 1e-6
@@ -146,17 +144,19 @@ class Answer:
     seconds: float = 0.0
 
 
-def answer(table: dict[str, Any], folder: str) -> Answer:
-    """Run one scene, and look for what is broken; any exception but the package's own is."""
+def answer(table: dict[str, Any], folder: str, seconds: float) -> Answer:
+    """Run one scene, and look for what is broken; any exception but the package's own is. One may take too long."""
     started = time.process_time()
     known: dict[str, Any] = {"scene": json.dumps(table), "law": table["material"]["law"]}
     try:
-        with warnings.catch_warnings():
+        with within(seconds), warnings.catch_warnings():
             warnings.simplefilter("error")
             warnings.simplefilter("ignore", sc.SoftcatWarning)  # what the package tells of a good answer
             known |= _run(table, folder)
     except SoftcatError as error:
         known |= {"outcome": REFUSED, "reason": str(error)}
+    except TimeoutError as late:
+        known |= {"outcome": LATE, "reason": str(late)}
     except Exception as error:  # noqa: BLE001  whatever comes out is what is looked for
         known |= {"outcome": "", "broken": (f"{type(error).__name__}: {error}",)}
     return Answer(**known, seconds=time.process_time() - started)
@@ -182,38 +182,3 @@ def _there_and_back(scene: Scene, folder: str) -> list[str]:
     again = sc.load_scene(file)
     broken = [] if again == scene else ["scene to TOML to scene is not the identity"]
     return broken + ([] if again.to_toml() == text else ["the scene is written differently the second time"])
-
-
-_LATE = "no answer within"
-
-
-def is_late(answer: Answer) -> bool:
-    """Whether a scene was ended for the time it took: no exception, no process that died of its own."""
-    return not answer.outcome and answer.broken[0].startswith(_LATE)
-
-
-def answer_within(ask: Ask, table: dict[str, Any], limit: float) -> Answer:
-    """Answer one scene within so many seconds of the processor; else its answer says that there was none."""
-    answers, died = ask((table, limit), (limit,))
-    if answers:
-        found: Answer = answers[0]
-        return found
-    why = died or f"{_LATE} {limit:g} s"
-    return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=limit)
-
-
-def serve(there: Connection) -> None:
-    """Answer scenes one after another."""
-    import softcat_sym.simulate  # noqa: F401  imported before the clock runs
-
-    there.send("ready")
-    with tempfile.TemporaryDirectory() as folder:
-        while True:
-            try:
-                table, limit = there.recv()
-            except EOFError:
-                return
-            limit_this_process(limit)
-            found = answer(table, folder)
-            limit_this_process(0)
-            there.send(found)

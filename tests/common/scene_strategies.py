@@ -292,7 +292,7 @@ def _lists(draw: st.DrawFn, law: str, load: set[str], section: str) -> list[str]
     if "ramp" not in load:
         cannot |= {"gravity-ramp"}
     # No scene drawn here states a loss, a clock or a back stress.
-    cannot |= {"solid-damping", "temperature", "curing", "structure", "natural-strain", "backstress"}
+    cannot |= {"solid-damping", "temperature", "curing", "structure", "natural-strain", "backstress", "contact"}
     if "shake" not in load:
         cannot |= {"gravity-shaking"}
     if "surface_tension" not in load:

@@ -9,7 +9,7 @@ import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.single_run import build
 from softcat_sym.solvers.equilibrium import Equilibrium
 

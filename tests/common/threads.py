@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym import Run, Scene
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.results.run import judge
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence

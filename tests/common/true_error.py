@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 
 import softcat_sym as sc
 from softcat_sym.discretization.grid import choose_grading
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.error_control.control import periods_of
 from softcat_sym.error_control.estimate import Judge
 from softcat_sym.results.observed import DISPLACEMENT, Series

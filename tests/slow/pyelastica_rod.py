@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 

@@ -15,10 +15,10 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Effect
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.physics.filament import derive
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
@@ -145,6 +145,7 @@ LIMITS: tuple[Limit, ...] = (
     ),
     Limit("temperature", "creeping beam, kelvin", halved(0.4), (1, 0.02), fading.warmth_of_a_creeping_beam),
     Limit("backstress", "Bingham beam, C/(rho g L)", halved(0.4), (1, 0.05), fading.hardening_of_a_beam),
+    Limit("contact", "clamped beam, 1 - D/H", halved(0.2), (1, 0.02), fading.floor_of_a_beam, (1.0, 0.02)),
     Limit("structure", "Bingham beam, 1/t_b", halved(0.2), (1, 0.06), fading.structure_of_a_beam),
 )
 """Every limit; each effect has one or more."""

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.single_run import build
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence

@@ -13,10 +13,14 @@ from tests.common.rheology import GEOMETRY, STRING
 pytestmark = pytest.mark.slow
 
 SHAPES: shapes.Cases = {
+    "cantilever, w L^3/EI = 12": (partial(shapes.heavy_elastica, 12.0, 0.0), 2e-4),
+    "natural curvature 1.5/m": (shapes.natural_curvature, 1e-5),
     "cantilever, w L^3/EI = 1": (partial(shapes.heavy_elastica, 1.0, 0.0), 2e-4),
     "cantilever, w L^3/EI = 12, clamp at 0.8": (partial(shapes.heavy_elastica, 12.0, 0.8), 2e-4),
     "catenary, level": (partial(shapes.catenary, 0.0), 5e-5),
+    "catenary, drop 0.3 m": (partial(shapes.catenary, 0.3), 5e-5),
     "catenary, drop -0.4 m": (partial(shapes.catenary, -0.4), 5e-5),
+    "elastic catenary, E* = 3, linear": (partial(shapes.elastic_catenary, ("large-rotation",), 3.0), 2e-5),
     "catenary, bending included, h/L = 1e-4": (
         partial(shapes.elastic_catenary, GEOMETRY, 1e3, 1.3, 0.3, 1e-4),
         5e-5,

@@ -16,14 +16,14 @@ from softcat_sym.fitting.least_squares import Optimum, minimise
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.problem import FilamentProblem
 from softcat_sym.scene.scene import Scene
-from tests.common.fitting import CONSTANTS, beside, film, values
+from tests.common.fitting import CONSTANTS, METHODS_AGREE, beside, film, methods_apart, values
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 
 WAYS = {
-    "compiled": ("compiled", "gauss-newton"),
-    "interpreted": ("interpreted", "gauss-newton"),
+    "compiled": ("compiled", "least-squares"),
+    "interpreted": ("interpreted", "least-squares"),
     "IPOPT": ("compiled", "ipopt"),
 }
 """Backend and method; whether both backends have the same derivatives of a flow that yields, `test_gradients` says."""
@@ -79,3 +79,17 @@ def test_all_ways_find_the_same_constants(name: str) -> None:
     assert all(one.converged for one in found.values())
     for way in CASES[name].ways[1:]:
         assert np.all(np.abs(np.expm1(found["compiled"].q - found[way].q)) < AGREE[way]), way
+
+
+FILMS = [(name, seed) for name in ("maxwell-fast", "continual-descent") for seed in range(5)]
+
+
+def test_ten_films_have_one_optimum_by_both_methods() -> None:
+    shares = {"maxwell-fast": 0.2, "continual-descent": 0.5}
+    apart = [methods_apart(name, shares[name], seed) for name, seed in FILMS]
+    show(
+        "IPOPT less SciPy",
+        ["film", "standard errors"],
+        [[*one, f"{far:.1e}"] for one, far in zip(FILMS, apart, strict=True)],
+    )
+    assert max(apart) < METHODS_AGREE

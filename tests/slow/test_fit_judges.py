@@ -14,7 +14,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting.fit import fit
-from softcat_sym.fitting.least_squares import LINEAR, Loss
+from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import Fit, FitOutcome
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
@@ -179,6 +179,5 @@ def _one_sided(loss: Loss) -> float:
     """Standard errors of a shift of all readings that one wild point of twenty, up to 50 deviations off, is worth."""
     z, off = np.linspace(-10, 10, 20001), np.linspace(0, 50, 20001)
     density = np.exp(-0.5 * z**2) / np.sqrt(2 * np.pi)
-    psi = loss.weights(z) * z
-    wild = np.mean(loss.weights(off) * off)
+    psi, wild = loss.psi(z), np.mean(loss.psi(off))
     return float(0.05 / 0.95 * wild * np.sqrt(FRAMES / np.trapezoid(psi**2 * density, z)))

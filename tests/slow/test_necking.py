@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
-from softcat_sym.effects.scaling_estimates import neck_length
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.estimates.scaling import neck_length
 from softcat_sym.results.verdict import neck_strain
 from tests.common.elements import PUBLISHED, filament, mean, plane
 from tests.common.random_scenes import NUMBER, SEED, random_scenes

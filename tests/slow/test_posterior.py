@@ -10,13 +10,11 @@ import pytest
 from scipy import stats
 
 import softcat_sym as sc
-from softcat_sym.fitting.free_parameters import FreeParameter, Unknowns
-from softcat_sym.fitting.identifiability import noise_of, taken
-from softcat_sym.fitting.least_squares import multi_start
+from softcat_sym.fitting.free_parameters import FreeParameter
+from softcat_sym.fitting.identifiability import ResidualNoise
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.posterior import Posterior, PosteriorOutcome, posterior_of, sample
 from softcat_sym.fitting.priors import read_priors
-from softcat_sym.fitting.problem import Marginal
 from tests.common.draws import RARE, draws, errors_away
 from tests.common.table import show
 
@@ -85,67 +83,32 @@ def test_a_line_has_its_exact_posterior(known: bool) -> None:
         agrees(found, name, stats.norm(best[k], error) if known else stats.t(12 - 2, best[k], error))
 
 
-BENDS = 24
-"""Unknowns beside offset and slope, of which the deviation is known beforehand, as of a theory's error."""
+class Bent(Line):
+    """A straight line in noise of unknown size, whitened together with systematic errors of a known covariance."""
 
-
-class Bent(Unknowns):
-    """Residuals of a line and bends in units of a noise, and those of the bends' priors."""
-
-    asked, noise_known = 2, False
-
-    def __init__(self, line: np.ndarray, bends: np.ndarray, data: np.ndarray, noise: float) -> None:
-        self.line, self.bends, self.data, self.noise = line, bends, data, noise
-        names = ("offset", "slope", *(f"bend_{k}" for k in range(BENDS)))
-        self.free = tuple(FreeParameter(name, name, "m", 0.0, False, 1.0, (-60.0, 60.0)) for name in names)
+    def __init__(self, data: np.ndarray, errors: np.ndarray, noise: float) -> None:
+        super().__init__(data, False)
+        self.root = np.linalg.inv(np.linalg.cholesky(noise**2 * np.eye(12) + errors))
 
     def residuals(self, q: np.ndarray) -> np.ndarray:
-        return self.linearised(q)[0]
+        return self.root @ super().residuals(q)
 
     def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        jacobian = np.vstack([np.hstack([self.line, self.bends]) / self.noise, np.eye(2 + BENDS)[2:]])
-        return jacobian @ q - np.append(self.data / self.noise, np.zeros(BENDS)), jacobian
+        return self.residuals(q), self.root @ COLUMNS
 
 
 @pytest.mark.statistical
-def test_priors_are_no_readings_of_the_noise() -> None:
-    """Against the noise integrated out by quadrature, which leaves a sum of normal distributions."""
-    random, places = draws(2), np.linspace(0.0, 3.0, 40)
-    line, orders = np.stack([np.ones(40), places], axis=1), np.arange(1, BENDS + 1)
-    bends = 2 * np.sin(np.outer(places, orders)) / orders
-    data = line @ np.array([1.0, 2.0]) + bends @ random.standard_normal(BENDS) + 0.3 * random.standard_normal(40)
-    unit = 0.3
-    for _ in range(50):  # Residuals are in units of the noise that they have
-        bent = Bent(line, bends, data, unit)
-        found = multi_start(bent, [np.zeros(2 + BENDS)], count=0).best
-        left = found.residuals[:40]
-        unit *= float(np.sqrt(left @ left / (40 - taken(found.jacobian, 40))))
-    noise = noise_of(found.residuals, found.jacobian, noise_known=False, readings=40)
-    marginal = Marginal(bent, found)  # type: ignore[arg-type]
-    best, priors = found.q[:2], read_priors({}, marginal.free)
-    sampled = sample(marginal, best, priors, draws=2000, tune=200, seed=3, noise=noise)
-    parts, logarithms = [], []
-    for deviation in np.geomspace(0.03, 3.0, 400):
-        inverse = np.linalg.inv(deviation**2 * np.eye(40) + bends @ bends.T)
-        covariance = np.linalg.inv(line.T @ inverse @ line)
-        mean = covariance @ line.T @ inverse @ data
-        parts.append((mean, np.sqrt(np.diag(covariance))))
-        of_all = np.linalg.slogdet(inverse)[1] + np.linalg.slogdet(covariance)[1]
-        logarithms.append(0.5 * (of_all - (data - line @ mean) @ inverse @ data))
-    shares = np.exp(np.array(logarithms) - max(logarithms))
-    rows = []
+def test_systematic_errors_do_not_shrink_with_the_noise() -> None:
+    """With a noise that few readings tell, intervals are Student's of its degrees of freedom."""
+    errors = 4.0 * np.exp(-0.5 * np.subtract.outer(PLACES, PLACES) ** 2)
+    data = COLUMNS @ np.array([1.0, 2.0]) + draws(2).multivariate_normal(np.zeros(12), errors + 0.09 * np.eye(12))
+    bent = Bent(data, errors, 0.3)
+    rows = bent.root @ COLUMNS
+    best = np.linalg.lstsq(rows, bent.root @ data, rcond=None)[0]
+    noise, covariance = ResidualNoise(1.0, 6), np.linalg.inv(rows.T @ rows)
+    found = sample(bent, best, read_priors({}, bent.free), draws=2000, tune=200, seed=3, noise=noise)
     for k, name in enumerate(("offset", "slope")):
-        grid = best[k] + np.linspace(-8, 8, 8001)
-        below = sum(
-            share * stats.norm(mean[k], error[k]).cdf(grid) for share, (mean, error) in zip(shares, parts, strict=True)
-        )
-        exact, ends = np.interp([0.025, 0.975], below / shares.sum(), grid), np.array(sampled.parameters[name]["eti95"])
-        away = np.abs(ends - exact).max() / np.ptp(exact)
-        rows.append([name, *(f"{end:.3f}" for end in (*exact, *ends)), f"{away:.1%}"])
-        # As above, over a width of four deviations: independent are at least a fifth of the draws.
-        independent = sampled.data.posterior[name].size / 5
-        assert away < errors_away() * 2.7 / independent**0.5 / 4, rows
-    show("95 % intervals", ["parameter", "exact from", "to", "drawn from", "to", "apart, of the width"], rows)
+        agrees(found, name, stats.t(6, best[k], float(covariance[k, k] ** 0.5)))
 
 
 @pytest.mark.statistical

@@ -18,16 +18,16 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import choose_grid
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.free_vibration import first_vibration
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatWarning
+from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.single_run import build
 from softcat_sym.solvers.compiled import CModel
 from softcat_sym.solvers.lanes import LanesModel
-from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.run_cost import STEPS_PER_PERIOD
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.solvers.solve import Prepared
 from softcat_sym.studies.integrators import Task, ready
 from tests.common.rk4_filament import run as rk4
 from tests.common.table import show

@@ -36,9 +36,9 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import compile_library
 from softcat_sym.design.experiment import design_experiment
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.free_vibration import first_vibration, ringing
 from softcat_sym.errors import SoftcatError
+from softcat_sym.estimates.expected_regime import expected_regime
+from softcat_sym.estimates.free_vibration import first_vibration, ringing
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.result import FitOutcome
@@ -60,6 +60,7 @@ from tests.common.tiny_disk import files_in, tiny_disk
 from tests.common.true_error import true_errors
 from tests.slow.test_web_model import simulated_with
 from tests.test_breaking import cantilever
+from tests.test_registered_effects import installed
 from tests.test_table_reader import FILMS, FLOW_CURVES, NOTES, as_written, film_is_read
 
 pytestmark = pytest.mark.slow
@@ -959,6 +960,41 @@ def test_damaged_and_nonsensical_files_are_one_line(says: Says, tmp_path: Path) 
     refused(says, "second B10", "--name ..: a page of this name", *named)
     unknown = ("explain", "ink-bridge", *sets("material.temperature=20 degC"))
     refused(says, "second C4", "material.temperature: (did you mean 'temperature'?)", *unknown)
+
+
+@pytest.mark.parametrize(
+    ("module", "what"),
+    [("1 / 0", "raises"), ("FOUNDATION = 7", "is no Effect"), ("", "is missing"), ("import sys; sys.exit(3)", "exits")],
+)
+def test_a_package_whose_effect_cannot_be_used_is_one_line(says: Says, tmp_path: Path, module: str, what: str) -> None:
+    done = installed(tmp_path, module, "winkler:FOUNDATION")
+    (line,) = done.stderr.splitlines()
+    assert (done.returncode, done.stdout) == (2, "") and "package winkler, entry point elastic-foundation" in line
+    says("second B2", f"an entry point of effects that {what}: a traceback, or an exit", line.removeprefix("softcat: "))
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_a_compiler_without_its_linker_counts_as_none(says: Says, tmp_path: Path) -> None:
+    """Without PATH, as under `env -i`, gcc finds no linker: the interpreted solver answers, and says why."""
+    bare = {"PYTHONPATH": os.environ.get("PYTHONPATH", ""), "CC": str(shutil.which("gcc")), "PATH": str(tmp_path)}
+    bare |= {"HOME": str(tmp_path), "SOFTCAT_CACHE": str(tmp_path / "cache"), "MPLBACKEND": "agg"}
+    brief = sets("numerics.cells=4", "run.frames=5", "run.duration=10 ms", "numerics.estimate=false")
+    words = ("run", "no-yield", "-q", "--no-pictures", *brief, "-o", str(tmp_path / "out"))
+    program = [sys.executable, "-c", "from softcat_sym.cli import main; main()", *words]
+    done = subprocess.run(program, env=bare, capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "Traceback" not in done.stderr, done.stderr
+    backend = json.loads((tmp_path / "out" / "summary.json").read_text())["backend"]
+    says("second B7", "gcc without its linker (env -i): 'could not be compiled'", f"solved, {backend}")
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_the_c_of_a_cooling_fibre_has_no_unused_variable(says: Says, tmp_path: Path) -> None:
+    written = timed("generate", "glass-fibre", "-q", *sets("numerics.estimate=false"), "-o", str(tmp_path))
+    assert written.status == 0, written.err
+    strict = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O0", "-c", "-o", os.devnull)
+    done = subprocess.run(["gcc", *strict, "filament.c"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    says("second B8", "C of glass-fibre: unused variable", f"gcc {' '.join(strict[1:5])}: not a word")
 
 
 def test_a_prior_is_judged_before_the_fit(says: Says, tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ import pytest
 from softcat_sym import load_scene
 from softcat_sym.batch.members import written
 from softcat_sym.discretization import assembly
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene

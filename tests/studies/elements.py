@@ -14,10 +14,10 @@ import sys
 from collections.abc import Mapping
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect_sets import terms_of
-from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.estimates.forecast import forecast
 from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.reference.element_loop import Mesh
 from tests.common.element_films import RECORD, by_elements, line_by_elements, record

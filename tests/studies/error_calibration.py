@@ -18,8 +18,9 @@ import resource
 import sys
 import tomllib
 from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, field, replace
-from multiprocessing.connection import Connection
+from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -27,8 +28,8 @@ import pandas as pd
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from tests.common.limited_process import Ask, limit_this_process, side_by_side
 from tests.common.random_scenes import random_scenes
+from tests.common.time_limit import within
 from tests.common.true_error import true_error
 
 LEAST, MOST = 0.3, 3.0
@@ -124,56 +125,45 @@ def processor() -> float:
     return sum(each.ru_utime + each.ru_stime for each in used)
 
 
-def serve(there: Connection) -> None:
-    """Answer scenes one after another: first the run as a user would do it, then with its true error."""
-    there.send("ready")
-    while True:
-        try:
-            name, text, (run_limit, reference_limit) = there.recv()
-        except EOFError:
-            return
-        limit_this_process(run_limit)
-        scene, begun = sc.Scene.model_validate(tomllib.loads(text)), processor()
-        try:
+def calibrate(name: str, text: str, run_limit: float, reference_limit: float) -> Calibrated:
+    """Run a scene as a user would do it, then with its true error; without what there is no time for."""
+    scene, begun = sc.Scene.model_validate(tomllib.loads(text)), processor()
+    try:
+        with within(run_limit):
             run = sc.simulate(scene)
-        except SoftcatError as refusal:
-            found = Calibrated(name, "refused", str(refusal)[:200])
-        else:
-            summary = run.summary
-            estimate, wall = summary["error_estimate"] or {}, summary["wall_s"]
-            judged = run.outcome.is_success and estimate.get("total") is not None
-            found = Calibrated(
-                name,
-                run.outcome.name,
-                "" if judged else summary["message"] or "no estimate",
-                scene.run.accuracy,
-                -summary["midpoint_final_m"],
-                estimate=estimate,
-                resolution=summary["resolution"] or {},
-                refinements=tuple(summary["refinements"]),
-                seconds=(wall["solve"], wall["estimate"], processor() - begun),
-            )
-        limit_this_process(reference_limit)
-        there.send(found)
-        if not found.why_not:
+    except SoftcatError as refusal:
+        return Calibrated(name, "refused", str(refusal)[:200])
+    except TimeoutError:
+        return Calibrated(name, "dear", f"not as accurate as asked within {run_limit:g} s")
+    summary = run.summary
+    estimate, wall = summary["error_estimate"] or {}, summary["wall_s"]
+    judged = run.outcome.is_success and estimate.get("total") is not None
+    found = Calibrated(
+        name,
+        run.outcome.name,
+        "" if judged else summary["message"] or "no estimate",
+        scene.run.accuracy,
+        -summary["midpoint_final_m"],
+        estimate=estimate,
+        resolution=summary["resolution"] or {},
+        refinements=tuple(summary["refinements"]),
+        seconds=(wall["solve"], wall["estimate"], processor() - begun),
+    )
+    if found.why_not:
+        return found
+    try:
+        with within(reference_limit):
             true, why_not = true_error(scene, run)
-            found = replace(found, true=true, why_not=why_not)
-        there.send(found)
-        limit_this_process(0)
+    except TimeoutError:
+        return replace(found, why_not=f"no reference within {reference_limit:g} s")
+    return replace(found, true=true, why_not=why_not)
 
 
 def calibrated(scenes: Iterable[tuple[str, sc.Scene]], limits: tuple[float, float]) -> list[Calibrated]:
-    """Calibrate scenes, side by side; what there is no time for has nothing to compare."""
-
-    def answer(ask: Ask, question: tuple[str, str, tuple[float, float]]) -> Calibrated:
-        answers, died = ask(question, limits)
-        if not answers:
-            return Calibrated(question[0], "dear", died or f"not as accurate as asked within {limits[0]:g} s")
-        done: Calibrated = answers[-1]
-        return done if len(answers) == 2 else replace(done, why_not=died or f"no reference within {limits[1]:g} s")
-
-    found: list[Calibrated] = side_by_side(serve, answer, [(name, scene.to_toml(), limits) for name, scene in scenes])
-    return found
+    """Calibrate scenes, side by side."""
+    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+        asked = [pool.submit(calibrate, name, scene.to_toml(), *limits) for name, scene in scenes]
+        return [one.result() for one in asked]
 
 
 def hanging_masses() -> list[tuple[str, sc.Scene]]:

@@ -25,7 +25,7 @@ from softcat_sym.fitting.discrepancy import discrepancy
 from softcat_sym.fitting.fit import fit
 from softcat_sym.fitting.free_parameters import free_parameters, with_values
 from softcat_sym.fitting.measurements import Measurements, Series
-from softcat_sym.fitting.problem import FilamentProblem
+from softcat_sym.fitting.problem import FilamentProblem, camera_spread
 from tests.common.draws import draws
 from tests.common.table import show
 
@@ -159,12 +159,12 @@ def _drawn(
     With a generator the camera's numbers are drawn from what is known of them for the heights without them.
     """
     seen = _film(time, -time if exact is None else exact)
-    problem = FilamentProblem(scene, seen, case.free, rtol=case.rtol, camera=random is not None)
-    q = problem.typical.copy()
-    q[: problem.asked] = [one.scaled(value) for one, value in zip(problem.free, values, strict=False)]
+    camera = {} if random is None else camera_spread(seen.series[0])
+    problem = FilamentProblem(scene, seen, (*case.free, *camera), rtol=case.rtol)
+    numbers = dict(zip(case.free, values, strict=True))
     if random is not None:
-        q[problem.asked :] = [one.prior * random.standard_normal() for one in problem.free[problem.asked :]]
-    return problem.curves(q)[0]
+        numbers |= {name: float(name == "scale") + size * random.standard_normal() for name, size in camera.items()}
+    return problem.films[0].values(np.array([one.scaled(numbers[one.name]) for one in problem.free]))
 
 
 def _logarithm(end: float | None, value: float) -> float:

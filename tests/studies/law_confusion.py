@@ -13,7 +13,7 @@ import numpy as np
 from scipy.signal import lfilter
 
 import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.selection import choose_effects
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import CANNOT, fit_laws
 from softcat_sym.scene.material import CONSTANTS

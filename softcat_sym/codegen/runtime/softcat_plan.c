@@ -43,6 +43,7 @@ static int allocate(softcat_linear *linear)
         missing |= !lists[l]->links;
     }
     linear->free_unknowns = calloc((size_t)linear->sites * (size_t)slots, 1);
+    linear->at_rest = calloc((size_t)linear->sites, 1);
     linear->held = integers(linear->sites * slots);
     linear->block = calloc((size_t)sections + 1, sizeof(softcat_block));
     linear->group = calloc((size_t)entries + 1, sizeof(softcat_group));
@@ -57,8 +58,9 @@ static int allocate(softcat_linear *linear)
     linear->gathered = doubles((size_t)linear->padded);
     linear->solved = doubles((size_t)linear->padded);
     linear->known = doubles((size_t)entries);
-    return missing || !(linear->free_unknowns && linear->block && linear->group
-                        && linear->eliminated_slot && linear->remaining_slot && linear->place
+    return missing || !(linear->free_unknowns && linear->at_rest && linear->block
+                        && linear->group && linear->eliminated_slot
+                        && linear->remaining_slot && linear->place
                         && linear->section_slot && linear->diagonal && linear->answer_offset
                         && linear->answer_slot && linear->held && linear->order
                         && linear->gathered && linear->solved && linear->known);
@@ -299,6 +301,7 @@ void softcat_plan_free(softcat_linear *linear)
     for (size_t i = 0; i < sizeof ints / sizeof *ints; i++) free(ints[i]);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) free(numbers[i]);
     free(linear->free_unknowns);
+    free(linear->at_rest);
     free(linear->block);
     free(linear->group);
     softcat_band_free(&linear->band);

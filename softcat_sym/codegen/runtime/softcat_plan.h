@@ -49,6 +49,8 @@ struct softcat_linear {
     softcat_block *block;
     double *blocks;                /* [sites * block_doubles] inverted */
 
+    unsigned char *at_rest;        /* [sites] no kept unknown moves their section states */
+
     int padded;                    /* sections, rounded up to fours */
     int answer_columns;            /* kept unknowns that section states see, at which sites */
     int *answer_offset, *answer_slot;

@@ -74,45 +74,51 @@ static void apply_blocks(const softcat_linear *linear, const double *inverse, co
     }
 }
 
-/* J_sx and J_ks of a site, in the order of the elimination, for the right-hand sides. */
-static void gather_couplings(softcat_linear *linear, int site, const double *entries)
+/* -J of a list of entries, scattered into an empty store. */
+static void gather_links(const softcat_linear *linear, const softcat_links *links, int site,
+                         const double *entries, double *store, int columns)
 {
-    const softcat_links *lists[] = {&linear->dragged, &linear->seen};
-    size_t drags = (size_t)linear->x_columns * (size_t)linear->padded;
-    size_t weights = (size_t)linear->group_count * (size_t)linear->padded;
-    double *stores[] = {linear->drags + (size_t)site * drags,
-                        linear->weights + (size_t)site * weights};
-    memset(stores[0], 0, drags * sizeof(double));
-    memset(stores[1], 0, weights * sizeof(double));
-    for (int l = 0; l < 2; l++)
-        softcat_linear_scatter(linear, lists[l], site, entries, stores[l]);
+    memset(store, 0, (size_t)columns * (size_t)linear->padded * sizeof(double));
+    softcat_linear_scatter(linear, links, site, entries, store);
+}
+
+static int all_zero(const softcat_links *links, const double *entries)
+{
+    for (int l = 0; l < links->count; l++)
+        if (entries[links->links[l].entry] != 0.0) return 0;
+    return 1;
 }
 
 int softcat_sections_eliminate(softcat_linear *linear, int site, const double *entries,
                                double shift)
 {
     const softcat_model *model = linear->model;
-    size_t padded = (size_t)linear->padded, wide = (size_t)linear->answer_columns * padded;
+    int padded = linear->padded, columns = linear->answer_columns;
     double *blocks = linear->blocks + (size_t)site * (size_t)linear->block_doubles;
-    double *answers = linear->answers + (size_t)site * wide;
     const unsigned char *is_free = linear->free_unknowns + (ptrdiff_t)site * linear->slots;
     memset(blocks, 0, (size_t)linear->block_doubles * sizeof(double));
-    memset(linear->coupling, 0, wide * sizeof(double));
     for (int s = 0; s < model->sections; s++) {
         int slot = linear->section_slot[s];
         double mass = model->differential[slot] ? shift : 0.0;
         blocks[linear->diagonal[s]] = is_free[slot] ? mass : 1.0;
     }
     softcat_linear_scatter(linear, &linear->within, site, entries, blocks);
-    softcat_linear_scatter(linear, &linear->driven, site, entries, linear->coupling);
-    gather_couplings(linear, site, entries);
     for (int b = 0; b < linear->block_count; b++) {
         const softcat_block *block = linear->block + b;
         int code = invert(blocks + block->start, block->size, linear->order);
         if (code) return code;
     }
-    for (size_t c = 0; c < wide; c += padded)
-        apply_blocks(linear, blocks, linear->coupling + c, answers + c);
+    int groups = linear->group_count;
+    gather_links(linear, &linear->seen, site, entries,
+                 linear->weights + (ptrdiff_t)site * groups * padded, groups);
+    linear->at_rest[site] = (unsigned char)all_zero(&linear->driven, entries);
+    if (linear->at_rest[site]) return SOFTCAT_SOLVED;
+    gather_links(linear, &linear->dragged, site, entries,
+                 linear->drags + (ptrdiff_t)site * linear->x_columns * padded, linear->x_columns);
+    gather_links(linear, &linear->driven, site, entries, linear->coupling, columns);
+    double *answers = linear->answers + (ptrdiff_t)site * columns * padded;
+    for (int c = 0; c < columns; c++)
+        apply_blocks(linear, blocks, linear->coupling + c * padded, answers + c * padded);
     return SOFTCAT_SOLVED;
 }
 
@@ -125,7 +131,7 @@ void softcat_sections_answer(const softcat_linear *linear, int site, double *row
     const int *target = linear->group_target;
     for (int g = 0; g < linear->group_count; g++, weight += padded, target += columns) {
         int other = site + linear->group[g].offset;
-        if (other < 0 || other >= linear->sites) continue;
+        if (other < 0 || other >= linear->sites || linear->at_rest[other]) continue;
         const double *answer = linear->answers + (size_t)other * columns * padded;
         for (size_t c = 0; c < columns; c++)
             rows[target[c]] -= softcat_dot(weight, answer + c * padded, linear->padded);
@@ -138,11 +144,18 @@ void softcat_sections_first(const softcat_linear *linear, double *k)
 {
     int sections = linear->model->sections, padded = linear->padded, columns = linear->x_columns;
     const double *drag = linear->drags, *x = linear->x;
-    for (int site = 0; site < linear->sites; site++, x += linear->eliminated) {
+    for (int site = 0; site < linear->sites;
+         site++, x += linear->eliminated, drag += columns * padded) {
         double *here = k + (ptrdiff_t)site * linear->slots;
-        for (int s = 0; s < sections; s++) linear->gathered[s] = here[linear->section_slot[s]];
-        softcat_subtract(linear->gathered, drag, padded, x, columns);
-        drag += columns * padded;
+        int moves = 0;
+        for (int s = 0; s < sections; s++) {
+            linear->gathered[s] = here[linear->section_slot[s]];
+            moves |= linear->gathered[s] != 0.0;
+        }
+        if (!linear->at_rest[site])
+            softcat_subtract(linear->gathered, drag, padded, x, columns);
+        else if (!moves)
+            continue;
         apply_blocks(linear, linear->blocks + (size_t)site * (size_t)linear->block_doubles,
                      linear->gathered, linear->solved);
         for (int s = 0; s < sections; s++) here[linear->section_slot[s]] = linear->solved[s];
@@ -164,6 +177,7 @@ void softcat_sections_last(const softcat_linear *linear, double *k)
     int columns = linear->answer_columns;
     const double *answer = linear->answers;
     for (int site = 0; site < linear->sites; site++, answer += columns * padded) {
+        if (linear->at_rest[site]) continue;
         double *here = k + (ptrdiff_t)site * linear->slots;
         for (int s = 0; s < sections; s++) linear->gathered[s] = here[linear->section_slot[s]];
         for (int c = 0; c < columns; c++) {

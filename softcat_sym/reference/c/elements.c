@@ -132,12 +132,50 @@ static void surface_forces(struct softcat_strip *strip)
     strip->surface_energy = energy;
 }
 
+/* Minus the depth in a body, where that is positive, and the normal out of it. */
+static double penetration(const struct softcat_strip *strip, const double at[2], double normal[2])
+{
+    const double inwards = strip->wall + strip->roundness - at[0], upwards = at[1] - strip->top + strip->roundness;
+    const double x = inwards > 0.0 ? inwards : 0.0, y = upwards > 0.0 ? upwards : 0.0, r = sqrt(x * x + y * y);
+    const double floor = strip->floor - at[1], pillar = strip->roundness - r;
+    if (floor >= pillar || r == 0.0) {
+        normal[0] = 0.0, normal[1] = 1.0;
+        return floor;
+    }
+    normal[0] = -x / r, normal[1] = y / r;
+    return pillar;
+}
+
+/* Forces of floor and pillar on the nodes of the lower edge, which share its length as Simpson's rule has it. */
+static void contact_forces(struct softcat_strip *strip)
+{
+    const double share[EDGE] = {1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0};
+    const long through = strip->elements / strip->columns;
+    double energy = 0.0, start = 0.0;
+    for (long c = 0; c < strip->columns; ++c) {
+        const double length = strip->size[2 * c * through], at_rest[EDGE] = {start, start + length, start + length / 2};
+        for (int a = 0; a < EDGE; ++a) {
+            const int node = strip->edge[c * 2 * EDGE + a];
+            const double *moved = strip->displacement + 2 * node;
+            const double at[2] = {at_rest[a] + moved[0], moved[1] - strip->half};
+            double normal[2];
+            const double deep = penetration(strip, at, normal), force = strip->stiffness * length * share[a] * deep;
+            if (deep <= 0.0) continue;
+            energy += 0.5 * force * deep;
+            for (int i = 0; i < 2; ++i) strip->acceleration[2 * node + i] += force * normal[i];
+        }
+        start += length;
+    }
+    strip->contact_energy = energy;
+}
+
 /* From forces to accelerations: surface, gravity, supports, and the face that thins uniformly. */
 static void accelerate(struct softcat_strip *strip, double gravity)
 {
     double *restrict acceleration = strip->acceleration;
     double moment = 0.0;
     if (strip->pull > 0.0) surface_forces(strip);
+    if (strip->stiffness > 0.0) contact_forces(strip);
     for (long k = 0; k < strip->face; ++k)
         moment += strip->face_height[k] * acceleration[2 * strip->face_node[k] + 1];
     for (long i = 0; i < strip->nodes; ++i) {

@@ -29,6 +29,13 @@ struct softcat_strip {
     /* physics */
     const double *material; /* as softcat_point wants it */
     double pull;            /* of the undeformed surface, gamma (1/h0 + 1/D0) h0; 0: no surface tension */
+    /* what the lower edge may come to lie on, without friction; a floor so deep and a wall so far that nothing touches */
+    double half;      /* of the undeformed thickness */
+    double floor;     /* level of the floor */
+    double wall;      /* x of the wall of a pillar, from midspan */
+    double top;       /* level of its top */
+    double roundness; /* radius of its edge */
+    double stiffness; /* of the penalty, force per length and depth; 0: neither */
     double gravity;
     double ramp; /* duration of the quintic step from 0 to gravity; 0: at once */
     /* stretch of time that is being marched: start + step taken, taken <= steps */
@@ -46,6 +53,7 @@ struct softcat_strip {
     /* measured at the last step of a stretch, and by softcat_evaluate */
     double elastic_energy;
     double surface_energy; /* of the surface, less that at the beginning */
+    double contact_energy;
     double *rate; /* (elements, POINTS) equivalent tensile plastic rate */
 };
 

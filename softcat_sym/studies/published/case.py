@@ -32,7 +32,7 @@ class DataKind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Row:
+class PublishedValue:
     """One number that others have published, and ours."""
 
     quantity: str
@@ -56,7 +56,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class PublishedCurve:
+class CaseCurve:
     """A line, or points where it `is_published`, of a case's picture."""
 
     label: str
@@ -66,12 +66,12 @@ class PublishedCurve:
 
 
 @dataclass(frozen=True)
-class PublishedPicture:
+class CasePicture:
     """Content of a case's picture."""
 
     x: str
     y: str
-    curves: tuple[PublishedCurve, ...]
+    curves: tuple[CaseCurve, ...]
     is_log_x: bool = False
     is_log_y: bool = False
     published_x: float | None = None  # Published values, drawn as a vertical or a horizontal line
@@ -82,8 +82,8 @@ class PublishedPicture:
 class Finding:
     """Results of the runs of a case."""
 
-    rows: tuple[Row, ...]
-    picture: PublishedPicture | None = None
+    rows: tuple[PublishedValue, ...]
+    picture: CasePicture | None = None
 
 
 @dataclass(frozen=True)

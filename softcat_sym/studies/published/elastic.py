@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 
 from softcat_sym.studies.published.case import (
+    CaseCurve,
+    CasePicture,
     Finding,
-    PublishedCurve,
-    PublishedPicture,
-    Row,
+    PublishedValue,
     answers_of,
     published_scene,
 )
@@ -23,7 +23,7 @@ _RATIOS = (1.0, 2.0, 3.0, 3.5)
 """gamma/(G R) of the runs, all below every threshold."""
 
 
-def _threshold(stretch: float) -> tuple[float, PublishedCurve, PublishedCurve]:
+def _threshold(stretch: float) -> tuple[float, CaseCurve, CaseCurve]:
     """gamma/(G R) at which undulations grow without limit, from their amplitude below it.
 
     The response (a + b x)/(x_c - x) to the undulation of the radius has its pole there; three runs determine it.
@@ -42,14 +42,14 @@ def _threshold(stretch: float) -> tuple[float, PublishedCurve, PublishedCurve]:
     (pole, a, b), *_ = np.linalg.lstsq(matrix, grown * ratios, rcond=None)
     line = np.linspace(_RATIOS[0] / 2, 0.98 * pole, 80)
     words = "unstretched" if stretch == 1 else f"stretched by {stretch:.3g}"
-    response = PublishedCurve(f"{words}, (a + b x)/(x_c - x)", line.tolist(), ((a + b * line) / (pole - line)).tolist())
-    return float(pole), response, PublishedCurve(f"{words}, runs", _RATIOS, grown.tolist(), is_published=True)
+    response = CaseCurve(f"{words}, (a + b x)/(x_c - x)", line.tolist(), ((a + b * line) / (pole - line)).tolist())
+    return float(pole), response, CaseCurve(f"{words}, runs", _RATIOS, grown.tolist(), is_published=True)
 
 
 def _undulations(published: float, stretch: float) -> Finding:
     pole, line, runs = _threshold(stretch)
-    row = Row("threshold gamma/(G R)", "", published, pole)
-    picture = PublishedPicture(
+    row = PublishedValue("threshold gamma/(G R)", "", published, pole)
+    picture = CasePicture(
         "gamma/(G R)", "undulation of the stretch", (line, runs), is_log_y=True, published_x=published
     )
     return Finding((row,), picture)
@@ -82,14 +82,12 @@ def _princeton() -> Finding:
     for force, solid in _SOLID.items():
         ours, beams = _tips(force), _BEAMS.get(force)
         for way, name in enumerate(("stiff", "soft")):
-            rows.append(Row(f"tip the {name} way, {force:g} N at 45 deg", "mm", solid[way][1], ours[way][1]))
+            rows.append(PublishedValue(f"tip the {name} way, {force:g} N at 45 deg", "mm", solid[way][1], ours[way][1]))
             if beams:
-                rows.append(Row("the same of their beam elements", "mm", beams[way][1], ours[way][1]))
-            curves.append(PublishedCurve(f"{name}, {force:g} N", _ANGLES, ours[way]))
-            curves.append(
-                PublishedCurve(f"{name}, {force:g} N, solid elements", _ANGLES, solid[way], is_published=True)
-            )
-    return Finding(tuple(rows), PublishedPicture("loading angle [deg]", "displacement of the tip [mm]", tuple(curves)))
+                rows.append(PublishedValue("the same of their beam elements", "mm", beams[way][1], ours[way][1]))
+            curves.append(CaseCurve(f"{name}, {force:g} N", _ANGLES, ours[way]))
+            curves.append(CaseCurve(f"{name}, {force:g} N, solid elements", _ANGLES, solid[way], is_published=True))
+    return Finding(tuple(rows), CasePicture("loading angle [deg]", "displacement of the tip [mm]", tuple(curves)))
 
 
 _BENDS = {300.0: (58.84, 22.33, 40.08), 600.0: (47.23, 15.79, 53.37)}
@@ -105,7 +103,8 @@ def _curved_beam() -> Finding:
         # Our axes are along the chord and across it; theirs along the tangent at the clamp and towards the centre.
         tip = [float(run.fields[axis][-1, -1] - run.fields[axis][-1, 0]) for axis in "xyz"]
         rows += [
-            Row(f"{axis} of the tip, force {force:g}", "", b, a) for axis, a, b in zip("xyz", tip, theirs, strict=True)
+            PublishedValue(f"{axis} of the tip, force {force:g}", "", b, a)
+            for axis, a, b in zip("xyz", tip, theirs, strict=True)
         ]
     return Finding(tuple(rows))
 
@@ -122,12 +121,12 @@ def _spanning() -> Finding:
     runs = answers_of(scene, [{"material.youngs_modulus": 3 * modulus} for modulus in moduli])
     sags = np.array([-run.midpoint[-1] for run in runs]) / filament.thickness
     needed = math.exp(np.interp(-math.log(_LIMIT), -np.log(sags), np.log(moduli)))
-    rows = (Row("G' D^3/(rho g L^4) for a sag of 0.05 D", "", 1.4, needed / unit, band=(1.35, 1.45)),)
+    rows = (PublishedValue("G' D^3/(rho g L^4) for a sag of 0.05 D", "", 1.4, needed / unit, band=(1.35, 1.45)),)
     curves = (
-        PublishedCurve("runs", (moduli / unit).tolist(), sags.tolist()),
-        PublishedCurve("their rule", (1.4,), (_LIMIT,), is_published=True),
+        CaseCurve("runs", (moduli / unit).tolist(), sags.tolist()),
+        CaseCurve("their rule", (1.4,), (_LIMIT,), is_published=True),
     )
-    return Finding(rows, PublishedPicture("G' D^3/(rho g L^4)", "sag/D", curves, is_log_x=True, is_log_y=True))
+    return Finding(rows, CasePicture("G' D^3/(rho g L^4)", "sag/D", curves, is_log_x=True, is_log_y=True))
 
 
 RUNS = {

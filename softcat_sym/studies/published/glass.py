@@ -9,11 +9,11 @@ import numpy as np
 
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.published.case import (
+    CaseCurve,
+    CasePicture,
     Finding,
     Floats,
-    PublishedCurve,
-    PublishedPicture,
-    Row,
+    PublishedValue,
     answer_of,
     answers_of,
     published_scene,
@@ -94,14 +94,14 @@ def _softens(name: str) -> Finding:
     found = softening(glass)
     decades = float(np.log10(glass.viscosity(found.fibre)))
     rows = (
-        Row("softening point", "C", glass.softens, found.at, is_absolute=True),
-        Row("log10 of the viscosity there [Pa s]", "", 6.75, decades, band=(6.5, 7.0), is_absolute=True),
+        PublishedValue("softening point", "C", glass.softens, found.at, is_absolute=True),
+        PublishedValue("log10 of the viscosity there [Pa s]", "", 6.75, decades, band=(6.5, 7.0), is_absolute=True),
     )
     curves = (
-        PublishedCurve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
-        PublishedCurve("softening point by the run", (found.at,), (1.0,), is_published=True),
+        CaseCurve("fibre", found.furnace[5:].tolist(), (6e4 * found.speed[5:]).tolist()),
+        CaseCurve("softening point by the run", (found.at,), (1.0,), is_published=True),
     )
-    picture = PublishedPicture("furnace [C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
+    picture = CasePicture("furnace [°C]", "growth [mm/min]", curves, is_log_y=True, published_x=glass.softens)
     return Finding(rows, picture)
 
 
@@ -121,16 +121,16 @@ def _beam() -> Finding:
     first = gravity * filament.span**3 * _WEIGHT / (viscosity * second * (loaded - bare))
     other = gravity * filament.span**3 * own / (viscosity * second * first * bare)
     rows = (
-        Row("constant of the weight in mu = g L^3/(2.4 I v) (M + rho A L/1.6)", "", 2.4, first),
-        Row("constant of the bar's own weight in it", "", 1.6, other),
+        PublishedValue("constant of the weight in mu = g L^3/(2.4 I v) (M + rho A L/1.6)", "", 2.4, first),
+        PublishedValue("constant of the bar's own weight in it", "", 1.6, other),
     )
     masses = np.array([0.0, _WEIGHT])
     line = gravity * filament.span**3 / (2.4 * second * viscosity) * (masses + own / 1.6)
     curves = (
-        PublishedCurve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
-        PublishedCurve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
+        CaseCurve("runs", (1e3 * masses).tolist(), [1e6 * bare, 1e6 * loaded]),
+        CaseCurve("ASTM C598", (1e3 * masses).tolist(), (1e6 * line).tolist(), is_published=True),
     )
-    return Finding(rows, PublishedPicture("weight at midspan [g]", "speed of the midpoint [um/min]", curves))
+    return Finding(rows, CasePicture("weight at midspan [g]", "speed of the midpoint [µm/min]", curves))
 
 
 RUNS = {

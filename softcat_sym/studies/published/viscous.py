@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from softcat_sym.studies.published.case import (
+    CaseCurve,
+    CasePicture,
     Finding,
-    PublishedCurve,
-    PublishedPicture,
-    Row,
+    PublishedValue,
     answer_of,
     answers_of,
     published_scene,
@@ -29,15 +29,15 @@ def _thinning() -> Finding:
     by_force = force / (2 * np.pi * surface * radius)
     thin = radius / radius[0]
     rows = (
-        Row("X = F/(2 pi gamma R), from the force", "", 0.7127, float(by_force[-1])),
-        Row("X from the speed of thinning, (2 X - 1) gamma/(6 mu)", "", 0.7127, float(by_speed[-2])),
+        PublishedValue("X = F/(2 pi gamma R), from the force", "", 0.7127, float(by_force[-1])),
+        PublishedValue("X from the speed of thinning, (2 X - 1) gamma/(6 mu)", "", 0.7127, float(by_speed[-2])),
     )
     later = slice(10, -1)
     curves = (
-        PublishedCurve("X from the force", thin[later].tolist(), by_force[later].tolist()),
-        PublishedCurve("X from the speed", thin[later].tolist(), by_speed[later].tolist()),
+        CaseCurve("X from the force", thin[later].tolist(), by_force[later].tolist()),
+        CaseCurve("X from the speed", thin[later].tolist(), by_speed[later].tolist()),
     )
-    return Finding(rows, PublishedPicture("R/R at the start", "X", curves, is_log_x=True, published_y=0.7127))
+    return Finding(rows, CasePicture("R/R at the start", "X", curves, is_log_x=True, published_y=0.7127))
 
 
 _DIAMETERS, _VISCOSITIES = (1e-3, 1.4e-3, 2e-3, 2.8e-3), (9.7, 97.0, 970.0)
@@ -65,10 +65,10 @@ def _shapes() -> Finding:
             thickness, X = run.fields["thickness"][frame], run.cells / scene.filament.span
             found.append(float(np.interp(0.0, X, thickness) / np.interp(0.3, X, thickness)))
         shapes.append(found)
-        curves.append(PublishedCurve(f"{viscosity:g} Pa·s", [1e3 * d for d in _DIAMETERS], found))
+        curves.append(CaseCurve(f"{viscosity:g} Pa·s", [1e3 * d for d in _DIAMETERS], found))
     spread = np.ptp(np.array(shapes), axis=0) / np.mean(shapes, axis=0)
-    row = Row("shape at a sag of 0.4 L, largest over smallest", "", 1.0, 1 + float(spread.max()))
-    picture = PublishedPicture("diameter [mm]", "thickness, X = 0 over X = 0.3 L", tuple(curves))
+    row = PublishedValue("shape at a sag of 0.4 L, largest over smallest", "", 1.0, 1 + float(spread.max()))
+    picture = CasePicture("diameter [mm]", "thickness, X = 0 over X = 0.3 L", tuple(curves))
     return Finding((row,), picture)
 
 
@@ -76,13 +76,13 @@ def _cube_root() -> Finding:
     run = answer_of(published_scene("viscous-string"))
     time, sag = run.data["time"].values[10:], -run.data["midpoint"].values[10:] / run.scene.filament.span
     exponent = np.polyfit(np.log(time), np.log(sag), 1)[0]
-    rows = (Row("exponent of the sag in time", "", 1 / 3, float(exponent)),)
+    rows = (PublishedValue("exponent of the sag in time", "", 1 / 3, float(exponent)),)
     law = sag[-1] * (time[::15] / time[-1]) ** (1 / 3)
     curves = (
-        PublishedCurve("run", time.tolist(), sag.tolist()),
-        PublishedCurve("t^(1/3) through its end", time[::15].tolist(), law.tolist(), is_published=True),
+        CaseCurve("run", time.tolist(), sag.tolist()),
+        CaseCurve("t^(1/3) through its end", time[::15].tolist(), law.tolist(), is_published=True),
     )
-    return Finding(rows, PublishedPicture("time in eta/(rho g L)", "sag/L", curves, is_log_x=True, is_log_y=True))
+    return Finding(rows, CasePicture("time in eta/(rho g L)", "sag/L", curves, is_log_x=True, is_log_y=True))
 
 
 RUNS = {"sachsenheimer": _thinning, "zylstra": _shapes, "brochard": _cube_root}

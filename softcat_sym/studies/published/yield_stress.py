@@ -6,7 +6,7 @@ import importlib
 import math
 
 from softcat_sym.fitting.flow_curve import FlowCurve, fit_flow_curve
-from softcat_sym.studies.published.case import Finding, PublishedCurve, PublishedPicture, Row, published_scene
+from softcat_sym.studies.published.case import CaseCurve, CasePicture, Finding, PublishedValue, published_scene
 
 _YIELDS, _FLOWS = 100.0, 10.0
 """Shear yield stress [Pa] and shear viscosity [Pa s] of the scene."""
@@ -15,13 +15,13 @@ _YIELDS, _FLOWS = 100.0, 10.0
 def _elongational() -> Finding:
     material = published_scene("shear-data").material
     ratio = (material.yield_stress or 0.0) / _YIELDS
-    return Finding((Row("elongational over shear yield stress", "", math.sqrt(3), ratio),))
+    return Finding((PublishedValue("elongational over shear yield stress", "", math.sqrt(3), ratio),))
 
 
 def _trouton() -> Finding:
     material = published_scene("shear-data").material
     ratio = (material.viscosity or 0.0) / _FLOWS
-    return Finding((Row("viscous traction over viscosity", "", 3.0, ratio),))
+    return Finding((PublishedValue("viscous traction over viscosity", "", 3.0, ratio),))
 
 
 _GLASSES = {"mason1996_fig5": 0.58}
@@ -40,13 +40,13 @@ def _flow_curves() -> Finding:
             if name in _GLASSES:
                 flows = float(str(sample).removeprefix("phi_")) < _GLASSES[name]
             as_said.append(yields is not flows)
-            curves.append(PublishedCurve(f"{name} {sample}", rate.tolist(), stress.tolist(), is_published=True))
+            curves.append(CaseCurve(f"{name} {sample}", rate.tolist(), stress.tolist(), is_published=True))
     number = float(len(as_said))
-    row = Row(
+    row = PublishedValue(
         "curves with a yield stress or without, as their authors say", "", number, float(sum(as_said)),
         band=(number, number), is_absolute=True,
     )  # fmt: skip
-    picture = PublishedPicture("shear rate [s⁻¹]", "shear stress [Pa]", tuple(curves), is_log_x=True, is_log_y=True)
+    picture = CasePicture("shear rate [s⁻¹]", "shear stress [Pa]", tuple(curves), is_log_x=True, is_log_y=True)
     return Finding((row,), picture)
 
 

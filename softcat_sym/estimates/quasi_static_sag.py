@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import scaling_estimates as scales
+from softcat_sym.estimates import scaling as scales
 from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_free_length, undeformed_area
 
 Floats = npt.NDArray[np.float64]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import quasi_static_sag as quasi_static
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.effect import Motion
-from softcat_sym.effects.free_vibration import ExpectedRinging, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates import quasi_static_sag as quasi_static
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.free_vibration import ExpectedRinging, ringing, solid_decay, solid_retardation
+from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
     Scene,
@@ -23,7 +24,7 @@ from softcat_sym.scene.scene import (
     rest_length,
     undeformed_area,
 )
-from softcat_sym.scene.tables import farthest
+from softcat_sym.scene.tables import farthest, unsupported
 
 
 def shaken_share(scene: Scene) -> float:
@@ -217,8 +218,13 @@ _KINKED = 0.1
 
 
 def forecast(scene: Scene) -> Motion:
-    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11)."""
-    return _forecast(scene.without_numerics())
+    """Forecast the motion of a scene by closed forms of beam, cable and string (THEORY 5-7, 11).
+
+    It is that of the filament until it touches anything; over pillars, that of a filament clamped at their walls.
+    """
+    free = unsupported(scene.without_numerics())
+    motion, share = _forecast(free), free.filament.span / scene.filament.span
+    return motion if share == 1 else replace(motion, sag=motion.sag * share, scale=motion.scale * share)
 
 
 @lru_cache(maxsize=256)

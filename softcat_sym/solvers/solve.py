@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from softcat_sym.codegen.structure import Structure, model_for, signature_of, structure_of
+from softcat_sym.codegen.c_model import Structure, model_for, signature_of, structure_of
 from softcat_sym.discretization.assembly import (
     Recorded,
     choose_body,
@@ -22,14 +22,16 @@ from softcat_sym.discretization.assembly import (
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.free_vibration import ringing
-from softcat_sym.physics.terms import Formulation
-from softcat_sym.scene.scene import Scene
+from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.free_vibration import ringing
+from softcat_sym.estimates.scaling import instant_modulus, yield_stress_of
+from softcat_sym.physics.terms import Formulation, Terms
+from softcat_sym.scene.scene import Scene, loaded_from
 from softcat_sym.scene.tables import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
 from softcat_sym.solvers.descent import bounds_of
 from softcat_sym.solvers.initial_state import starting_state
+from softcat_sym.solvers.modal_tail import Conditions
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend
 from softcat_sym.solvers.solution import Interrupted, Progress, Solution
@@ -193,7 +195,8 @@ def prepare(
     start, stride = starting_state(scene, graph, p, statics, newton), 1
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):
-        integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks, bounds)
+        conditions = conditions_of_tail(scene, graph.terms, settings, scale)
+        integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks, bounds, conditions)
     elif len(graph.start) and start is not None:
         # Imported here, as compiled runs do not need CasADi.
         from softcat_sym.solvers.interpreted import Integration
@@ -203,6 +206,16 @@ def prepare(
         integration = Integration(graph, settings, frames, kinks, code, bounds)
     whole = code if isinstance(code, CompiledFilament) else None
     return Prepared(graph, settings, p, times, scale, start, integration, backend, whole, stride)
+
+
+def conditions_of_tail(scene: Scene, terms: Terms, settings: Settings, scale: float) -> Conditions | None:
+    """When the modes of a filament may carry its ringing to the end; None where they never do."""
+    if settings.lasting is None or scene.numerics.tail == "integrate" or terms.changes_in_time:
+        return None
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    strain = float(limit / modulus) if terms.yields and limit and modulus else math.inf
+    begin = loaded_from(scene) / scale
+    return Conditions(settings.lasting / scale, begin, scene.run.accuracy, strain)
 
 
 _PER_PERIOD, _MAX_TIMES = 16.0, 4000

@@ -11,8 +11,7 @@ from functools import lru_cache
 import sympy as sp
 
 from softcat_sym.physics import hardening_rule, loads, sections
-from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.conformation import respond as respond_chains
+from softcat_sym.physics.constitutive_laws import Constant, Law, law_of
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.heat import Heat, heat_of, lateral_area
 from softcat_sym.physics.histories import curing_clock, natural_clock
@@ -26,12 +25,13 @@ from softcat_sym.physics.kinematics import (
     StrainMeasure,
     internal_force,
 )
-from softcat_sym.physics.laws import Constant, Law, law_of
 from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
+from softcat_sym.physics.polymer_chains import ChainResponse
+from softcat_sym.physics.polymer_chains import respond as respond_chains
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import CLOSURES, SectionResponse, SectionShape, respond
-from softcat_sym.physics.structure_parameter import structure_clock
+from softcat_sym.physics.structure_kinetics import structure_clock
 from softcat_sym.physics.surroundings import densities_of
 from softcat_sym.physics.symbols import eta_s, g
 from softcat_sym.physics.terms import Formulation, Rheology, Terms

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from softcat_sym.effects.scaling_estimates import instant_modulus, section_of, surface_stress, yield_stress_of
+from softcat_sym.estimates.scaling import instant_modulus, section_of, surface_stress, yield_stress_of
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.scene import Scene, surface_stretch
 

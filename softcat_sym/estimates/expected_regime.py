@@ -5,12 +5,12 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.quasi_static_sag import load_factor
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.forecast import expected_sag, hinge_pace, overshoot, rebound, ringing_share, shaken_share
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.physics import beams
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.scene.scene import (
@@ -21,7 +21,7 @@ from softcat_sym.scene.scene import (
     is_slack,
     stress_free_length,
 )
-from softcat_sym.scene.tables import farthest
+from softcat_sym.scene.tables import bodies_of, farthest, unsupported
 
 TURNS_BACK = 0.05
 """A filament is underdamped if it springs back by more than this share of its sag, the criterion of finished runs.
@@ -67,6 +67,7 @@ class ExpectedRegime:
     overshoot: float | None = None  # Sag at the first stop, over that depth
     rebound: float | None = None  # Rebound after the first stop, over the sag
     hinge_pace: float | None = None  # Plastic rate at a clamp at the end of the run, over sigma_Y/eta
+    until: str = ""  # Body that it touches first, after which nothing of this holds; empty if it touches none
     near: str = ""  # What it is near the border of, where the rebound does not decide
 
 
@@ -77,9 +78,18 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     threshold it stops: underdamped if it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless
     the hinges at its clamps still flow when the run ends (:data:`HINGES_CREEP`).
 
-    For a material that changes in time, the constants at the end of the run decide.
+    For a material that changes in time, the constants at the end of the run decide. Where something is there to be
+    touched, the regime is that of the filament until then.
     """
-    scene = scene.at(scene.run.duration)
+    sag = expected_sag(scene) * scene.filament.span
+    reached = [body.table_name for body in bodies_of(scene) if 0 < body.room() < sag]
+    found = _regime(unsupported(scene.at(scene.run.duration)), effects)
+    if not reached:
+        return found
+    return replace(found, until=reached[0], reason=f"{found.reason}; until it touches [{reached[0]}]")
+
+
+def _regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     gravity_number = worst_gravity_number(scene)
     if scene.material.spec.is_solid:
         return ExpectedRegime(

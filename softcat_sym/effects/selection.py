@@ -11,16 +11,16 @@ from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.effects.forecast import expected_sag, forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.law import law_in
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.forecast import expected_sag, forecast
+from softcat_sym.estimates.law import law_in
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
@@ -250,6 +250,7 @@ class Effects:
             shaken=False,
             drag="",
             added_mass=False,
+            touches=tuple(replace(one, resists=False) for one in found.touches),
             densities=tuple(one.at_rest for one in found.densities),
         )
 

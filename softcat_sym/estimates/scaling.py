@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from softcat_sym.effects.law import may_have
+from softcat_sym.estimates.law import may_have
 from softcat_sym.physics.beams import Beam, beam_between, beam_on_springs, first_yield, plastic_collapse
 from softcat_sym.physics.cross_sections import CROSS_SECTIONS, CrossSection
 from softcat_sym.scene.scene import Scene, groups_of, is_held, undeformed_area
@@ -237,3 +237,10 @@ def neck_folds(scene: Scene, strain: float) -> float:
     if not viscosity or not yields or scene.material.spec.is_solid:
         return strain
     return strain + stress / viscosity * scene.run.duration
+
+
+def added_mass_ratio(scene: Scene) -> float:
+    """Mass of the surrounding fluid that moves with the filament over the filament's own mass."""
+    filament = scene.filament
+    coefficient = math.pi / 4 * filament.width / filament.thickness if filament.section == "rectangle" else 1.0
+    return coefficient * scene.surroundings.density / filament.density

@@ -11,7 +11,7 @@ from collections.abc import Collection
 
 import sympy as sp
 
-from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.constitutive_laws import Constant
 from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, enter, eta, sigma_Y
 from softcat_sym.physics.time_dependent_constants import Clock, State
 

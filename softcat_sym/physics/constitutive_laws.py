@@ -9,8 +9,8 @@ from typing import cast
 
 import sympy as sp
 
-from softcat_sym.physics import conformation
-from softcat_sym.physics.conformation import Chains
+from softcat_sym.physics import polymer_chains
+from softcat_sym.physics.polymer_chains import Chains
 from softcat_sym.physics.sections import TINY, Section, SectionMeans, quadrature_means
 from softcat_sym.physics.symbols import (
     ONE,
@@ -288,21 +288,21 @@ SYMBOLS = {
     "second_modulus": E_2,
     "viscosity": eta,
     "yield_stress": sigma_Y,
-    "relaxation_time": conformation.relaxation_time,
-    "solvent_viscosity": conformation.solvent_viscosity,
-    "finite_extensibility": conformation.extensibility,
-    "mobility": conformation.mobility,
-    "ptt_epsilon": conformation.destruction,
+    "relaxation_time": polymer_chains.relaxation_time,
+    "solvent_viscosity": polymer_chains.solvent_viscosity,
+    "finite_extensibility": polymer_chains.extensibility,
+    "mobility": polymer_chains.mobility,
+    "ptt_epsilon": polymer_chains.destruction,
 }
 """Symbols of constants by the names of the scene."""
 SHARED = (E, eta, sigma_Y)
 """Constants that every filament has."""
 
 CHAINS = {
-    "oldroyd-b": conformation.OLDROYD_B,
-    "fene-p": conformation.FENE_P,
-    "giesekus": conformation.GIESEKUS,
-    "ptt": conformation.PTT,
+    "oldroyd-b": polymer_chains.OLDROYD_B,
+    "fene-p": polymer_chains.FENE_P,
+    "giesekus": polymer_chains.GIESEKUS,
+    "ptt": polymer_chains.PTT,
 }
 
 

@@ -9,9 +9,9 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.effects import scaling_estimates as scales
-from softcat_sym.effects.added_mass import mass_ratio
-from softcat_sym.effects.discrete_filament import (
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.discrete_filament import (
     Configuration,
     DeformedElements,
     Elements,
@@ -20,10 +20,10 @@ from softcat_sym.effects.discrete_filament import (
     turns_by,
     unstrained,
 )
-from softcat_sym.effects.initial_stress import initial_strain
-from softcat_sym.effects.law import may_have
-from softcat_sym.effects.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
-from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.law import may_have
+from softcat_sym.estimates.quasi_static_sag import elastic_sag_under, retardation, slackness, solvent_lag
+from softcat_sym.estimates.scaling import added_mass_ratio
 from softcat_sym.physics.beams import ARREST_THRESHOLD
 from softcat_sym.physics.cross_sections import PLANE_STRAIN
 from softcat_sym.scene.dimensions import is_spatial
@@ -256,7 +256,7 @@ def _elements(scene: Scene, modulus: float, natural: Configuration, begin: Confi
         bending=bending,
         natural=angles,
         mass=mass,
-        mass_across=mass * (1 + may_have(scene, "added-mass") * mass_ratio(scene)),
+        mass_across=mass * (1 + may_have(scene, "added-mass") * added_mass_ratio(scene)),
         inertia=mass * section.gyration * (square + across),
         attached=attached,
         force=force,

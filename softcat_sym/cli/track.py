@@ -1,0 +1,95 @@
+"""``softcat track``: midpoint, thickness and shapes of a strand in a film, for ``softcat fit``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from softcat_sym import drawing
+from softcat_sym.cli import application as cli
+from softcat_sym.lazy import lazy_imports
+from softcat_sym.progress import StudyDisplay
+
+with lazy_imports():
+    from softcat_sym import files
+    from softcat_sym.tracking import track as tracking
+
+_NUMBERS = "write numbers separated by commas, such as {}"
+
+
+def track(
+    film: Annotated[
+        Path,
+        typer.Argument(metavar="FILM", help="A film, a TIFF stack, or a folder of pictures in the order of names."),
+    ],
+    scale: Annotated[
+        str,
+        cli.option(
+            "WHAT=LENGTH",
+            "Scale: 'span=50 mm' (distance of the supports), 'pixel=20 um', or 'needle@x0,x1,y0,y1=1.2 mm' (width of a "
+            "bar in a region).",
+        ),
+    ],
+    output: Annotated[
+        Path | None, cli.output_option("softcat-out/FILM-track", "Folder for the files, or the CSV file among them.")
+    ] = None,
+    shapes: Annotated[
+        int, cli.option("N", "Points of whole shapes to write for each frame, instead of the midpoint.", min=0, max=11)
+    ] = 0,
+    roi: Annotated[cli.Text, cli.option("X0,X1,Y0,Y1", "Part of the picture: its columns and rows.")] = None,
+    supports: Annotated[
+        cli.Text, cli.option("X0,X1", "Columns of the supports' edges, in that part; found by default.")
+    ] = None,
+    release: Annotated[
+        cli.Text, cli.option("FRAME|TIME", "Frame or time ('0.35 s') of the release; found to half a frame by default.")
+    ] = None,
+    fps: Annotated[
+        cli.Number, cli.option("NUMBER", "Frames a second; by default the times of the file. Pictures need it.")
+    ] = None,
+    dark: Annotated[
+        bool | None,
+        typer.Option("--dark/--light", help="Whether the strand is darker than the background; else found."),
+    ] = None,
+    vertical: Annotated[bool, cli.switch("Turn the picture by 90 degrees: the strand hangs.", "--vertical")] = False,
+    every: Annotated[int, cli.option("N", "Read every so many frames.", min=1)] = 1,
+    no_flatten: Annotated[bool, cli.switch("Leave uneven light in.", "--no-flatten")] = False,
+    overlay: Annotated[bool, cli.switch("Also write overlay.mp4, every frame with its edges.", "--overlay")] = False,
+    quiet: cli.QuietOption = False,
+) -> None:
+    """Track a strand through a film: midpoint and thickness over time, with errors.
+
+    DIR gets track.csv as softcat fit reads it, refused.csv, track.json, track.png, and the first, middle, last and
+    worst frame with the edges that were found. Exit status 1 if more frames were refused than read.
+    """
+    table = "track.csv"
+    if output is not None and output.suffix.lower() == ".csv":
+        output, table = output.parent, output.name
+    output = cli.output_directory(output, "track", film.stem or film.resolve().name)
+    edges = None if supports is None else _numbers(supports, 2, "--supports", "35,285")
+    region = None if roi is None else [int(one) for one in _numbers(roi, 4, "--roi", "0,640,100,400")]
+    with files.new_folder(output), StudyDisplay(quiet=quiet) as progress:
+        progress.stage("tracking")
+        found = tracking.track(
+            film, scale, region=region, supports=None if edges is None else (edges[0], edges[1]), release=release,
+            fps=fps, dark=dark, vertical=vertical, every=every, flatten=not no_flatten, progress=progress,
+        )  # fmt: skip
+        progress.stage("drawing")
+        report = drawing.report(found, table=table, points=shapes, overlay=overlay)
+        written = report.write(output)
+    cli.present(report, written, output, quiet=quiet)
+    if not found.is_trusted:
+        cli.print_error(f"{len(found.refused)} frames refused, {found.number.size} read: see refused.csv")
+        raise typer.Exit(cli.UNTRUSTED)
+
+
+def _numbers(text: str, count: int, name: str, example: str) -> list[float]:
+    """Read numbers separated by commas."""
+    try:
+        numbers = [float(part) for part in text.split(",")]
+        if len(numbers) != count:
+            raise ValueError
+    except ValueError:
+        raise typer.BadParameter(f"{text!r}: {_NUMBERS.format(example)}", param_hint=name) from None
+    return numbers

@@ -1,0 +1,99 @@
+"""A material from a rheometer's files: picture of the tests, table of the constants."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from softcat_sym import drawing
+from softcat_sym.drawing import Report
+from softcat_sym.fitting.flow_curve import FlowCurveFit
+from softcat_sym.fitting.rheometer import Constant, RheometerMaterial, RheometerTest
+from softcat_sym.plotting import style
+from softcat_sym.plotting.terminal import TextTable
+from softcat_sym.plotting.units import significant, typeset
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from softcat_sym.scene.scene import Scene
+
+_AXES = {
+    "strain": "strain amplitude",
+    "angular_frequency": "angular frequency [rad/s]",
+    "time": "time [s]",
+}
+
+
+@drawing.plot.register(RheometerMaterial)
+def material_figure(material: RheometerMaterial) -> Figure:
+    """Draw each test with what was fitted to it, side by side."""
+    count = len(material.tests)
+    below = "points: measured; lines: fitted; dashed: stresses or times that were read off"
+    with style.styled():
+        figure, body = style.sheet("Material from a rheometer", below, height=3.6)
+        panels = np.atleast_1d(body.subplots(1, count))
+        for axes, test in zip(panels, material.tests, strict=True):
+            _draw_curve(axes, test) if isinstance(test, FlowCurveFit) else _draw_test(axes, test)
+            axes.margins(x=0.04)
+            axes.grid(True)
+    return figure
+
+
+def _draw_curve(axes: Axes, fit: FlowCurveFit) -> None:
+    rate = fit.curve.shear_rate
+    dense = np.geomspace(rate.min(), rate.max(), 200)
+    axes.loglog(rate, fit.curve.shear_stress, "o", color=style.BLACK, markersize=3.5)
+    axes.loglog(dense, fit.best.stress(dense), color=style.VERMILLION)
+    axes.set(title=f"flow curve: {fit.best.law}", xlabel="shear rate [s⁻¹]", ylabel="shear stress [Pa]")
+
+
+def _draw_test(axes: Axes, test: RheometerTest) -> None:
+    at = test.table[test.swept].to_numpy()
+    shown = {"storage_modulus": ("G'", style.BLUE), "loss_modulus": ("G''", style.GREY), "viscosity": ("η", style.BLUE)}
+    for name, (label, color) in shown.items():
+        if name in test.table:
+            axes.plot(at, test.table[name], "o", color=color, markersize=3.5, label=label)
+    if test.curve is not None:
+        dense = np.linspace(at[0], at[-1], 400) if test.kind == "recovery" else np.geomspace(at.min(), at.max(), 200)
+        axes.plot(dense, test.curve(dense), color=style.VERMILLION)
+    limit = test.found.get("strain_linear")
+    if limit is not None:
+        axes.axvline(limit.value, color=style.GREY, linestyle="--", linewidth=0.9)
+    scale = "linear" if test.kind == "recovery" else "log"
+    axes.set(title=test.kind, xlabel=_AXES[test.swept], ylabel="modulus [Pa]", xscale=scale, yscale="log")
+    axes.legend(loc="best")
+
+
+def _rows(constants: tuple[Constant, ...]) -> list[tuple[str, str, str, str]]:
+    rows = []
+    for one in constants:
+        interval = one.estimate.interval
+        span = "–" if interval is None else f"{significant(interval[0])} to {significant(interval[1])}"
+        unit = f" {typeset(one.unit)}" if one.unit else ""
+        rows.append((one.key.replace("_", " "), f"{significant(one.estimate.value)}{unit}", span, one.source))
+    return rows
+
+
+def material_table(material: RheometerMaterial) -> Table:
+    """A row for each constant with its 95 % interval and source: those of the scene first, then what is told."""
+    rows = [*_rows(material.constants), *_rows(material.told)]
+    kinds = ["scene"] * len(material.constants) + ["told"] * len(material.told)
+    table = TextTable(("constant, in shear", "value", "95 % interval", "from"), rows, kinds=kinds)
+    return table.printed("Material", "dim: not in material.toml", whole=[0, 1], styles={"told": "dim"})
+
+
+@drawing.report.register(RheometerMaterial)
+def material_report(material: RheometerMaterial, scene: Scene | None = None) -> Report:
+    """The constants, what is missing and warnings; with the scene that gets the material."""
+    files = {
+        "material.toml": material.to_toml(),
+        "material.json": material.to_dict,
+        "material.png": partial(material_figure, material),
+        "scene.toml": None if scene is None else scene.to_toml,
+    }
+    return Report(files, [material_table(material), *material.text])
