@@ -25,7 +25,7 @@ from matplotlib.transforms import Bbox
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym import plotting
+from softcat_sym import drawing, plotting
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,

@@ -42,23 +42,6 @@ def test_estimates_are_right_within_a_factor_of_three(which: str | int) -> None:
     assert LEAST <= true / total <= MOST or max(true, total) < nothing
 
 
-<<<<<<< HEAD
-BENT = {
-    "filament": {"span": "0.1 m", "diameter": "4 mm", "density": "1200 kg/m^3"},
-    "ends": {"right": "free"},
-    "run": {"duration": "2 s", "frames": 41},
-}
-ASIDE: dict[str, dict[str, dict[str, object]]] = {
-    "viscous, pulled aside": {
-        "material": {"law": "newtonian", "viscosity": "2e4 Pa*s"},
-        "load": {"tip_force": ["0 N", "0 N", "2e-3 N"]},
-    },
-    "a Maxwell helix": {
-        "filament": {**BENT["filament"], "curvature": "8 1/m", "twist": "6 1/m"},
-        "material": {"law": "maxwell", "youngs_modulus": "0.5 MPa", "viscosity": "2e5 Pa*s"},
-    },
-}
-=======
 @pytest.mark.parametrize("number", [3, 5, 7])
 def test_modes_end_where_the_integrated_run_does(number: int) -> None:
     """A ceramic and a gel that never yield, and a chocolate that grazes its yield surface for fifty periods."""
@@ -91,4 +74,3 @@ def test_modes_end_where_the_integrated_run_does(number: int) -> None:
     )
     assert apart.size < scene.run.accuracy / 10
     assert steps["auto"] < steps["integrate"] / 5
->>>>>>> tail
