@@ -296,6 +296,8 @@ def _with_run_outcome(found: Fit) -> Fit:
 
 # Corrections of the modulus to match a frequency, which scales with a power of it between 1/3 and 1/2.
 _TUNINGS = 2
+# Relative error of a frequency beyond which values of the modulus are tried instead, at these logarithmic distances.
+_CLEAR, _SCAN = 0.03, np.linspace(-1.0, 1.0, 21)
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
 # Share of its distance from the optimum that a stuck search may keep with smaller time steps.
 _HELPFUL = 0.8
@@ -529,6 +531,14 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, task: _Task) -> lis
     return [*starts, own]
 
 
+def _scanned(problem: FilamentProblem, start: Floats, column: int) -> Floats:
+    """The best of several values of one unknown, closer to each other than the optima of a film that rings for long."""
+    trials = np.repeat(start[None, :], _SCAN.size, axis=0)
+    trials[:, column] = np.clip(start[column] + _SCAN, problem.lower[column], problem.upper[column])
+    squares = [float(np.sum(problem.residuals(q) ** 2)) for q in trials]
+    return np.asarray(trials[int(np.argmin(np.where(np.isfinite(squares), squares, np.inf)))])
+
+
 def _tuned_to_frequency(
     problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
 ) -> Floats | None:
@@ -540,6 +550,8 @@ def _tuned_to_frequency(
     if column is None or number is None:
         return None
     film, seen, q = problem.films[number], features[number], start.copy()
+    if seen is not None and (seen.frequency.error or 0.0) > _CLEAR * (seen.frequency.value or math.inf):
+        return _scanned(problem, start, column)
     for _ in range(_TUNINGS):
         count, heights = film.series.time.size, film.values(q)
         if not np.isfinite(heights).all():
