@@ -16,8 +16,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.compiled]
 
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5)
 REFERENCE = 1e-7
-NOTHING = 1e-6
-"""Error that is as small as the reference's."""
+NOTHING = 1e-5
+"""Error below which it is chance where a step meets the time at which a fibre yields."""
 # Creeping to rest at the yield stress, flowing on, swinging with a loss: what the method and its tolerances differ by.
 SCENES = (
     *("arrested-overdamped", "ink-bridge", "printed-lintel", "continual-descent", "bread-dough", "cold-honey"),
