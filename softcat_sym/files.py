@@ -59,7 +59,7 @@ def write_results(directory: str | Path, contents: Mapping[str, object]) -> list
     encoded = {Path(directory) / name: _encoded(content) for name, content in made_now if content is not None}
     with ExitStack() as folders, written_together():
         for folder in dict.fromkeys(path.parent for path in encoded):
-            folders.enter_context(made(folder))
+            folders.enter_context(new_folder(folder))
         return [replace_atomically(path, content) for path, content in encoded.items()]
 
 
@@ -105,7 +105,7 @@ def finite(value: Any) -> Any:
 
 
 @contextmanager
-def made(directory: str | Path) -> Iterator[Path]:
+def new_folder(directory: str | Path) -> Iterator[Path]:
     """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again."""
     folder = Path(directory)
     missing = [place for place in (folder, *folder.parents) if not place.exists()]
@@ -133,8 +133,8 @@ def named(path: Path) -> Iterator[None]:
 
 
 def folder_of(file: Path | None) -> AbstractContextManager[object]:
-    """As :func:`made`, the folder that a file will be in; nothing for none."""
-    return nullcontext() if file is None else made(file.parent)
+    """As :func:`new_folder`, the folder that a file will be in; nothing for none."""
+    return nullcontext() if file is None else new_folder(file.parent)
 
 
 @contextmanager

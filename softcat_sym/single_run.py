@@ -26,7 +26,7 @@ _MIN_CELLS = 8
 TRIES, TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
 
-OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
+STEP_SIZE_OUTCOMES = (Outcome.energy_drift, Outcome.non_finite)
 """Outcomes that shorter steps may cure."""
 
 
@@ -77,7 +77,7 @@ def run_once(
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
         # CasADi's Rosenbrock method does not say whether a stage was undefined.
         undefined = trajectory.outcome is Outcome.no_convergence and not prepared.backend.compiled
-        too_long = undefined or trajectory.outcome in OF_A_STEP_TOO_LONG
+        too_long = undefined or trajectory.outcome in STEP_SIZE_OUTCOMES
         if not too_long or scene.numerics.rtol is not None or not left:
             break
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is

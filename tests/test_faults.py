@@ -19,7 +19,7 @@ import xarray as xr
 
 from softcat_sym import cache, store
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, made, replace_atomically, write_results, written_together
+from softcat_sym.files import fill_atomically, new_folder, replace_atomically, write_results, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.reference.element_loop import write_checkpoint
 from softcat_sym.results.netcdf import netcdf_file
@@ -177,10 +177,10 @@ def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path
 
 
 def test_a_folder_into_which_nothing_came_goes_again(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), made(tmp_path / "deep" / "er"):
+    with pytest.raises(KeyboardInterrupt), new_folder(tmp_path / "deep" / "er"):
         raise KeyboardInterrupt
     assert list(tmp_path.iterdir()) == []
-    with pytest.raises(KeyboardInterrupt), made(tmp_path):
+    with pytest.raises(KeyboardInterrupt), new_folder(tmp_path):
         raise KeyboardInterrupt
     assert tmp_path.is_dir(), "what was there stays"
 

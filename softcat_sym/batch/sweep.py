@@ -45,7 +45,7 @@ from softcat_sym.batch.worker import MemberRun, RowWork, shared_by
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.files import fill_atomically, made, named, written_together
+from softcat_sym.files import fill_atomically, named, new_folder, written_together
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import observed_motion, time_to_share
 from softcat_sym.results.netcdf import netcdf_file
@@ -53,7 +53,7 @@ from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import simulated, without_estimate
-from softcat_sym.single_run import OF_A_STEP_TOO_LONG
+from softcat_sym.single_run import STEP_SIZE_OUTCOMES
 from softcat_sym.solvers.solution import watched
 
 SHAPE_FRAMES, SHAPE_NODES = 21, 41
@@ -122,7 +122,7 @@ class SweepWork(RowWork):
             return self._simulated(scene)
         run = self.run(self.reference.refine(member))
         resolution = resolution_of(run.member, run.prepared)
-        too_long = run.outcome in OF_A_STEP_TOO_LONG and scene.numerics.rtol is None
+        too_long = run.outcome in STEP_SIZE_OUTCOMES and scene.numerics.rtol is None
         if too_long or _has_missing_effect(run):
             # A rare case: a single run would be repeated here, so the member is repeated as one, one at a time.
             with shared_by(self.scene).structures.alone():
@@ -411,7 +411,7 @@ def run_sweep(plan: SweepPlan, directory: Path, where: Where, progress: MembersP
     begun = time.perf_counter()
     _refuse_plan(plan)
     with (
-        made(directory),
+        new_folder(directory),
         named(directory / STORE),
         tempfile.TemporaryFile(dir=directory) as passing,  # without a name it vanishes however the program ends
         watched(),

@@ -265,7 +265,7 @@ def interrupted(left: str) -> typer.Exit:
 @contextlib.contextmanager
 def study(output: Path, *, fresh: bool) -> Iterator[None]:
     """Make DIR, and use finished runs from the store unless `fresh`; after Ctrl-C print how to resume."""
-    with store.fresh(fresh), files.made(output):
+    with store.fresh(fresh), files.new_folder(output):
         try:
             yield
         except KeyboardInterrupt:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli import application as cli
-from softcat_sym.files import made
+from softcat_sym.files import new_folder
 from softcat_sym.lazy import lazy_imports
 from softcat_sym.progress import MembersBar
 
@@ -49,7 +49,7 @@ def figures(
     waiting = list(wanted)
     try:
         while waiting:
-            with store.fresh(fresh), made(output):
+            with store.fresh(fresh), new_folder(output):
                 report = _draw(waiting[0], output, filmed, quiet)
                 written = report.write(output)
             waiting.pop(0)

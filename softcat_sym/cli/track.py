@@ -82,7 +82,7 @@ def track(
         report = drawing.report(strand, table=table)
         cli.present(report, report.write(output), output, quiet=quiet)
         return
-    with files.made(output), StudyDisplay(quiet=quiet) as progress:
+    with files.new_folder(output), StudyDisplay(quiet=quiet) as progress:
         progress.stage("tracking")
         found = tracking.track(
             film, scale, region=region, supports=None if edges is None else (edges[0], edges[1]), release=release,

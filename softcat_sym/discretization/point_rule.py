@@ -47,7 +47,7 @@ def warping_rule(across: int, beside: int, aspect: float) -> SectionRule:
     (y, share_y), (z, share_z) = (np.polynomial.legendre.leggauss(count) for count in (across, beside))
     Y, Z = (part.ravel() for part in np.meshgrid(y, aspect * z, indexing="ij"))
     weight = np.outer(share_y, share_z).ravel() / 4
-    # (phi_Z, -phi_Y) of phi = 1 - Y^2 - sum a_n cos(k_n Y) cosh(k_n Z)/cosh(k_n s), lap phi = -2, zero on the edge
+    # (phi_Z, -phi_Y) of phi = 1 - Y^2 - sum a_n cos(k_n Y) cosh(k_n Z)/cosh(k_n s), lap phi = -2, zero on the edge.
     term = np.arange(_TERMS)[:, None]
     k = (2 * term + 1.0) * np.pi / 2
     a = 4 / k**3 * (-1.0) ** term

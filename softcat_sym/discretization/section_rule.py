@@ -213,7 +213,7 @@ def shown_of_section(points: dict[str, Floats], rule: SectionRule) -> dict[str, 
         axial = kinds.pop("axial")
         slope = rule.weight * rule.zeta / float(rule.weight @ rule.zeta**2)
         # Limits in zeta of what does not yield, between the fibres that do on either side and those that do not. Where
-        # the whole thickness yields both limits have met on the opposite faces: they are put together
+        # the whole thickness yields both limits have met on the opposite faces: they are put together.
         edges = np.concatenate([[-1.0], (rule.zeta[1:] + rule.zeta[:-1]) / 2, [1.0]])
         widths = np.diff(edges)
         low = -1 + _yielded_from_face(widths, yields)

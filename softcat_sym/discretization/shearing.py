@@ -85,7 +85,7 @@ def shearing(b: Builder, rule: SectionRule, section: SampledSection) -> Mechanic
     if surface and not rule.is_spatial:
         shown["axial_force"] = sum((f[0] * t for f, t in zip(force, slope, strict=True)), ca.SX(0)) / stretch[0]
     if isinstance(frame, Quaternion):
-        # What a run stores of the cells beside what it stores in the plane
+        # What a run stores of the cells beside what it stores in the plane.
         Lam, _, third, twist, k_2, _ = strains
         mean, bending, *_ = points.means.values()
         shown |= {

@@ -263,7 +263,7 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     """
     refuse_tables(scene)
     # Estimate of each effect that applies, by its name. For a material that changes in time, the largest of its
-    # beginning, middle and end
+    # beginning, middle and end.
     stages, sag = [(one, forecast(one)) for one in scene.stages()], expected_sag(scene) * scene.filament.span
     estimates = {
         effect.name: max((effect.estimate(*stage) for stage in stages), key=lambda found: found.value).seen(sag)

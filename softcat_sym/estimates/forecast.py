@@ -135,7 +135,7 @@ def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity:
     if largest == 0 or gravity == 0 or len(time) < 2:
         return 0.0
     moved = np.abs(sag - sag[0])
-    # Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries
+    # Largest product of sag and acceleration over gravity [m], the share of the load that inertia carries.
     if len(time) < 3:
         slow = 0.0
     else:
@@ -244,7 +244,7 @@ def _forecast(scene: Scene) -> Motion:
     moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
     moved = moved or any(scene.load.tip_torque)
     sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
-    # Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall
+    # Largest speed of the midpoint [m/s]: of the growing sag and of the ringing, at most that of free fall.
     span = scene.filament.span
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
     ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import fill_atomically, made, replace_atomically, written_together
+from softcat_sym.files import fill_atomically, new_folder, replace_atomically, written_together
 from softcat_sym.reference.elements import ElementField, ElementRun, element_fields, strip_of
 from softcat_sym.results.fields import VARIABLES, variable_of
 
@@ -113,7 +113,7 @@ def _written(folder: Path, series: str, meshes: Iterable[Mesh], count: int) -> l
     import meshio
 
     digits, written, rows = max(2, len(str(count - 1))), list[Path](), ""
-    with made(folder), written_together():
+    with new_folder(folder), written_together():
         for number, (time, nodes, cells, points, fields) in enumerate(meshes):
             mesh = meshio.Mesh(nodes, [cells], point_data=points, cell_data=fields)
             path = folder / f"{Path(series).stem}-{number:0{digits}d}.vtu"

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-import numpy as np
-import numpy.typing as npt
-
+from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import Number, Quantity
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+with lazy_imports():
+    import numpy as np
 
 _AUTO, _NONE, _STICK = "auto", "none", "stick"
 

@@ -235,7 +235,7 @@ def _bounds(operation: str, one: Interval, other: Interval = (0.0, 0.0)) -> Inte
             least = 0.0 if a <= 0 <= b else min(abs(a), abs(b))
             return _compute(operation, (least,)), _compute(operation, (max(abs(a), abs(b)),))
         case "sin" | "cos":
-            # Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them
+            # Bounds of a sine or cosine, whose crests are 2 pi apart and whose troughs lie between them.
             crest = 0.5 * math.pi if operation == "sin" else 0.0
             if not b - a < 2 * math.pi:
                 return -1.0, 1.0

@@ -257,7 +257,7 @@ def read_formula(text: str, wanted: Dimension) -> History:
 
 
 class Changing(Kind):
-    """What may change in time, as a kind before that of its value: a float, or a `History` of such floats."""
+    """Mixin of a kind of number that may change in time: a value of that kind, or a `History` of such values."""
 
     has_formulas = True
 

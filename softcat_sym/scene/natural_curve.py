@@ -47,7 +47,7 @@ def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_len
     if isinstance(shape, tuple):
         return curves.SplineCurve(np.array(shape) - shape[0])
     if shape == HELIX:
-        # Longest helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2
+        # Longest helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2.
         omega = math.hypot(curvature, twist)
         radius, climb = abs(curvature) / omega**2, abs(twist) / omega
 

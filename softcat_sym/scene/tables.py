@@ -188,7 +188,7 @@ def temperature_rules(scene: Tables) -> Iterator[Rule]:
         return
     yield from _of_exchange(scene, heat)
     yield from _of_the_law(scene, heat)
-    # What a law of the viscosity says of the temperatures of the scene; below where it ends a strand is frozen
+    # What a law of the viscosity says of the temperatures of the scene; below where it ends a strand is frozen.
     if heat.law == "vft" and heat.T_0 is not None and heat.reference is not None:
         found = f"{heat.T_0:g} K, not below the reference {heat.reference:g} K: the viscosity there would be infinite"
         yield heat.reference <= heat.T_0, "temperature.T_0", found, f"a temperature below {heat.reference:g} K"

@@ -116,7 +116,8 @@ def _table_lines(part: Part, every_default: bool) -> list[str]:
             # As a comment, so that an override of the one it follows still carries it along.
             lines.append(f"# {name} = {follows[name]}")
         else:
-            lines.append(f"{name} = {toml_value(kinds[name].write(value))}")
+            absent = "# " if isinstance(part, Body) and not part.present else ""
+            lines.append(f"{absent}{name} = {toml_value(kinds[name].write(value))}")
     if part.table_name:
         lines += [f"# {note}" for note in part.notes]
     return lines

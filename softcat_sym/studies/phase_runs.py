@@ -20,7 +20,7 @@ from softcat_sym.estimates.scaling import buoyant_share, pull_of_surface
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.simulate import identity_of
-from softcat_sym.single_run import OF_A_STEP_TOO_LONG, TIGHTER, TRIES
+from softcat_sym.single_run import STEP_SIZE_OUTCOMES, TIGHTER, TRIES
 from softcat_sym.store import key_of
 
 ELASTIC_TIME: Final = 4.0
@@ -303,7 +303,7 @@ class PhaseWork(RowWork):
         run = self.run(member)
         for _ in range(TRIES - 1):
             # As a single run, which is repeated in shorter steps where these may cure it.
-            if run.outcome not in OF_A_STEP_TOO_LONG or self.scene.numerics.rtol is not None:
+            if run.outcome not in STEP_SIZE_OUTCOMES or self.scene.numerics.rtol is not None:
                 break
             rtol = run.prepared.settings.rtol / TIGHTER
             numerics = member.scene.numerics.model_copy(update={"rtol": rtol})

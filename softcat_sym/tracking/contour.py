@@ -44,7 +44,7 @@ class PillarContour(drawing.Drawable):
 
     def save(self, path: str | Path) -> Path:
         """Write the table for ``softcat fit --test collapse``, and return its path."""
-        with files.made(Path(path).parent):
+        with files.new_folder(Path(path).parent):
             return files.replace_atomically(Path(path), self.to_csv().encode())
 
 

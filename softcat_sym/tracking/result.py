@@ -148,7 +148,7 @@ class Track(drawing.Drawable):
     def save(self, path: str | Path, points: int = 0) -> Path:
         """Write the table for ``softcat fit`` and :func:`softcat_sym.fit`, and return its path."""
         path = Path(path)
-        with files.made(path.parent):
+        with files.new_folder(path.parent):
             return files.replace_atomically(path, self.to_csv(points).encode())
 
     def to_dict(self) -> dict[str, Any]:

@@ -28,9 +28,10 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import SceneLike, as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.scene.tables import bodies_of
 from softcat_sym.scene.toml import toml_key, toml_value
 from softcat_sym.simulate import recalled
-from softcat_sym.single_run import OF_A_STEP_TOO_LONG, TIGHTER, TRIES, build
+from softcat_sym.single_run import STEP_SIZE_OUTCOMES, TIGHTER, TRIES, build
 from softcat_sym.solvers.compiled import OUTCOMES
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings, compiled_settings
@@ -97,6 +98,9 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     given = as_scene(scene)
     name = name or (scene if isinstance(scene, str) and scene in bundled_names() else "scene")
     refuse_settled(given, "a page runs to the end of its duration")
+    for body in bodies_of(given):
+        found = "given, but a page does not judge how deep the filament sinks in"
+        raise SceneError([Fault(body.table_name, found, "leaving it out, or softcat run")])
     run = recalled(given)
     if run.scene.run.dimensions != given.run.dimensions:
         accepted = "run.dimensions = 2 or 3"
@@ -393,7 +397,7 @@ def _limits(base: Fixed, sliders: Sliders, usual: set[str], scene_rtol: float | 
         "fields": [*VARIABLES, *(name for name in energies_of(names) if name not in VARIABLES)],
         "tries": 1 if scene_rtol is not None else TRIES,
         "tighter": TIGHTER,
-        "of_a_step_too_long": [outcome.name for outcome in OF_A_STEP_TOO_LONG],
+        "of_a_step_too_long": [outcome.name for outcome in STEP_SIZE_OUTCOMES],
         "thread": thread_of(terms),
         "largest_stretch": verdict.largest_stretch(scene),
         "beyond_neighbours": 1.0 if terms.yields else verdict.BEYOND_A_LIQUID,

@@ -63,7 +63,7 @@ class Compared:
     def shift(self, noise: float, free: tuple[str, ...]) -> Floats:
         """Errors of the constants' logarithms over their standard errors."""
         columns = self.slopes[:, [self.names.index(name) for name in free]]
-        covariance = self.stands.covariance(self.time, self.model)
+        covariance = self.stands.covariance(self.time, self.model, np.gradient(self.model, self.time))
         covariance += (noise * np.max(np.abs(self.elements))) ** 2 * np.eye(self.time.size)
         weighed = np.linalg.solve(covariance, np.column_stack([columns, self.elements - self.theory]))
         spread = np.linalg.inv(columns.T @ weighed[:, :-1])
