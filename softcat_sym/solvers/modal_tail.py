@@ -53,6 +53,9 @@ _QUIET = 1e-9
 _FIT = 0.1
 """Largest residual of the fit in any place, relative to the largest displacement, over the root of the accuracy."""
 
+_FIT_OF_ENERGY = 7e-4
+"""That residual at most: a tail's energy errs by some six hundred times its square, and a thousandth is refused."""
+
 _FLOWN, _TO_FLOW = 0.02, 0.1
 """Largest plastic strain of the window, and of the tail as foretold, over the yield strain."""
 
@@ -414,7 +417,10 @@ class Pieces:
 def solved_with_tail(conditions: Conditions, rates: Rates, at: Partition, pieces: Pieces, midpoint: int) -> Solution:
     """Integrate until the modes carry a run to its end, or all of it; `midpoint` is a row, differential ones first."""
     end, sites, refusals = float(pieces.frames[-1]), pieces.sites, 0
-    start, fits = sites.state(pieces.here.x, pieces.here.z).ravel(), _FIT * math.sqrt(conditions.accuracy)
+    start, fits = (
+        sites.state(pieces.here.x, pieces.here.z).ravel(),
+        min(_FIT * math.sqrt(conditions.accuracy), _FIT_OF_ENERGY),
+    )
     for begin, stop in conditions.windows(end):
         pieces.go_to(begin)
         times, states = pieces.go_to(stop, SAMPLES * round((stop - begin) / conditions.period))
