@@ -10,7 +10,9 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.selection import choose_effects
+from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bodies import Pillars, overlap
+from softcat_sym.web.description import describe_page
 from tests.common.contact import beam_on_floor, cable_on_floor
 from tests.common.scenes import BINGHAM, faults_of, spoiled
 
@@ -64,6 +66,14 @@ def test_auto_takes_contact_where_the_forecast_sag_reaches_a_body() -> None:
     assert {"contact", "inertia"} <= set(choose_effects(over).names)
     with pytest.raises(sc.SceneError, match=r"without 'contact', but the filament lies on \[pillars\]"):
         choose_effects(over.replace({"run.effects": "paper", "surroundings": None}))
+
+
+def test_a_live_page_refuses_bodies_and_elements_a_bond_by_name() -> None:
+    scene = sc.load_scene("ink-over-a-layer", ["filament.section=rectangle", "surroundings.surface_tension=0 N/m"])
+    with pytest.raises(sc.SceneError, match="floor: given, but a page"):
+        describe_page(scene)
+    with pytest.raises(sc.SceneError, match=r"floor.bond: 'stick' has no finite elements"):
+        problem_of(scene)
 
 
 FLOOR, PILLARS = {"floor.depth": "1 mm"}, {"pillars.gap": "0.1 m"}

@@ -127,13 +127,23 @@ def test_what_is_known_is_not_run_again_and_what_was_too_long_is() -> None:
     found = known.judged(finer, before)
     assert known.asked == [replace(finer, cells=40)]
     assert (found.space, found.time, found.section) == pytest.approx(known.parts(finer), rel=1e-2)
-    # More fibres are judged by those before, so that no library is compiled for a companion alone.
+    # More fibres alone are judged by the answer before, of the same grid, whose error is known.
     known = Known(space=2.0, section=0.1)
     before = Before(FIRST, Differences(space=1e-3, time=0.0, section=0.1 / 64, phase=None, failed=()))
-    finer = replace(FIRST, fibres=12)
+    found = known.judged(replace(FIRST, fibres=12), before)
+    assert known.asked == [FIRST] and (found.space, found.time) == (1e-3, 0.0)
+    assert found.section == pytest.approx(0.1 / 144, rel=1e-2)
+    # More of both by those before on fewer cells, so that no library is compiled for a companion alone.
+    finer = replace(FIRST, fibres=12, cells=80)
     found = known.judged(finer, before)
     assert {at.fibres for at in known.asked} == {8, 12}
-    assert found.section == pytest.approx(known.parts(finer)[2], rel=1e-2)
+    assert (found.space, found.section) == pytest.approx((known.parts(finer)[0], known.parts(finer)[2]), rel=1e-2)
+    # More cells on the same map likewise, if there are enough more: by second order, whatever their ratio.
+    for cells, asked in ((70, 40), (50, 25)):
+        known = Known(space=2.0)
+        found = known.judged(replace(LINEAR, cells=cells), Before(LINEAR, replace(before.found, section=None)))
+        assert [at.cells for at in known.asked] == [asked]
+        assert found.space == pytest.approx(2.0 / cells**2, rel=1e-2)
     known = Known(space=0.1, time=20.0)
     before = Before(FIRST, Differences(space=1e-4, time=20 * FIRST.rtol, section=0.0, phase=None, failed=()))
     tighter = replace(FIRST, rtol=FIRST.rtol / 8)

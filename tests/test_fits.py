@@ -396,7 +396,11 @@ def test_a_time_limit_reaches_into_an_evaluation(evaluations: int, monkeypatch: 
 def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequency(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    ringing, heights, asked = SimpleNamespace(frequency=SimpleNamespace(value=30.0)), Film.values, list[object]()
+    ringing, heights, asked = (
+        SimpleNamespace(frequency=SimpleNamespace(value=30.0, error=0.1)),
+        Film.values,
+        list[object](),
+    )
 
     def once_without_answer(film: Film, q: np.ndarray) -> np.ndarray:
         asked.append(q)

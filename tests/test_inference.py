@@ -540,3 +540,14 @@ def test_size_is_chi_square() -> None:
 def test_few_or_exact_residuals_cannot_tell() -> None:
     assert check_residuals([np.ones(5)], 2, noise_known=False).verdict == "cannot tell"
     assert check_residuals([np.zeros(100)], 2, noise_known=True).verdict == "cannot tell"
+
+
+def test_an_error_of_the_stiffness_adds_to_that_of_the_modulus_alone() -> None:
+    """In quadrature, at both ends and in the standard error."""
+    known = ParameterVerdict("", "identified", 0.0, 0.0, 0.03, -0.06, 0.06, "")
+    modulus, viscosity = free_parameters(scene_of(), ["youngs_modulus", "viscosity"])
+    for free, error in ((modulus, 0.05), (viscosity, 0.03)):
+        found = fitted_parameter(free, known, stiffness_error=0.04, quantile=2.0)
+        low, high = (free.scaled(end) for end in found.ci95 if end is not None)
+        assert (-low, high) == pytest.approx((2 * error, 2 * error))
+        assert found.std == pytest.approx(error * found.best)

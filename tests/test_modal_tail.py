@@ -200,7 +200,7 @@ def test_turning_points_and_their_means_are_those_of_the_motion() -> None:
 def test_what_the_modes_do_not_describe_is_integrated_after_two_tries(load: float, tries: int) -> None:
     # Two masses that stiffen as far as the larger load takes them exchange their energy.
     one, calls = Chain(np.array([[2.0, -1.0], [-1.0, 1.7]]), -load, cubic=1.0), list[float]()
-    found = solved(one, conditions_of(one), 60, calls)
+    found = solved(one, conditions_of(one), 34, calls)
     assert (found.tail_from is None) == (tries > 1)
     assert len(calls) == tries + (tries > 1)
 

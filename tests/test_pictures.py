@@ -25,7 +25,7 @@ from matplotlib.transforms import Bbox
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym import plotting
+from softcat_sym import drawing, plotting
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.run import (
     FIGURES,
@@ -596,7 +596,8 @@ def test_each_result_that_plotting_knows_is_drawn_by_the_module_that_it_names(de
         plotting.plot(descent)
     for module in plotting.DRAWN_IN.values():
         import_module(f"softcat_sym.plotting.{module}")
-    found = {kind.__name__: draw.__module__.rpartition(".")[2] for kind, draw in plotting.plot.registry.items()}
+    drawers = plotting.plot.registry | drawing.report.registry
+    found = {kind.__name__: draw.__module__.rpartition(".")[2] for kind, draw in drawers.items()}
     assert found == plotting.DRAWN_IN | {"object": "drawing"}
 
 

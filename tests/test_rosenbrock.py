@@ -113,6 +113,23 @@ def test_stability_of_one_step(method: int) -> None:
     assert abs(step(small.real, small.imag) - np.exp(small)) < 0.1 * abs(small) ** (ORDER[method] + 1)
 
 
+def test_how_far_stages_go_beyond_a_wave_that_no_step_resolves() -> None:
+    """Largest |y| at which f is asked, of y' = i z y, |y| = 1, for any z: those of Rodas4 never leave what y reaches.
+
+    Where a yield stress is just not reached, a stage that goes further makes flow what neither did nor will.
+    """
+    for method, limit in [(RODAS5P, 3.42), (RODAS4, 1.0), (RODAS3P, 1.23)]:
+        of = library().softcat_method_of(method).contents
+        a, c = np.array(of.a), np.array(of.c)
+        z = 1j * np.logspace(-2, 6, 401)
+        k, reached = np.zeros((of.stages, z.size), dtype=complex), []
+        for i in range(of.stages):
+            y = 1 + a[i, : of.stages] @ k
+            k[i] = (z * y + c[i, : of.stages] @ k) / (1 / of.gamma - z)
+            reached.append(np.abs(y).max())
+        assert max(reached) == pytest.approx(limit, abs=0.01)
+
+
 def test_orders_on_stiff_and_algebraic_problems() -> None:
     """Stiffness lambda h = -1e4 in every step: measured 4.1, 1.0 to 1.2, 3.0: Rodas4 loses its order.
 

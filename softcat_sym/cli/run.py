@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+from functools import partial
+from importlib import import_module
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
@@ -15,11 +18,15 @@ from softcat_sym.lazy import lazy_imports
 from softcat_sym.simulate import simulated
 
 with lazy_imports():
+    from softcat_sym.codegen import compiler
     from softcat_sym.plotting import animation, terminal
     from softcat_sym.plotting import style as styles
     from softcat_sym.plotting import vtk as paraview
     from softcat_sym.results import run as runs
     from softcat_sym.solvers import solution
+
+_CANVAS: Final = "matplotlib.backends.backend_agg"
+"""What all pictures are drawn with."""
 
 AnimateOption = Annotated[
     cli.Text, cli.option("FILM", "Write a film of the filament into DIR: gif, mp4, or a name such as ink.gif.")
@@ -49,7 +56,7 @@ def run(
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     """
-    plain = no_pictures and (animate, style, radius) == (None, "screen", 1.0)
+    plain = (animate, style, radius) == (None, "screen", 1.0)
     order, drawn = (None, style) if plain else _requested_pictures(animate, animate_seconds, style, radius)
     resolved, output = cli.scene_and_directory(scene, changes, output, "run")
     files, films = list[Path](), list[Path]()
@@ -58,7 +65,9 @@ def run(
         with terminal.IntegrationProgress(resolved.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
             try:
-                trajectory = simulated(resolved, progress, cli.print_error)
+                # Half a second of imports, while the solver is in C.
+                with nullcontext() if no_pictures else compiler.beside(partial(import_module, _CANVAS)):
+                    trajectory = simulated(resolved, progress, cli.print_error)
             except solution.Interrupted as stopped:
                 # What there is, at once: pictures can be drawn of it later.
                 trajectory, no_pictures, order = stopped.part(), True, None

@@ -109,7 +109,7 @@ def _adapt(scene: Scene, terms: Terms) -> Terms:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    sag, room = motion.sag * scene.filament.span, min(body.room() for body in bodies_of(scene))
+    sag, room = motion.sag * scene.filament.span, min((body.room() for body in bodies_of(scene)), default=math.inf)
     if scene.ends.motion:
         # No deeper than two straight halves between the supports where they are nearest.
         sag = max(sag, math.sqrt(max(0.0, rest_length(scene) ** 2 - nearest(scene) ** 2)) / 2)

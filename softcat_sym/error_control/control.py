@@ -113,11 +113,16 @@ class _Runs:
         if not self.last.outcome.is_success:
             return None
         seen = self.last.series
-        return seen if len(seen.get(DISPLACEMENT, ())) == self._frames else self.companion(at)
+        if len(seen.get(DISPLACEMENT, ())) == self._frames:
+            self._known[self._compared(at).to_toml()] = seen
+        return self.companion(at)
+
+    def _compared(self, at: Resolution) -> Scene:
+        return at.of(self.last.scene).replace({"run.frames": self._frames})
 
     def companion(self, at: Resolution) -> Series | None:
-        """Run for what is compared only; None without an answer."""
-        scene = at.of(self.last.scene).replace({"run.frames": self._frames})
+        """Run for what is compared only, unless it was run before; None without an answer."""
+        scene = self._compared(at)
         key = scene.to_toml()
         if key not in self._known:
             self._beside += 1

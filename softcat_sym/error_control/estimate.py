@@ -173,6 +173,9 @@ RINGING_ORDER = 2
 MORE = 1.5
 """Factor of the fibres: fewer than half as many again may be as wrong in the same direction."""
 
+FINER = 1.5
+"""Factor of the cells from which an answer before is a coarse companion: closer grids tell their difference badly."""
+
 FIBRE_NUMBERS = (8, 12, 16, 24, 32, 48, 64, 96)
 """Numbers of fibres that are tried."""
 
@@ -239,8 +242,10 @@ class Before:
 def differences(
     answer: Series, at: Resolution, run: Runner, judge: Judge, accuracy: float, before: Before | None = None
 ) -> Differences:
-    """Estimate the errors of an answer from its companions."""
-    coarser = replace(at, cells=max(_MIN_CELLS, at.cells // 2))
+    """Estimate the errors of an answer from its companions, or from the answer before it."""
+    if before is not None and (known := _of_more_fibres(answer, at, run, judge, before)) is not None:
+        return known
+    coarser = _coarser(at, before)
     beside = run(coarser)
     if beside is None or coarser.cells == at.cells:
         return Differences(None, None, None, None, (f"{coarser.cells} cells",))
@@ -277,6 +282,25 @@ def differences(
     own = {name: part.sizes for name, part in zip(PARTS, (space, time, section), strict=True) if part is not None}
     a, b, c = (None if part is None else part.size for part in (space, time, section))
     return Differences(a, b, c, sum(phases) if phases else None, tuple(failed), own)
+
+
+def _coarser(at: Resolution, before: Before | None) -> Resolution:
+    """The answer before, if it differs only by fewer cells on the same map, and by enough; otherwise half the cells."""
+    if before is not None and replace(before.at, cells=at.cells) == at and at.cells >= FINER * before.at.cells:
+        return before.at
+    return replace(at, cells=max(_MIN_CELLS, at.cells // 2))
+
+
+def _of_more_fibres(answer: Series, at: Resolution, run: Runner, judge: Judge, before: Before) -> Differences | None:
+    """Errors of an answer that has only more fibres than the one before: what grid and steps miss is what they did."""
+    fewer, more = before.at.fibres, at.fibres
+    if fewer is None or more is None or fewer >= more or replace(before.at, fibres=more) != at:
+        return None
+    earlier = run(before.at)
+    if earlier is None or before.found.space is None:
+        return None
+    section = judge.between(answer, earlier).over((more / fewer) ** SECTION_ORDER - 1)
+    return replace(before.found, section=section.size, failed=(), own={**before.found.own, "section": section.sizes})
 
 
 def _time_known(at: Resolution, before: Before | None, accuracy: float) -> Deviation | None:

@@ -106,6 +106,7 @@ class _Foretold:
 
     def answer(self, at: Resolution) -> Series:
         """Run for good."""
+        self._done.add(at)
         return self._run(at, answer=True)
 
     def companion(self, at: Resolution) -> Series:

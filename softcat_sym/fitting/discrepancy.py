@@ -26,27 +26,17 @@ class Discrepancy:
     amplitude: float  # Standard deviation of a and of b
     correlation: float = 1.0  # Difference of log t over which their autocorrelation falls to 1/e
 
-    def covariance(self, time: Floats, heights: Floats) -> Floats:
-        """Covariance of the error at times since the onset of gravity, for heights of the model, shape (n, n).
+    def covariance(self, time: Floats, heights: Floats, rates: Floats) -> Floats:
+        """Covariance of the error at times since the onset of gravity, shape (n, n).
 
-        It is amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t'), where h_t is the difference quotient over two standard
-        deviations of the pace, so that t h_t of a fast ringing is no larger than the ringing itself.
+        It is amplitude^2 (1 + s) exp(-s) (h h' + t h_t t' h_t') for heights h of the model and their rates h_t; before
+        the onset there is no error of pace. A change of a frequency moves heights as an error of pace does.
         """
         logarithm = np.log(np.maximum(time, np.finfo(float).tiny))
         apart = _FALLEN * np.abs(np.subtract.outer(logarithm, logarithm)) / self.correlation
-        correlation = (1 + apart) * np.exp(-apart)
-        pace = self._pace(time, heights)
-        return np.asarray(self.amplitude**2 * correlation * (np.outer(heights, heights) + np.outer(pace, pace)))
-
-    def _pace(self, time: Floats, heights: Floats) -> Floats:
-        """Change of height for a relative change of pace, t h_t; none before the onset, or of a single time."""
-        if time.size < 2:
-            return np.zeros(time.size)
-        sooner = np.clip((1 - self.amplitude) * time, time[0], time[-1])
-        later = np.clip((1 + self.amplitude) * time, time[0], time[-1])
-        apart = later - sooner
-        rise = np.interp(later, time, heights) - np.interp(sooner, time, heights)
-        return np.where((time > 0) & (apart > 0), time * rise / np.where(apart > 0, apart, 1.0), 0.0)
+        pace = np.maximum(time, 0.0) * rates
+        both = np.outer(heights, heights) + np.outer(pace, pace)
+        return np.asarray(self.amplitude**2 * (1 + apart) * np.exp(-apart) * both)
 
 
 _CORRELATION_LENGTH = 1 / 8  # Over the span: a hinge is a few thicknesses long

@@ -296,9 +296,13 @@ def _with_run_outcome(found: Fit) -> Fit:
 
 # Corrections of the modulus to match a frequency, which scales with a power of it between 1/3 and 1/2.
 _TUNINGS = 2
+# Relative error of a frequency beyond which values of the modulus are tried instead, at these logarithmic distances.
+_CLEAR, _SCAN = 0.03, np.linspace(-1.0, 1.0, 21)
 _UNTIL_GRID = 2  # Rounds that update the noise before the resolution is checked
 # Share of its distance from the optimum that a stuck search may keep with smaller time steps.
 _HELPFUL = 0.8
+# Updates that renew the errors of camera and theory, beside the noise.
+_RENEWALS = 2
 ROUNDS = 8
 """Maximum number of successive optima, between which noise, theory error and resolution are updated."""
 
@@ -346,6 +350,7 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
     checks = check_residuals([] if least else left, len(problem.free), noise_known=problem.noise_known)
     spent = time.perf_counter() - begin
     task.progress.stage("done")
+    theory = max(film.theory_error for film in problem.films)
     shifts = np.zeros(len(problem.free)) if resolution is None else resolution.total
     shift = 0.0 if resolution is None else resolution.shares.total
     # A scene cannot hold the values of single films.
@@ -355,7 +360,9 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         fitted_scene=with_values(given, [free for free, _ in shared], [value for _, value in shared]),
         measurements=task.films,
         parameters={
-            free.name: fitted_parameter(free, verdict, float(change), widened=shift > SHARE)
+            free.name: fitted_parameter(
+                free, verdict, float(change), widened=shift > SHARE, stiffness_error=2 * theory, quantile=known.quantile
+            )
             for free, verdict, change in zip(problem.free, inferred.verdicts, shifts, strict=True)
         },
         correlation=known.correlation,
@@ -375,7 +382,7 @@ def _fit(scene: Scene, given: Scene, task: _Task) -> Fit:
         repeats=(_RESTARTED,) * inferred.restarts + (_ALTERNATIVE,) * inferred.alternatives,
         seconds=spent,
         camera=problem.camera_at(best.q, known.covariance),
-        theory=max(film.theory_error for film in problem.films),
+        theory=theory,
         resolution=resolution,
         priors=priors,
         late=inferred.late or time.monotonic() > task.deadline,
@@ -389,7 +396,7 @@ def _refined(
     has_rtol = task.options["rtol"] is not None
     resolution, fine, spent = None, has_rtol, best.evaluations
     looser: tuple[FilamentProblem, Optimum] | None = None
-    # After the first search; later, whether anything but the covariance was changed, or the optimum has moved.
+    # Whether the optimum has moved, so that its noise may be another.
     is_new = True
     for number in range(ROUNDS):
         again = None
@@ -401,19 +408,19 @@ def _refined(
             elif best.converged and is_new and (fine or number < _UNTIL_GRID):
                 looser = None
                 # The discretization error looks like correlated noise: the correlation waits for the final resolution.
-                again = problem.updated(best.q, correlated=fine)
+                again = problem.updated(best.q, correlated=fine, renewed=number < _RENEWALS)
             elif best.converged and not fine:
                 task.progress.stage("grid, fibres and time steps")
                 resolution = _moved_in_time(problem, best, information_at(problem, best))
                 at = None if resolution is None else finer(resolution, scene)
                 fine = at is None
-                again = problem.updated(best.q) if at is None else problem.at(at)
+                again = problem.updated(best.q, renewed=False) if at is None else problem.at(at)
             if again is None:
                 break
             found = minimise(again, best.q, **{**task.search, "gain": _GAIN_OF_UPDATE})
         except TimeLimitError:
             break
-        is_new = found.evaluations > 1 or not np.array_equal(found.q, best.q)
+        is_new = not np.array_equal(found.q, best.q)
         problem, best, spent = again, found, spent + found.evaluations - 1
     # Where smaller time steps lead no nearer to the optimum, it is not their noise that hides it.
     pairs = (looser or (problem, best), (problem, best))
@@ -524,6 +531,14 @@ def _initial_guesses(problem: FilamentProblem, scene: Scene, task: _Task) -> lis
     return [*starts, own]
 
 
+def _scanned(problem: FilamentProblem, start: Floats, column: int) -> Floats:
+    """The best of several values of one unknown, closer to each other than the optima of a film that rings for long."""
+    trials = np.repeat(start[None, :], _SCAN.size, axis=0)
+    trials[:, column] = np.clip(start[column] + _SCAN, problem.lower[column], problem.upper[column])
+    squares = [float(np.sum(problem.residuals(q) ** 2)) for q in trials]
+    return np.asarray(trials[int(np.argmin(np.where(np.isfinite(squares), squares, np.inf)))])
+
+
 def _tuned_to_frequency(
     problem: FilamentProblem, scene: Scene, features: Sequence[Features | None], start: Floats
 ) -> Floats | None:
@@ -535,6 +550,8 @@ def _tuned_to_frequency(
     if column is None or number is None:
         return None
     film, seen, q = problem.films[number], features[number], start.copy()
+    if seen is not None and (seen.frequency.error or 0.0) > _CLEAR * (seen.frequency.value or math.inf):
+        return _scanned(problem, start, column)
     for _ in range(_TUNINGS):
         count, heights = film.series.time.size, film.values(q)
         if not np.isfinite(heights).all():

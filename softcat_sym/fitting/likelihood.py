@@ -168,14 +168,16 @@ class Errors:
         return Covariance(covariance, self.camera, self.theory)
 
 
-def theory_covariance(error: Discrepancy, time: Floats, place: Floats, heights: Floats, span: float) -> Floats:
+def theory_covariance(
+    error: Discrepancy, time: Floats, place: Floats, heights: Floats, rates: Floats, span: float
+) -> Floats:
     """Covariance of the theory's error in heights, at times, and places that are NaN of a midpoint, shape (n, n).
 
     Points of a shape err by a share that changes along it, and in time as that of the deepest point.
     """
     times, row, deepest = deepest_points(time, heights)
     scale = np.where(heights[deepest] == 0, 1.0, heights[deepest])
-    shares = error.covariance(times, heights[deepest]) / np.outer(scale, scale)
+    shares = error.covariance(times, heights[deepest], rates[deepest]) / np.outer(scale, scale)
     along = np.outer(heights, heights) * (1.0 if np.isnan(place).all() else shape_covariance(place, span))
     return np.asarray(shares[np.ix_(row, row)] * along)
 
@@ -184,7 +186,7 @@ def deepest_points(time: Floats, heights: Floats) -> tuple[Floats, NDArray[np.in
     """The times, the number of the time of every reading, and the reading farthest from zero at each time."""
     times, row = np.unique(time, return_inverse=True)
     order = np.lexsort((np.abs(heights), row))
-    return times, row, order[np.append(np.flatnonzero(np.diff(row[order])), row.size - 1)]
+    return times, row, order[np.append(np.flatnonzero(np.diff(row[order])), row.size - 1)[: row.size]]
 
 
 @dataclass(frozen=True, eq=False)

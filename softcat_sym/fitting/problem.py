@@ -11,7 +11,7 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
-from scipy.interpolate import make_smoothing_spline
+from scipy.interpolate import make_interp_spline, make_smoothing_spline
 
 from softcat_sym.error_control.estimate import Resolution
 from softcat_sym.errors import Fault, SceneError
@@ -117,7 +117,7 @@ class Film(Readings):
     """One series, the model of its filament, the unknowns on which that depends, and the errors of its readings."""
 
     series: Series
-    model: ForwardModel
+    model: ForwardModel  # Its last unknown may be a clock that is not free
     columns: tuple[int, ...]  # Number in the problem of each free unknown of the model
     scale: int | None  # Numbers of a free scale and tilt of the camera in the problem
     tilt: int | None
@@ -127,6 +127,9 @@ class Film(Readings):
     theory_error: float = 0.0  # Standard deviation of the theory's error over the heights
     # shape (n,); What a robust loss adds to the residuals, so that outliers count less.
     moved: Floats | float = 0.0
+    # Reading of the clock at the release, about which its error is linear [s], and what that adds to the values, (n,).
+    clock: float = 0.0
+    by_clock: Floats | float = 0.0
 
     @cached_property
     def covariance(self) -> Covariance:
@@ -150,8 +153,9 @@ class Film(Readings):
         return self.series.label or (self.series.path.name if self.series.path else "")
 
     def own(self, q: Floats) -> Floats:
-        """The unknowns of the model among those of the whole problem."""
-        return q[list(self.columns)]
+        """The unknowns of the model, from those of the whole problem."""
+        clocks = self.model.free[len(self.columns) :]
+        return np.append(q[list(self.columns)], [one.scaled(self.clock) for one in clocks])
 
     def scene(self, q: Floats) -> Scene:
         """The scene of this filament with the values of the unknowns."""
@@ -172,8 +176,8 @@ class Film(Readings):
         parts += [self.model.forces(own, one.time, WAYS.index(one.way))[0] for one in self.series.forces]
         return self._seen(np.concatenate(parts), q)
 
-    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Values of the model, shape (n,), with derivatives by the unknowns of the problem, shape (n, k)."""
+    def linearised(self, q: Floats) -> tuple[Floats, Floats, Floats]:
+        """Values of the model, shape (n,), derivatives by the unknowns of the problem, (n, k), and by time, (n,)."""
         own, shapes = self.own(q), self.series.shapes
         parts = [self.model.with_derivatives(own)] if self.series.time.size else []
         if shapes is not None:
@@ -181,17 +185,20 @@ class Film(Readings):
         parts += [self.model.forces(own, one.time, WAYS.index(one.way)) for one in self.series.forces]
         plain, by_own = (np.concatenate(column) for column in zip(*parts, strict=True))
         magnified = self._magnification(q)
-        slopes = np.zeros((self.data.size, q.size))
-        slopes[:, list(self.columns)] = magnified[:, None] * by_own
+        slopes, rates = np.zeros((self.data.size, q.size)), np.zeros(self.data.size)
+        slopes[:, list(self.columns)] = magnified[:, None] * by_own[:, : len(self.columns)]
         if self.scale is not None:
             slopes[:, self.scale] = np.where(self.is_force, 0.0, magnified * plain)
         if self.tilt is not None:
             slopes[:, self.tilt] = self._height_by_tilt
-        return self._seen(plain, q), slopes
+        for k, one in enumerate(self.model.free):
+            if one.path == TIME_OFFSET:
+                rates = -magnified * by_own[:, k] / one.scale
+        return self._seen(plain, q), slopes, rates
 
     def _seen(self, plain: Floats, q: Floats) -> Floats:
         """Values of the model as a camera with a free scale and tilt shows them."""
-        seen = plain * self._magnification(q)
+        seen = plain * self._magnification(q) + self.by_clock
         return seen if self.tilt is None else seen + q[self.tilt] * self._height_by_tilt
 
     def _magnification(self, q: Floats) -> Floats:
@@ -203,37 +210,41 @@ class Film(Readings):
         """Height that one radian of the camera's tilt adds [m]."""
         return np.nan_to_num(self.place)
 
-    def with_errors(self, scene: Scene, values: Floats, *, theory: bool) -> Film:
-        """The film with the errors of camera and theory for some heights [m] and forces [N], of a scene."""
-        seen = ~self.is_force
+    def with_errors(self, scene: Scene, values: Floats, *, theory: bool, by_time: Floats | None = None) -> Film:
+        """The film with the errors of camera and theory for heights [m] and forces [N] of a scene.
+
+        An error of the clock acts by the derivatives by time, by default those of the values.
+        """
+        seen, rates = ~self.is_force, self._rates(values)
         heights = np.where(seen, values, 0.0)
         changes = {
             SCALE: heights,
             INITIAL_SAG: 1.0 * seen,
             TILT: self._height_by_tilt,
-            TIME_OFFSET: -self._rates(values),
+            TIME_OFFSET: -(rates if by_time is None else by_time),
         }
         columns = [spread * changes[name] for name, spread in self.camera.items()]
         camera = np.array(columns).reshape(len(columns), heights.size).T
         covariance, error = np.zeros((heights.size, heights.size)), 0.0
         if theory and seen.any():
             known = discrepancy(scene, self.model.effects, self.model.terms)
-            rows, error = (self.time[seen], self.place[seen], heights[seen]), known.amplitude
+            rows, error = (self.time[seen], self.place[seen], heights[seen], rates[seen]), known.amplitude
             covariance[np.ix_(seen, seen)] = theory_covariance(known, *rows, scene.filament.span)
         return replace(self, errors=replace(self.errors, camera=camera, theory=covariance), theory_error=error)
 
     def _rates(self, values: Floats) -> Floats:
-        """Rates of values between neighbouring times [m/s], [N/s]; of a shape in proportion to its deepest point's."""
+        """Rates of values [m/s], [N/s] by a cubic spline; of a shape in proportion to its deepest point's."""
         found, begin = np.zeros(values.size), 0
         sizes = [one.time.size for one in self.series.forces]
         for size in (self.series.time.size, values.size - self.series.time.size - sum(sizes), *sizes):
-            rows = np.arange(begin, begin + size)
+            rows = slice(begin, begin + size)
             begin += size
-            if np.unique(self.time[rows]).size > 1:
-                times, row, deepest = deepest_points(self.time[rows], values[rows])
+            times, row, deepest = deepest_points(self.time[rows], values[rows])
+            if times.size > 1:
                 track = values[rows][deepest]
+                rates = make_interp_spline(times, track, k=min(3, times.size - 1)).derivative()(times)
                 share = values[rows] / np.where(track == 0, np.inf, track)[row] if size > times.size else 1.0
-                found[rows] = np.gradient(track, times)[row] * share
+                found[rows] = rates[row] * share
         return found
 
     def smooth_readings(self) -> Floats:
@@ -304,12 +315,14 @@ class FilamentProblem(Unknowns):
             inside = [(number, self.free[number]) for number in places if self.free[number].path not in (SCALE, TILT)]
             of_camera = {self.free[number].path: number for number in places}
             spread = {name: size for name, size in camera_spread(film).items() if camera and name not in of_camera}
+            clock = free_parameters(one, [TIME_OFFSET]) if TIME_OFFSET in spread else ()
+            of_model = [*(free for _, free in inside), *clock]
             none = np.zeros((given.data.size, 0))
             unit = np.where(np.where(given.is_force, *self._stated[::-1]), given.stated, 1.0)
             made = Film(
                 **vars(given),
                 series=film,
-                model=ForwardModel(one, [free for _, free in inside], film.time, backend, time_steps(film, one, rtol)),
+                model=ForwardModel(one, of_model, film.time, backend, time_steps(film, one, rtol)),
                 columns=tuple(number for number, _ in inside),
                 scale=of_camera.get(SCALE),
                 tilt=of_camera.get(TILT),
@@ -359,7 +372,7 @@ class FilamentProblem(Unknowns):
         residuals, rows = [], []
         with until(self.deadline):
             linearised = [film.linearised(q) for film in self.films]
-        for film, (found, slopes) in zip(self.films, linearised, strict=True):
+        for film, (found, slopes, _) in zip(self.films, linearised, strict=True):
             residuals.append(film.covariance.whitened(found - film.data + film.moved))
             rows.append(film.covariance.whitened(slopes))
         if self.flow is not None:
@@ -383,36 +396,58 @@ class FilamentProblem(Unknowns):
         """The problem at another resolution, with the same errors."""
         made = self._with(scene=resolution.of(self._scene), noise=self.noise)
         made.films = tuple(
-            replace(film, errors=former.errors, theory_error=former.theory_error, moved=former.moved)
+            replace(
+                film,
+                errors=former.errors,
+                theory_error=former.theory_error,
+                moved=former.moved,
+                clock=former.clock,
+                by_clock=former.by_clock,
+            )
             for film, former in zip(made.films, self.films, strict=True)
         )
         return made
 
-    def updated(self, q: Floats, *, correlated: bool = True) -> FilamentProblem:
-        """The problem with the errors of camera and theory for the heights at an optimum, and with the noise there."""
+    def updated(self, q: Floats, *, correlated: bool = True, renewed: bool = True) -> FilamentProblem:
+        """The problem with the noise at an optimum and, if renewed, the errors of camera and theory there."""
         with until(self.deadline):
-            linearised = [film.linearised(q) for film in self.films]
-        films = [
-            film.with_errors(film.scene(q), values, theory=self._theory)
-            for film, (values, _) in zip(self.films, linearised, strict=True)
-        ]
+            films = [self._renewed(film, q) if renewed else film for film in self.films]
+            linearised = [film.linearised(q) for film in films]
         found = self._estimate(films, linearised, q, correlated=correlated)
         made = copy.copy(self)
         made.noise = found.noise
         made.films = tuple(
             replace(film, noise=found.noise, moved=part - (values - film.data))
-            for film, part, (values, _) in zip(films, found.residuals, linearised, strict=True)
+            for film, part, (values, *_) in zip(films, found.residuals, linearised, strict=True)
         )
         made.__dict__.pop("systematic", None)
         return made
 
+    def _renewed(self, film: Film, q: Floats) -> Film:
+        """The film with the errors of camera and theory at an optimum.
+
+        The theory's is about the filament of the film, which a change of constants hardly moves; the clock's about the
+        reading that the film shows, as the filament falls far within a frame.
+        """
+        values, slopes, rates = film.linearised(q)
+        shown = values + film.systematic_part(values)
+        if TIME_OFFSET in film.camera:
+            residuals = values - film.data + film.moved
+            none = np.zeros((q.size, q.size))
+            means, _ = film.covariance.camera_part(residuals, slopes, none)
+            clock = film.camera[TIME_OFFSET] * float(means[list(film.camera).index(TIME_OFFSET)])
+            film = replace(film, clock=clock, by_clock=0.0)
+            rates = film.linearised(q)[2]
+            film = replace(film, by_clock=rates * clock)
+        return film.with_errors(film.scene(q), shown, theory=self._theory, by_time=rates)
+
     def _estimate(
-        self, films: Sequence[Film], linearised: Sequence[tuple[Floats, Floats]], q: Floats, *, correlated: bool
+        self, films: Sequence[Film], linearised: Sequence[tuple[Floats, Floats, Floats]], q: Floats, *, correlated: bool
     ) -> NoiseEstimate:
         others = np.zeros((0, q.size)) if self.flow is None else self.flow.slopes(q)
         residuals = [
             Residuals(film.errors, values - film.data, slopes)
-            for film, (values, slopes) in zip(films, linearised, strict=True)
+            for film, (values, slopes, _) in zip(films, linearised, strict=True)
         ]
         least = (MIN_NOISE * self._largest[0], MIN_NOISE * self._largest[1])
         how = {"stated": self._stated, "least": least, "loss": self.loss, "correlated": correlated}
@@ -428,7 +463,7 @@ class FilamentProblem(Unknowns):
         """Value, standard error and standard deviation beforehand of each parameter of the cameras; SI."""
         found = {}
         for number, film in enumerate(self.films, start=1):
-            values, slopes = film.linearised(q)
+            values, slopes, _ = film.linearised(q)
             residuals = values - film.data + film.moved
             rows = zip(film.camera.items(), *film.covariance.camera_part(residuals, slopes, covariance), strict=True)
             for (name, spread), value, variance in rows:

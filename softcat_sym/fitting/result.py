@@ -421,6 +421,7 @@ FEATURES = {
 }
 """Features of a film: attributes of `Features`, their names for readers, and the units in names of keys."""
 
+MODULUS = "material.youngs_modulus"
 _INNER = 0.85
 _INNER_STD = float(stats.truncnorm.std(*stats.norm.interval(_INNER)))
 MIN_READINGS = 20
@@ -467,10 +468,22 @@ def far_out(residuals: Floats) -> NDArray[np.bool_]:
 
 
 def fitted_parameter(
-    free: FreeParameter, verdict: ParameterVerdict, shift: float = 0.0, *, widened: bool = False
+    free: FreeParameter,
+    verdict: ParameterVerdict,
+    shift: float = 0.0,
+    *,
+    widened: bool = False,
+    stiffness_error: float = 0.0,
+    quantile: float = 1.96,
 ) -> FittedParameter:
-    """Convert a verdict on q to the parameter; with `widened`, its interval includes the shift."""
+    """Convert a verdict on q to the parameter; with `widened`, its interval includes the shift.
+
+    A theory that errs in every frequency errs in the stiffness by twice as much, which no film tells from Young's
+    modulus: its interval and standard error include that standard deviation too.
+    """
     margin = shift if widened else 0.0
+    if free.constant == MODULUS and stiffness_error:
+        verdict = _with_error(verdict, stiffness_error, quantile)
     ends = [None if q is None else q + sign * margin for q, sign in ((verdict.lower, -1), (verdict.upper, 1))]
     verdict = judged(replace(verdict, lower=ends[0], upper=ends[1]), free.logarithmic)
     low, high = (None if q is None else free.value(q) for q in ends)
@@ -487,3 +500,14 @@ def fitted_parameter(
         bounds=free.bounds,
         discretization=abs(free.slope(verdict.best)) * shift,
     )
+
+
+def _with_error(verdict: ParameterVerdict, error: float, quantile: float) -> ParameterVerdict:
+    """A verdict with one more independent error of q."""
+    ends = [
+        None if end is None else verdict.best + sign * math.hypot(end - verdict.best, quantile * error)
+        for end, sign in ((verdict.lower, -1), (verdict.upper, 1))
+    ]
+    former = verdict.standard_error
+    std = None if former is None else math.hypot(former, error)
+    return replace(verdict, lower=ends[0], upper=ends[1], standard_error=std)

@@ -76,6 +76,8 @@ _SHORT: dict[Dimension, str] = {
     (-1.0, 1.0, 1.0): "1/(Pa*s)",
     (0.0, 0.0, -1.0): "1/s",
 }
+_POWER = r"([A-Za-z]+)(?:\^(-?\d+(?:\.\d*)?))?"
+_PRODUCT = re.compile(f"{_POWER}(?:[*/]{_POWER})*", re.ASCII)
 # An exponent in a file is written with some digits: s^0.333333 is s^(1/3).
 _SAME_EXPONENT = 1e-6
 
@@ -147,8 +149,27 @@ def without_rounding(factor: float) -> float:
 
 @lru_cache(maxsize=1024)
 def _measured(unit: str, wanted: str = _ANY_DIMENSION) -> tuple[float, Dimension]:
-    """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension."""
-    return COMMON[unit] if unit in COMMON else measured_by_pint(unit, wanted)
+    """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension.
+
+    Of units of mechanics and products of their powers, such as Pa*s^0.5, without Pint, which takes a second to load.
+    """
+    return COMMON[unit] if unit in COMMON else _product(unit) or measured_by_pint(unit, wanted)
+
+
+def _product(unit: str) -> tuple[float, Dimension] | None:
+    """SI value and dimension of a product of powers of common units; None of any other unit, and of angles."""
+    if not _PRODUCT.fullmatch(unit):
+        return None
+    total, exponents = 1.0, list(PURE)
+    for sign, name, power in re.findall(f"(^|[*/]){_POWER}", unit):
+        factor, dimension = COMMON.get(name, (0.0, PURE))
+        exponent = float(power or 1) * (-1 if sign == "/" else 1)
+        if dimension == PURE or (factor != 1.0 and exponent != 1.0):
+            return None
+        total *= factor
+        exponents = [each + exponent * one for each, one in zip(exponents, dimension, strict=True)]
+    mass, length, time = exponents
+    return total, (mass, length, time)
 
 
 def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:

@@ -561,7 +561,11 @@ class CompiledIntegration:
             return piece(start, frames)
         rates = CompiledRates(self.filament, np.ascontiguousarray(p), conditions.begin)
         midpoint = self.graph.midpoint_row("y")
-        return solved_with_tail(conditions, rates, at, Pieces(piece, sites, frames, start), midpoint)
+        found = solved_with_tail(conditions, rates, at, Pieces(piece, sites, frames, start), midpoint)
+        if found.tail_from is not None:
+            progress.doing("following its modes of vibration")
+            progress.update(duration * scale, None)
+        return found
 
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate from a state at the first of several times to the last."""

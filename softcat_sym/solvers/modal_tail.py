@@ -53,6 +53,9 @@ _QUIET = 1e-9
 _FIT = 0.1
 """Largest residual of the fit in any place, relative to the largest displacement, over the root of the accuracy."""
 
+_FIT_OF_ENERGY = 7e-4
+"""That residual at most: a tail's energy errs by some six hundred times its square, and a thousandth is refused."""
+
 _FLOWN, _TO_FLOW = 0.02, 0.1
 """Largest plastic strain of the window, and of the tail as foretold, over the yield strain."""
 
@@ -71,8 +74,6 @@ _KEPT_PERIODS = 1000.0
 """From the beginning and from the end of a tail, in which turning points are looked for."""
 
 _BLOCK = 256
-_APART = 1e-3
-"""Of the distance of two samples, by which they keep away from frames."""
 
 
 @dataclass(frozen=True)
@@ -382,21 +383,19 @@ class Pieces:
         return not stopped and self.reached < self.frames[-1]
 
     def go_to(self, time: float, samples: int = 1) -> tuple[Floats, Floats]:
-        """Integrate to a time; times and states on the way, evenly spaced and at frames."""
+        """Integrate to a time; times and states of evenly spaced samples on the way, whatever the frames are."""
         if not self.goes_on or time <= self.reached:
             return np.zeros(0), np.zeros(0)
         inside = self.frames[(self.frames > self.reached) & (self.frames <= time)]
-        more = np.linspace(self.reached, time, samples + 1)
-        apart = np.min(np.abs(more[1:, None] - np.append(inside, np.inf)), axis=1)
-        times = np.append(self.reached, np.union1d(inside, more[1:][apart > _APART * (more[1] - more[0])]))
+        sampled = np.linspace(self.reached, time, samples + 1)
         try:
-            self.done.append(self.integrate(self.here, times))
+            self.done.append(self.integrate(self.here, np.union1d(sampled, inside)))
         except Interrupted as stopped:
             self.done.append(stopped.part())
             raise Interrupted(self.joined) from None
-        x, z = self.done[-1].x, self.done[-1].z
-        self.here = Start(x[:, -1], z[:, -1])
-        return self.done[-1].time, self.sites.states(x, z).reshape(x.shape[1], -1)
+        times, x, z = self.done[-1].time, self.done[-1].x, self.done[-1].z
+        self.here, kept = Start(x[:, -1], z[:, -1]), np.isin(times, sampled)
+        return times[kept], self.sites.states(x[:, kept], z[:, kept]).reshape(np.count_nonzero(kept), -1)
 
     @property
     def quad(self) -> Floats:
@@ -418,7 +417,10 @@ class Pieces:
 def solved_with_tail(conditions: Conditions, rates: Rates, at: Partition, pieces: Pieces, midpoint: int) -> Solution:
     """Integrate until the modes carry a run to its end, or all of it; `midpoint` is a row, differential ones first."""
     end, sites, refusals = float(pieces.frames[-1]), pieces.sites, 0
-    start, fits = sites.state(pieces.here.x, pieces.here.z).ravel(), _FIT * math.sqrt(conditions.accuracy)
+    start, fits = (
+        sites.state(pieces.here.x, pieces.here.z).ravel(),
+        min(_FIT * math.sqrt(conditions.accuracy), _FIT_OF_ENERGY),
+    )
     for begin, stop in conditions.windows(end):
         pieces.go_to(begin)
         times, states = pieces.go_to(stop, SAMPLES * round((stop - begin) / conditions.period))

@@ -28,6 +28,7 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import SceneLike, as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.scene.tables import bodies_of
 from softcat_sym.scene.toml import toml_key, toml_value
 from softcat_sym.simulate import recalled
 from softcat_sym.single_run import STEP_SIZE_OUTCOMES, TIGHTER, TRIES, build
@@ -97,6 +98,9 @@ def describe_page(scene: SceneLike, sliders: Sequence[str] = (), name: str = "")
     given = as_scene(scene)
     name = name or (scene if isinstance(scene, str) and scene in bundled_names() else "scene")
     refuse_settled(given, "a page runs to the end of its duration")
+    for body in bodies_of(given):
+        found = "given, but a page does not judge how deep the filament sinks in"
+        raise SceneError([Fault(body.table_name, found, "leaving it out, or softcat run")])
     run = recalled(given)
     if run.scene.run.dimensions != given.run.dimensions:
         accepted = "run.dimensions = 2 or 3"

@@ -13,7 +13,8 @@ filaments that rupture, and strings without bending that are pushed. What was ch
   cables let go (E* = 10, h0/L = 1e-5), as each of their kinks, waves or thousands of periods costs steps;
 * from answered to refusable: bingham beyond yield at V = 1e-3 and 1e-6 (plastic hinges have neither width nor pace),
   newtonian and maxwell at V = 1e-6 (they fall freely, drawn to nothing beside their supports), Herschel-Bulkley n = 3
-  (its hinges are drawn out by 67 % of the length of a neck on 20 cells, by 68 % on those chosen);
+  (its hinges are drawn out by 67 % of the length of a neck on 20 cells, by 68 % on those chosen), a relaxation of 1e-9
+  of the run (what so stiff a spring hands on is audited to 0.0019 of the energy, and 0.001 is asked);
 * scenes rewritten: bingham below yield in the published effects, as `auto` spares what yields rotary inertia; the 1e12
   periods, whose ramp counts for half its time; a support that swings, for 4 in place of 10 and without shear; filaments
   clamped past the vertical, which hung and stood in one case that had no start, in two; a string "compressed at the
@@ -255,7 +256,8 @@ slow: dict[str, Any] = {"T": 5, "effects": ("bending", "viscous-stress")}
 case("viscosity: kelvin-voigt, V = 1e8", creeping, "kelvin-voigt", E=SOFT, V=1e8, **slow)
 
 fluid = moves_like("newtonian", V=1e3, T=10, last=True)
-case("relaxation: 1e-9 of the run", fluid, "maxwell", E=1e11, V=1e3, T=10)
+for r, drifts in ((1e-6, ()), (1e-9, ("energy_drift",))):
+    case(f"relaxation: {r:g} of the run", fluid, "maxwell", E=100 / r, V=1e3, T=10, refusals=drifts)
 case("relaxation: 1e9 of the run", beam, "maxwell", E=BEAM, V=1e9 * BEAM, T=1)
 modes = [(1e10, 1e-6), (1e10, 1.0), (1e10, 1e6)]
 decades: dict[str, Any] = {"T": 1e6, "delta": 0.1, "effects": ("bending", "viscous-flow"), "material": {"modes": modes}}
@@ -357,11 +359,11 @@ case("pushed: a string, longer than its span", chain, "elastic", E=BEAM, T=1, al
 
 case("rupture: elastic, E* = 1", None, "elastic", E=1, refusals=RUPTURES, fast=True)
 case("rupture: elastic, E* = 2, at rest", None, "elastic", E=2, effects=STATIC, refusals=RUPTURES)
-case("rupture: newtonian, falls on", None, "newtonian", V=100, T=1000, refusals=RUPTURES)
-case("rupture: maxwell, falls on", None, "maxwell", E=BEAM, V=100, T=1000, refusals=RUPTURES)
+case("rupture: newtonian, falls on", None, "newtonian", V=100, T=1000, refusals=("descends",))
+case("rupture: maxwell, falls on", None, "maxwell", E=BEAM, V=100, T=1000, refusals=("descends",))
 printed = {"groups.V": 10, "run.effects": "paper", "run.closure": "printed"}
 name = "rupture: printed closure loses its tension"
-case(name, None, lambda: sc.load_scene("continual-descent", printed), refusals=RUPTURES)
+case(name, None, lambda: sc.load_scene("continual-descent", printed), refusals=(*RUPTURES, "descends"))
 
 
 def _mean_sag(run: Run, sag: float) -> float:

@@ -15,7 +15,8 @@ def within(seconds: float) -> Iterator[None]:
         raise TimeoutError(f"more than {seconds:g} s of the processor")
 
     before = signal.signal(signal.SIGPROF, over)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
+    # Again and again: what is raised in a callback of C is lost.
+    signal.setitimer(signal.ITIMER_PROF, seconds, max(0.02, 0.1 * seconds))
     try:
         yield
     finally:

@@ -115,12 +115,12 @@ def test_the_limits_of_a_history() -> None:
         ("natural_strain", "-{} 1/s*t"),
     ):
         effect = "natural-strain" if name == "natural_strain" else "curing"
-        changes = [last({name: of_rate.format(rate)}, effect) / plain - 1 for rate in (0.0, 1e-4, 2e-4, 4e-4)]
-        order = math.log2(changes[3] / changes[2])
+        changes = [last({name: of_rate.format(rate)}, effect) / plain - 1 for rate in (0.0, 2e-4, 4e-4)]
+        order = math.log2(changes[2] / changes[1])
         rows.append([name, *(f"{change:.2e}" for change in changes), f"{order:.3f}"])
         assert abs(changes[0]) < (1e-9 if name == "youngs_modulus" else 1e-12), rows[-1]
         assert order == pytest.approx(1, abs=0.05), rows[-1]
-    show("change of the midpoint", ["history", "rate 0", "1e-4", "2e-4", "4e-4 /s", "order"], rows)
+    show("change of the midpoint", ["history", "rate 0", "2e-4", "4e-4 /s", "order"], rows)
 
 
 LAWS: dict[str, dict[str, Any]] = {

@@ -14,6 +14,7 @@ from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
 from tests.common.table import show
 
+NUMERICS = {"estimate": False, "tail": "integrate"}
 PERIODS, FRAMES, LAST, ACCURACY = 500, 8, 10, 1e-3
 """Frames are those of a period; over the last periods errors of the midpoint are looked at."""
 
@@ -48,7 +49,7 @@ def test_default_accuracy_keeps_the_energy_of_hundreds_of_periods(name: str) -> 
     drifts, midpoints = [], []
     for numerics in ({}, {"rtol": 2e-6}):
         run = {"duration": f"{period * PERIODS!r} s", "frames": FRAMES * PERIODS + 1, "accuracy": ACCURACY}
-        scene = sc.Scene.model_validate({**tables, "run": run, "numerics": {"estimate": False, **cells, **numerics}})
+        scene = sc.Scene.model_validate({**tables, "run": run, "numerics": {**NUMERICS, **cells, **numerics}})
         prepared = build(scene, choose_effects(scene))
         solution = prepared.solve(Silence())
         assert solution.outcome is Outcome.solved

@@ -1,14 +1,24 @@
 """Estimated errors are the true ones within a factor of three, and what is called accurate is: some scenes and inks.
 
+What ends by its modes of vibration ends where the integrated run does.
+
 True errors are those against twice the cells and fibres and a tenth of the tolerance. ``python -m
 tests.studies.error_calibration`` looks at 140 scenes.
 """
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.effects.selection import choose_effects
+from softcat_sym.error_control.control import frames_of_first
+from softcat_sym.error_control.estimate import Judge
+from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.observed import DISPLACEMENT, Series, Watched
+from softcat_sym.single_run import build
+from softcat_sym.solvers.solution import Silence
 from tests.common.table import show
 from tests.common.true_error import true_error
 from tests.studies.error_calibration import LEAST, MOST, NOTHING, users_inks
@@ -32,18 +42,35 @@ def test_estimates_are_right_within_a_factor_of_three(which: str | int) -> None:
     assert LEAST <= true / total <= MOST or max(true, total) < nothing
 
 
-BENT = {
-    "filament": {"span": "0.1 m", "diameter": "4 mm", "density": "1200 kg/m^3"},
-    "ends": {"right": "free"},
-    "run": {"duration": "2 s", "frames": 41},
-}
-ASIDE: dict[str, dict[str, dict[str, object]]] = {
-    "viscous, pulled aside": {
-        "material": {"law": "newtonian", "viscosity": "2e4 Pa*s"},
-        "load": {"tip_force": ["0 N", "0 N", "2e-3 N"]},
-    },
-    "a Maxwell helix": {
-        "filament": {**BENT["filament"], "curvature": "8 1/m", "twist": "6 1/m"},
-        "material": {"law": "maxwell", "youngs_modulus": "0.5 MPa", "viscosity": "2e5 Pa*s"},
-    },
-}
+@pytest.mark.parametrize("number", [3, 5, 7])
+def test_modes_end_where_the_integrated_run_does(number: int) -> None:
+    """A ceramic and a gel that never yield, and a chocolate that grazes its yield surface for fifty periods."""
+    name, scene = users_inks()[number - 1]
+    effects = choose_effects(scene)
+    scene = scene.replace({"numerics.cells": 20, "run.frames": frames_of_first(scene, effects)})
+    heights, steps = dict[str, Series](), dict[str, int]()
+    for tail in ("integrate", "auto"):
+        prepared = build(scene.replace({"numerics.tail": tail}), effects)
+        solution = prepared.solve(Silence())
+        assert (solution.tail_from is not None) == (tail == "auto")
+        heights[tail], steps[tail] = {DISPLACEMENT: midpoint_heights(prepared.graph, solution)[:, None]}, solution.steps
+    largest = float(np.max(np.abs(heights["integrate"][DISPLACEMENT])))
+    watched, period = Watched({DISPLACEMENT: 0.0}, {DISPLACEMENT: largest}), prepared.settings.lasting
+    assert period is not None
+    judge = Judge.of(heights["integrate"], watched, scene.run.duration / period, scene.run.accuracy)
+    apart = judge.between(*heights.values())
+    show(
+        name,
+        ("apart", "phase", "error told", "steps", "of"),
+        [
+            [
+                f"{apart.size:.1e}",
+                f"{apart.phase:.2g}",
+                f"{solution.tail_error:.1e}",
+                str(steps["auto"]),
+                str(steps["integrate"]),
+            ]
+        ],
+    )
+    assert apart.size < scene.run.accuracy / 10
+    assert steps["auto"] < steps["integrate"] / 5

@@ -1,7 +1,7 @@
 """Are intervals as wide as estimates scatter, and estimates not off to one side: some films of `fit_coverage`.
 
 Estimates over the standard errors that fits tell are looked at, not how often intervals hold the truth: their rms tells
-from 60 films what shares tell from 160. ``python -m tests.studies.fit_coverage`` counts all 1800.
+from 60 films what shares tell from 160. ``python -m tests.studies.fit_coverage`` counts all.
 """
 
 from __future__ import annotations
