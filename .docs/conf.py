@@ -63,8 +63,8 @@ nitpick_ignore_regex = [("py:.*", r"(?!softcat_sym\.[a-z_]+$).*")]
 
 GROUPS = {
     "Scenes": ("load_scene", "bundled_names", "Scene"),
-    "Runs": ("simulate", "Run", "Outcome", "explain", "Explanation", "card", "Card"),
-    "Many runs": ("simulate_many", "Ensemble", "sweep", "Sweep"),
+    "Runs": ("simulate", "Run", "Outcome", "explain", "Explanation", "card", "Card", "longest_span"),
+    "Many runs": ("simulate_many", "Ensemble", "sweep", "Sweep", "bridges", "BridgeTable"),
     "What effects are worth": ("price_effects", "Pricing"),
     "From measurements": ("track", "Track", "fit", "Fit", "Measurements", "fit_flow_curve"),
     "C to take away": ("generate", "live_page"),

@@ -3,9 +3,10 @@
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
 ``generate`` writes it as C, ``live_page`` as a page with sliders; every function that takes a scene also takes its
 name, its path or a dict. ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what
-each effect is worth; ``longest_span`` how far a filament reaches; ``track`` reads a film, ``fit`` finds the material of
-a filament that was filmed, ``read_material`` that of a rheometer's files; ``card`` puts all on one page;
-``register_effect`` adds physics. SymPy, CasADi and matplotlib are loaded when they are first used.
+each effect is worth; ``longest_span`` how far a filament reaches, ``bridges`` how much it sags over each of many spans;
+``track`` reads a film, ``fit`` finds the material of a filament that was filmed, ``read_material`` that of a
+rheometer's files; ``card`` puts all on one page; ``register_effect`` adds physics. SymPy, CasADi and matplotlib are
+loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from softcat_sym.simulate import simulate
 if TYPE_CHECKING:
     from softcat_sym.batch.ensemble import Ensemble, simulate_many
     from softcat_sym.batch.sweep import Sweep, sweep
+    from softcat_sym.design.bridges import BridgeTable, bridges
     from softcat_sym.design.critical_span import longest_span
     from softcat_sym.effects.effect import Effect, EffectConstant, Estimate
     from softcat_sym.effects.registry import register_effect
@@ -48,6 +50,7 @@ _HOMES = {
     "effects.effect": ("Effect", "EffectConstant", "Estimate"),
     "effects.registry": ("register_effect",),
     "batch.ensemble": ("Ensemble", "simulate_many"),
+    "design.bridges": ("BridgeTable", "bridges"),
     "design.critical_span": ("longest_span",),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
     "fitting.closed_form": ("closed_form",),
@@ -72,6 +75,7 @@ _HOMES = {
 }
 
 __all__ = [
+    "BridgeTable",
     "Card",
     "Effect",
     "EffectConstant",
@@ -89,6 +93,7 @@ __all__ = [
     "SoftcatWarning",
     "Sweep",
     "Track",
+    "bridges",
     "bundled_names",
     "card",
     "closed_form",

@@ -35,7 +35,7 @@ def test_every_name_resolves_once_and_says_what_it_is_and_takes() -> None:
             for parameter in signature.parameters.values():
                 assert parameter.annotation is not inspect.Parameter.empty, (name, parameter.name)
                 assert parameter.name in text, (name, parameter.name)
-    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Effect, .*simulate"):
+    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has BridgeTable, Card, Effect, .*simulate"):
         _ = sc.simulat
     assert issubclass(SceneError, SoftcatError)
     assert (sc.SceneError, sc.SoftcatError, sc.__version__) == (SceneError, SoftcatError, version("softcat_sym"))
@@ -105,7 +105,7 @@ def test_whatever_takes_a_scene_takes_changes(tmp_path: Path) -> None:
     assert sc.simulate("ink-bridge", [*TINY, "filament.span=6 mm"]).scene.filament.span == 0.006
     takers = [getattr(sc, name) for name in sc.__all__ if inspect.isfunction(getattr(sc, name))]
     takers = [one for one in takers if "scene" in inspect.signature(one).parameters]
-    assert len(takers) >= 11
+    assert len(takers) >= 12
     assert all("changes" in inspect.signature(one).parameters for one in takers)
 
 

@@ -29,6 +29,7 @@ COMMANDS: Final = {
         "explain": "Explain before a run what to expect, and which effects are on.",
         "card": "Find how far, when and over which gap a filament sags.",
         "span": "Find the longest gap that a filament spans with a sag below a limit.",
+        "bridges": "Tabulate the sag of bridges of several lengths, for a slicer.",
         "sweep": "Simulate a filament for every value of some parameters.",
     },
     "Fitting": {

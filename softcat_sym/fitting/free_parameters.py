@@ -23,7 +23,7 @@ from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.laws import CONSTANTS, kind_of_constant
 from softcat_sym.scene.material import FROM_SHEAR, Material, poisson_in_shear, tensile_name
 from softcat_sym.scene.natural_curve import has_shape
-from softcat_sym.scene.parts import Filament, Part, kinds_of
+from softcat_sym.scene.parts import LINE, Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.tables import frozen_below
 from softcat_sym.scene.temperature_table import Temperature
@@ -482,7 +482,7 @@ def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
     follows = filament.section == "circle" or "width" not in filament.model_fields_set
     if "thickness" not in changes or "width" in changes or not follows:
         return filament.model_copy(update=changes)
-    return _copied(filament, changes, {"width": changes["thickness"], "diameter": None})
+    return _copied(filament, changes, {"width": changes["thickness"], **dict.fromkeys(("diameter", *LINE))})
 
 
 _NUMBERED = re.compile(r"(.+)_(\d+)")

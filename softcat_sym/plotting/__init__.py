@@ -7,6 +7,7 @@ DRAWN_IN = {
     "Card": "card", "Sweep": "sweep", "PhaseDiagram": "phase",
     "Comparison": "compare", "TheoryEnd": "theory_end", "Pricing": "effect_importance", "WorkPrecision": "accuracy",
     "Validation": "validate", "Result": "validate", "FlowCurveFit": "flow_curve", "Experiment": "design",
-    "CriticalSpan": "design", "RheometerMaterial": "material", "Track": "track", "PillarContour": "track",
+    "CriticalSpan": "design", "BridgeTable": "design", "RheometerMaterial": "material",
+    "Track": "track", "PillarContour": "track",
 }  # fmt: skip
 """Module in which the pictures and the report of each result are registered."""

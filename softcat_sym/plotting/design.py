@@ -1,4 +1,4 @@
-"""Pictures and files of critical spans and designed experiments."""
+"""Pictures and files of critical spans, tables of bridges, and designed experiments."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from softcat_sym import drawing
+from softcat_sym.design.bridges import BridgeTable
 from softcat_sym.design.critical_span import CriticalSpan, with_span
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, plain_log
+from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -81,6 +83,61 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
     axes.margins(0.04)
     axes.grid(True)
     return figure
+
+
+@drawing.plot.register(BridgeTable)
+@style.styled()
+def bridges_figure(table: BridgeTable) -> Figure:
+    """Draw sag against gap, with the band of its error and the limit."""
+    rows = [one for one in table.bridges if np.isfinite(one.sag)]
+    gaps = np.array([one.length for one in table.bridges])
+    limits = np.array([one.limit for one in table.bridges])
+    drawn, sags = np.array([one.length for one in rows]), np.array([one.sag for one in rows])
+    errors = np.nan_to_num(np.array([one.error for one in rows]))
+    ruler, across = length_unit(float(max([*sags, *limits]))), length_unit(float(gaps.max()))
+    below = "points: bridges that were run; band: error of the sag; dashed: the limit; crosses: no answer"
+    figure, body = style.sheet("Sag against gap", below, height=3.2, notes=table.text[0], columns=112)
+    axes = body.subplots()
+    axes.fill_between(across.of(drawn), ruler.of(sags - errors), ruler.of(sags + errors), color=style.SKY, alpha=0.4)
+    axes.plot(across.of(drawn), ruler.of(sags), ".-", color=style.BLUE, linewidth=1.0)
+    axes.plot(across.of(gaps), ruler.of(limits), "--", color=style.GREY, linewidth=0.9)
+    lost = np.setdiff1d(gaps, drawn)
+    axes.plot(across.of(lost), np.zeros_like(lost), "x", color=style.GREY, markersize=5)
+    axes.set(xlabel=f"gap [{across.symbol}]", ylabel=f"largest sag [{ruler.symbol}]", ylim=(0.0, None))
+    axes.margins(x=0.04)
+    axes.grid(True)
+    return figure
+
+
+@drawing.report.register(BridgeTable)
+def bridges_report(table: BridgeTable) -> Report:
+    """The longest bridge in a line, and a row for each; with the fields of two slicers."""
+    rows = table.bridges
+    ruler = length_unit(max((one.sag for one in rows if np.isfinite(one.sag)), default=rows[0].limit))
+    across = length_unit(rows[-1].length)
+    cells = [
+        (
+            across.text(one.length),
+            ruler.text(one.sag) if np.isfinite(one.sag) else "–",
+            ruler.text(one.error) if np.isfinite(one.error) else "–",
+            one.within,
+            "–" if one.settled is None else time_unit(one.settled).text(one.settled),
+            one.outcome,
+        )
+        for one in rows
+    ]
+    headings = ("length", "largest sag", "error", "within limit", "settled", "outcome")
+    shown = TextTable(headings, cells, right=(0, 1, 2, 4), kinds=[one.within for one in rows])
+    looks = {"no": "red", "undecided": "yellow", "no answer": "dim"}
+    files = {
+        "bridges.csv": table.to_frame,
+        "bridges.json": table.to_dict,
+        "bridges.png": partial(bridges_figure, table),
+        "orcaslicer.txt": table.slicer_fields("OrcaSlicer"),
+        "superslicer.ini": table.slicer_fields("SuperSlicer"),
+        "scene.toml": table.scene.to_toml,
+    }
+    return Report(files, [*table.text, shown.printed("Bridges", styles=looks)])
 
 
 @drawing.report.register(Experiment)

@@ -468,6 +468,17 @@ def rebound_of(heights: Floats) -> float:
     return float(np.max(deepest - sag) / np.max(sag)) if np.max(sag) > 0 else 0.0
 
 
+_STILL = 0.01
+
+
+def time_of_rest(time: Floats, sag: Floats) -> float | None:
+    """Time from which the sag stays within 1 % of its last value [s]; None if it moves in the last tenth of the run."""
+    moving = np.flatnonzero(np.abs(sag - sag[-1]) > _STILL * abs(sag[-1]))
+    first = int(moving[-1]) + 1 if moving.size else 0
+    rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
+    return float(time[first]) if rests else None
+
+
 def time_to_share(time: Floats, sag: Floats, share: float = 0.9) -> float:
     """Time at which the sag first reaches a share of its last value [s], linear between frames; NaN if it rises."""
     if not sag[-1] > 0:

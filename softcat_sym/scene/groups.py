@@ -206,7 +206,8 @@ def resolve_groups(table: Table) -> Resolved:
         no_table = Fault("groups", f"{shown(raw)} is not a table", "a table [groups]")
         return Resolved(rest, (no_table,), determined | set(PAPER), complete=False)
     block, faults = _read_block(raw)
-    for key, path in (*_STANDS_FOR.items(), ("n", "material.index"), ("delta", "filament.diameter")):
+    others = [("delta", f"filament.{key}") for key in ("diameter", "line_width")]
+    for key, path in (*_STANDS_FOR.items(), ("n", "material.index"), *others):
         section, _, name = path.partition(".")
         if key in raw and name in _section(rest, section):
             faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))

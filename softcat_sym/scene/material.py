@@ -15,7 +15,7 @@ from softcat_sym.scene import formula as formulas
 from softcat_sym.scene.formula import Formula, parse_formula
 from softcat_sym.scene.history import Changing, ChangingNumber, ChangingQuantity, History, scaled, value_at
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec, kind_of_constant, laws_with, spec_of
-from softcat_sym.scene.parts import Part
+from softcat_sym.scene.parts import LINE, Part
 from softcat_sym.scene.thixotropy import STRUCTURE, Thixotropy
 from softcat_sym.scene.units import (
     STRESS,
@@ -212,10 +212,13 @@ def physical_path(path: str) -> str:
     return f"material.{tensile_name(key) or key}" if table == "material" else path
 
 
+_SAME_THICKNESS = ({"thickness", "diameter"}, *({one, line} for one in ("thickness", "diameter") for line in LINE))
+
+
 def twins(path: str) -> tuple[str, ...]:
     """Name the other keys that say the same as this one, by their dotted paths."""
     table, _, key = path.partition(".")
-    same = {"filament": ({"thickness", "diameter"},), "material": _SAME}.get(table, ())
+    same = {"filament": _SAME_THICKNESS, "material": _SAME}.get(table, ())
     return tuple(f"{table}.{other}" for keys in same if key in keys for other in sorted(keys - {key}))
 
 

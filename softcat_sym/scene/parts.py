@@ -26,6 +26,7 @@ from softcat_sym.scene.units import (
     Quantity,
     Values,
     Whole,
+    length_text,
     refusal,
     shown,
 )
@@ -108,7 +109,28 @@ Point = tuple[float, ...]
 Section = Literal["rectangle", "circle", "sheet"]
 _THICKNESS = Quantity("length", "6 mm")
 Length = Annotated[float, _THICKNESS]
+LineShape = Literal["rectangle", "rounded"]
+_LAYER = Quantity("length", "0.2 mm")
+LINE = ("line_width", "layer_height", "flow_ratio", "line_shape")
+"""Keys of a slicer's line, which say together how thick a round strand is."""
+
+
+def line_area(width: float, height: float, flow_ratio: float | None, shape: LineShape | None) -> float:
+    """Area of the strand that a slicer extrudes for a line [m^2].
+
+    A rectangle is w h, as in Cura; a rounded one, h (w - (1 - pi/4) h), has half circles as its sides, as PrusaSlicer
+    and OrcaSlicer have it (libslic3r, ``Flow::mm3_per_mm``). Without a flow ratio it is 1, without a shape a rectangle.
+    """
+    corners = (1 - math.pi / 4) * height if shape == "rounded" else 0.0
+    return (1.0 if flow_ratio is None else flow_ratio) * height * (width - corners)
+
+
 _PROFILE = Values(Number(above=0), "a list of positive numbers without units, at least 2", 2, optional=True)
+
+
+def _of_a_line(default: Any, **settings: Any) -> Any:
+    """A field that only says how thick the filament is."""
+    return Field(default=default, exclude=True, repr=False, **settings)
 
 
 class Filament(Part, table="filament"):
@@ -118,14 +140,24 @@ class Filament(Part, table="filament"):
     """Horizontal distance between the supports, L."""
     rest_length: Annotated[float | None, Quantity("length", "0.21 m")] = None
     """Length of the reference configuration; the distance between the supports over initial.stretch unless given."""
-    diameter: Annotated[float | None, Quantity("length", "6 mm")] = Field(default=None, exclude=True, repr=False)
+    diameter: Annotated[float | None, Quantity("length", "6 mm")] = _of_a_line(None)
     """Diameter of a circle, which the section then is; instead of thickness."""
+    line_width: Annotated[float | None, Quantity("length", "0.42 mm")] = _of_a_line(None)
+    """Width of a slicer's line: with layer_height the section is a circle of the same area; instead of thickness."""
+    layer_height: Annotated[float | None, _LAYER] = _of_a_line(None, validate_default=True)
+    """Height of that line."""
+    flow_ratio: Annotated[float | None, Number(above=0)] = _of_a_line(None)
+    """Material extruded for that line over what fills its shape; 1 unless given."""
+    line_shape: Annotated[LineShape | None, Choice(LineShape)] = _of_a_line(None)
+    """Shape of that line: rectangle as in Cura, which it is unless given, rounded as in PrusaSlicer and OrcaSlicer."""
     thickness: Length = Field(default=None, validate_default=True)
     """Thickness h0 in the plane of bending; the diameter of a circle."""
     section: Annotated[Section, Choice(Section)] = "rectangle"
     """Shape of the cross-section."""
     width: Length = Field(default=None, validate_default=True)
     """Width D0 across the plane of bending; the thickness unless given."""
+    nozzle: Annotated[float | None, Quantity("length", "0.4 mm")] = _of_a_line(None)
+    """Inner diameter of the nozzle: its area over that of a round strand is the draw ratio, which the notes tell."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
     """Mass per volume, rho."""
     profile: Annotated[tuple[float, ...], _PROFILE] = ()
@@ -140,29 +172,62 @@ class Filament(Part, table="filament"):
     @model_validator(mode="before")
     @classmethod
     def _round_if_it_has_a_diameter(cls, data: Any) -> Any:
-        return {"section": "circle", **data} if isinstance(data, dict) and data.get("diameter") is not None else data
+        is_round = isinstance(data, dict) and any(data.get(key) is not None for key in ("diameter", "line_width"))
+        return {"section": "circle", **data} if is_round else data
+
+    @field_validator("layer_height", mode="plain")
+    @classmethod
+    def _with_a_line_width(cls, value: Any, info: ValidationInfo) -> float | None:
+        if value is None and info.data.get("line_width") is not None:
+            raise refusal("missing, but filament.line_width is given", _LAYER.accepted)
+        if value is not None and info.data.get("line_width", math.nan) is None:
+            raise refusal("given without filament.line_width", "both, or neither")
+        return None if value is None else float(_LAYER.read(value))
+
+    @field_validator("flow_ratio", "line_shape")
+    @classmethod
+    def _of_a_whole_line(cls, value: Any, info: ValidationInfo) -> Any:
+        width, height = (info.data.get(key, math.nan) for key in ("line_width", "layer_height"))
+        if width is None:
+            raise refusal("given without filament.line_width", "filament.line_width and filament.layer_height, or none")
+        if value == "rounded" and height is not None and width < height:
+            found = f"'rounded', but the line is {length_text(width)} wide and {length_text(height)} high"
+            raise refusal(found, "a line_width not below the layer_height, or rectangle")
+        return value
 
     @field_validator("thickness", mode="plain")
     @classmethod
     def _thinner_than_long(cls, value: Any, info: ValidationInfo) -> float:
-        diameter, span = info.data.get("diameter", math.nan), info.data.get("span", math.inf)
-        if value is None and diameter is None:
-            raise refusal("missing", f"{_THICKNESS.accepted}, or filament.diameter")
-        if value is not None and diameter is not None:
-            raise refusal("given twice, here and as filament.diameter", "one of the two")
-        thickness = diameter if value is None else _THICKNESS.read(value)
+        others = [key for key in ("diameter", "line_width") if info.data.get(key, math.nan) is not None]
+        span = info.data.get("span", math.inf)
+        if value is None and not others and "layer_height" in info.data:
+            raise refusal("missing", f"{_THICKNESS.accepted}, filament.diameter, or filament.line_width")
+        if len(others) + (value is not None) > 1:
+            where = " and ".join(f"filament.{key}" for key in others)
+            twice = f"given twice, here and as {where}" if value is not None else f"given twice, as {where}"
+            raise refusal(twice, "one of the two")
+        thickness = _THICKNESS.read(value) if value is not None else info.data.get("diameter") or math.nan
+        if others == ["line_width"]:
+            # NaN never escapes: a part of the line that is missing here is faulty itself.
+            line = [info.data.get(key, math.nan) for key in LINE]
+            thickness = math.sqrt(4 / math.pi * line_area(*line))
         if thickness >= span:
-            found = shown(value) if diameter is None else f"the diameter, {diameter:g} m,"
-            raise refusal(f"{found} is not less than the span", f"a thickness below the span, {span:g} m")
+            found = f"{shown(value) if not others else f'the diameter, {thickness:g} m,'} is not less than the span"
+            raise refusal(found, f"a thickness below the span, {span:g} m")
         return float(thickness)
 
-    @field_validator("section")
+    @field_validator("section", "nozzle")
     @classmethod
-    def _round_where_it_has_a_diameter(cls, section: Section, info: ValidationInfo) -> Section:
-        if section != "circle" and info.data.get("diameter") is not None:
-            accepted = "circle, or filament.thickness instead of filament.diameter"
-            raise refusal(f"{section!r}, but filament.diameter is given", accepted)
-        return section
+    def _round_where_it_has_a_diameter(cls, value: Any, info: ValidationInfo) -> Any:
+        if info.field_name == "nozzle":
+            if value is not None and info.data.get("section", "circle") != "circle":
+                raise refusal(f"given, but the section is a {info.data['section']}", "leaving it out, or a circle")
+            return value
+        other = next((key for key in ("diameter", "line_width") if info.data.get(key) is not None), None)
+        if value != "circle" and other is not None:
+            accepted = f"circle, or filament.thickness instead of filament.{other}"
+            raise refusal(f"{value!r}, but filament.{other} is given", accepted)
+        return value
 
     @field_validator("width", mode="plain")
     @classmethod
@@ -177,7 +242,17 @@ class Filament(Part, table="filament"):
     @property
     def notes(self) -> tuple[str, ...]:
         """What was given under another name, in words and numbers."""
-        return () if self.diameter is None else (f"thickness = diameter of a circle: {self.thickness:.6g} m",)
+        notes = [] if self.diameter is None else [f"thickness = diameter of a circle: {self.thickness:.6g} m"]
+        area = math.pi / 4 * self.thickness**2
+        if self.line_width is not None and self.layer_height is not None:
+            size = f"{1e3 * self.line_width:g} mm x {1e3 * self.layer_height:g} mm"
+            line = f"{self.line_shape or 'rectangle'} line of {size}"
+            now = f"round strand of the same area, {1e6 * area:.4g} mm^2: diameter {1e3 * self.thickness:.4g} mm"
+            notes.append(f"{line}, flow ratio {self.flow_ratio or 1:g} = {now}")
+        if self.nozzle is not None:
+            ratio = (self.nozzle / self.thickness) ** 2
+            notes.append(f"draw ratio {ratio:.4g} = area of the nozzle over that of the strand; it changes no answer")
+        return tuple(notes)
 
     def follows(self) -> dict[str, str]:
         """Name the values that only repeat another, and need not be written: ``{field: the other}``."""

@@ -13,7 +13,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.files import read_limited
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.groups import determined_by_groups
-from softcat_sym.scene.material import physical_path
+from softcat_sym.scene.material import physical_path, twins
 from softcat_sym.scene.scene import LATE, Scene
 from softcat_sym.scene.shapes import CSV
 from softcat_sym.scene.toml import Override, apply, read_overrides
@@ -92,7 +92,7 @@ def load_scene(name_or_path: str | os.PathLike[str], overrides: Changes = ()) ->
     changes, faults = read_overrides(overrides)
     faults += apply([change for change in changes if _is_group(change)], table)
     determined = determined_by_groups(table)
-    late = tuple(change for change in changes if physical_path(change.path) in determined)
+    late = tuple(one for one in changes if determined & {physical_path(one.path), *twins(one.path)})
     faults += apply([change for change in changes if change not in late and not _is_group(change)], table)
     try:
         scene = Scene.model_validate(table, context={LATE: late})

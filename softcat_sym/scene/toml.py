@@ -46,6 +46,9 @@ def read_overrides(overrides: Mapping[str, object] | Sequence[str]) -> tuple[lis
     return read, faults
 
 
+_ROUND = ("filament.diameter", "filament.line_width")
+
+
 def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
     """Set the values in a raw table, in place."""
     faults = []
@@ -62,7 +65,7 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here[key] = override.value
             # The same quantity given the other way: overruled, or it would be given twice.
             for twin in twins(override.path):
-                if here.pop(twin.partition(".")[2], None) is not None and twin == "filament.diameter":
+                if here.pop(twin.partition(".")[2], None) is not None and twin in _ROUND:
                     # What was round stays so.
                     here.setdefault("section", "circle")
     return faults

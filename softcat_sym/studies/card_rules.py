@@ -30,7 +30,7 @@ from softcat_sym.physics.constitutive_laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.breaking import unbreakable
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, time_to_share
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, time_of_rest, time_to_share
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
 from softcat_sym.scene.natural_curve import is_curved
@@ -93,9 +93,6 @@ class Rule:
         return self.error is not None and not self.holds
 
 
-_STILL = 0.01
-
-
 def descent_of(run: Run) -> Descent | None:
     """Measure the descent of the midpoint; None if the run holds a single frame."""
     time, sag = run.data["time"].values, -run.data["midpoint"].values
@@ -103,13 +100,10 @@ def descent_of(run: Run) -> Descent | None:
         return None
     final, stretch = float(sag[-1]), run.data["stretch"].values[-1]
     at, rise = int(np.argmax(stretch)), float(run.summary["rebound"])
-    moving = np.flatnonzero(np.abs(sag - final) > _STILL * abs(final))
-    first = int(moving[-1]) + 1 if moving.size else 0
-    rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
     return Descent(
         final=final,
         largest=-float(run.summary["midpoint_lowest_m"]),
-        settled=float(time[first]) if rests else None,
+        settled=time_of_rest(time, sag),
         to_90=time_to_share(time, sag) if final > 0 else None,
         rise=rise,
         damping="underdamped" if rise > TURNS_BACK else "overdamped",
