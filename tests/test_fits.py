@@ -28,7 +28,7 @@ from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import Film
+from softcat_sym.fitting.problem import FilmReadings
 from softcat_sym.fitting.result import Fit, FitOutcome, FittedParameter
 from softcat_sym.plotting.fit import fit_page, fitted_toml
 from softcat_sym.plotting.fit_figures import (
@@ -398,14 +398,14 @@ def test_a_fit_starts_elsewhere_if_the_model_has_no_answer_at_the_measured_frequ
 ) -> None:
     ringing, heights, asked = (
         SimpleNamespace(frequency=SimpleNamespace(value=30.0, error=0.1)),
-        Film.values,
+        FilmReadings.values,
         list[object](),
     )
 
-    def once_without_answer(film: Film, q: np.ndarray) -> np.ndarray:
+    def once_without_answer(film: FilmReadings, q: np.ndarray) -> np.ndarray:
         asked.append(q)
         return np.full(film.data.size, np.nan) if len(asked) == 1 else heights(film, q)
 
     monkeypatch.setattr(fit_module, "features_of", lambda *_: ringing)
-    monkeypatch.setattr(Film, "values", once_without_answer)
+    monkeypatch.setattr(FilmReadings, "values", once_without_answer)
     assert fitted("youngs_modulus", "yield_stress").outcome.converged and asked

@@ -12,8 +12,8 @@ import pytest
 from softcat_sym import simulate
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.error_control.estimate import Judge
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.forecast import compliant_sag, lagging
-from softcat_sym.estimates.motion import Motion
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import (
     STRIDE,

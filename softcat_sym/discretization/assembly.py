@@ -20,7 +20,7 @@ from softcat_sym.discretization.grid import (
 )
 from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Supports, ThicknessProfile, node_mass
+from softcat_sym.discretization.supports import NATURAL_PLACES, FilamentBody, Supports, ThicknessProfile, node_mass
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of
@@ -118,7 +118,7 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     return whole_span(cells, left, right, grading, middle=middle, edge=edge)
 
 
-def choose_body(scene: Scene, grid: Grid) -> Body:
+def choose_body(scene: Scene, grid: Grid) -> FilamentBody:
     """Supports, profile and point mass, as far as they are not plain."""
     ends, shaped = scene.ends, has_shape(scene)
     left, right = (support.carries_moment for support in ends.supports)
@@ -135,7 +135,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         springs=tuple(ends.springs),
         curved=(shaped and left, shaped and right),
     )
-    return Body(
+    return FilamentBody(
         supports,
         ThicknessProfile.sampled(scene.filament.profile, grid),
         weighted=scene.load.point_mass > 0,
@@ -240,7 +240,7 @@ class Recorded:
     formulation: Formulation
     grid: Grid
     theory: Theory
-    body: Body
+    body: FilamentBody
 
     @cached_property
     def program(self) -> SymbolicFilament:
@@ -281,7 +281,7 @@ def _block(slot: Slot, grid: Grid) -> Block:
     return Block(slot.name, tuple(range(first, last)), places[first:last], start[first:last])
 
 
-def places_of(grid: Grid, body: Body, power: int) -> dict[str, Floats]:
+def places_of(grid: Grid, body: FilamentBody, power: int) -> dict[str, Floats]:
     """Geometry of each site; what the last site's missing cell would have is one."""
     profile, middle = body.profile, np.zeros(grid.cells + 1)
     middle[int(np.argmin(np.abs(grid.nodes)))] = 0.5 if grid.is_half else 1.0

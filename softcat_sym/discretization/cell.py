@@ -30,7 +30,7 @@ from softcat_sym.discretization.stencil import (
     Same,
     Spread,
 )
-from softcat_sym.discretization.supports import NATURAL_PLACES, Body
+from softcat_sym.discretization.supports import NATURAL_PLACES, FilamentBody
 from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import (
     CELLS,
@@ -139,7 +139,7 @@ Sided = Callable[[int | None, int | None], ca.SX]
 class Builder:
     """Collects the fields of a filament between two ends."""
 
-    def __init__(self, equations: FilamentEquations, ends: tuple[Support, Support], body: Body) -> None:
+    def __init__(self, equations: FilamentEquations, ends: tuple[Support, Support], body: FilamentBody) -> None:
         self.equations, self.first, self.last, self.body = equations, *ends, body
         self.half = self.first is SYMMETRY
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment

@@ -22,7 +22,7 @@ from softcat_sym.discretization.parameters import energy_scale
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import shearing
 from softcat_sym.discretization.stencil import UNKNOWN, Field, Neighbours
-from softcat_sym.discretization.supports import POINT_MASS, TIP_FORCE, TIP_MASS, Body
+from softcat_sym.discretization.supports import POINT_MASS, TIP_FORCE, TIP_MASS, FilamentBody
 from softcat_sym.discretization.unknowns import (
     CELLS,
     HEAT_LOST,
@@ -41,7 +41,9 @@ from softcat_sym.physics.spatial import spatial_section
 from softcat_sym.scene.ends import Support
 
 
-def build(equations: FilamentEquations, ends: tuple[Support, Support], body: Body, rule: SectionRule | None) -> Program:
+def build(
+    equations: FilamentEquations, ends: tuple[Support, Support], body: FilamentBody, rule: SectionRule | None
+) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
     if rule is not None and rule.is_spatial:

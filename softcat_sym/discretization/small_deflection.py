@@ -18,7 +18,7 @@ import sympy as sp
 from softcat_sym.discretization.casadi_printer import printed
 from softcat_sym.discretization.parameter_table import symbols_of
 from softcat_sym.discretization.parameters import AREA, REST_LENGTH, TIME_SCALE, energy_scale
-from softcat_sym.discretization.supports import POINT_MASS, Body
+from softcat_sym.discretization.supports import POINT_MASS, FilamentBody
 from softcat_sym.discretization.symbolic import Evaluated
 from softcat_sym.discretization.unknowns import WORK_OF_AGEING, Signature, Slot
 from softcat_sym.physics import symbols as sy
@@ -45,7 +45,7 @@ class SmallDeflection:
 
     equations: FilamentEquations
     ends: tuple[Support, Support]
-    body: Body
+    body: FilamentBody
     support: tuple[()] = ()  # Nothing balances along x: the force of a support is not known
 
     @cached_property

@@ -78,7 +78,7 @@ class Supports:
 
 
 @dataclass(frozen=True)
-class Body:
+class FilamentBody:
     """What of the filament's body and its supports a graph has to know, beyond equations and grid."""
 
     supports: Supports = field(default_factory=Supports)  # Where they are and how they move

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, always, held_up
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, carries_moment, groups_of, is_held, is_turned

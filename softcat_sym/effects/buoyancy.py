@@ -10,7 +10,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, held_up
 from softcat_sym.errors import Fault
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.scene.scene import Scene
 
 _MAX_DENSITY = 22_600.0

@@ -15,8 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects.effect import Effect, Estimate, Fields, Observed
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.forecast import forecast
-from softcat_sym.estimates.motion import Motion
 from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.estimates.scaling import effective_viscosity, gravity_of, instant_modulus, section_of
 from softcat_sym.physics.terms import Terms, Touch

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.quasi_static_sag import followed_sag
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.scene import Scene

@@ -9,7 +9,7 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import weight_stress
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.errors import Fault
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene

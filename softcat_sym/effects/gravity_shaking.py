@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.forecast import shaken_share
-from softcat_sym.estimates.motion import Motion
 from softcat_sym.scene.scene import Scene
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.scene.dimensions import needs_section_angles
 from softcat_sym.scene.scene import Scene, is_held
 

@@ -9,7 +9,7 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import instant_modulus, weight_stress
 from softcat_sym.physics.terms import Course
 from softcat_sym.scene.history import extremes_of

@@ -10,7 +10,7 @@ from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, held_up
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.estimates import scaling as scales
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.scene.scene import Scene, carries_moment, is_held, rest_length
 
 _UNEVENNESS = 4e-4

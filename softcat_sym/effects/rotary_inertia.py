@@ -7,7 +7,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import section_of
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene, groups_of

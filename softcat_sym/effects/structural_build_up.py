@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene
 

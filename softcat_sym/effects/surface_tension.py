@@ -7,7 +7,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, held_up
 from softcat_sym.errors import Fault
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import (
     instant_modulus,
     pull_of_surface,

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.natural_strain import shrinking
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import gravity_of
 from softcat_sym.physics.terms import Course, Terms, Warming
 from softcat_sym.scene.history import History

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, OfMotion
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.quasi_static_sag import elastic_sag_under, load_factor
 from softcat_sym.estimates.scaling import instant_modulus, weight_stress
 from softcat_sym.scene.scene import Scene

@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from softcat_sym.estimates import quasi_static_sag as quasi_static
 from softcat_sym.estimates import scaling as scales
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.free_vibration import ExpectedRinging, ringing, solid_decay, solid_retardation
-from softcat_sym.estimates.motion import Motion
 from softcat_sym.physics.beams import ramp_gain
 from softcat_sym.scene.scene import (
     Scene,

@@ -18,7 +18,7 @@ from scipy.optimize import least_squares, minimize_scalar
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import CRITERION, charge, charges
-from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
+from softcat_sym.fitting.identifiability import FittedConstant, estimate, standard_errors, student_quantile
 from softcat_sym.fitting.measurements import arrays_of
 from softcat_sym.scene.laws import CONSTANTS, LAWS, LawSpec
 from softcat_sym.scene.material import shear_names
@@ -176,9 +176,11 @@ class Candidate:
     """One fitted law."""
 
     law: str  # Its name
-    tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
-    k: Estimate
-    n: Estimate | None
+    tau_Y: (
+        FittedConstant | None
+    )  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
+    k: FittedConstant
+    n: FittedConstant | None
     relative_rms: float  # Root mean square of the relative residuals
     criterion: float  # `CRITERION`, without a common constant; infinite with too few points for it
     fitted: Floats  # shape (points,); Stress of the law [Pa]
@@ -540,7 +542,7 @@ def scatter(curve: FlowCurve, law: str) -> float:
 
 def _judged(
     rate: Floats, stress: Floats, law: LawSpec, values: dict[str, float], squares: float
-) -> dict[str, Estimate]:
+) -> dict[str, FittedConstant]:
     """Estimate of every constant; constants on a bound do not count as free."""
     k, n = values["k"], values["n"]
     slack = 1e-6
@@ -561,7 +563,7 @@ def _judged(
     quantile = student_quantile(len(rate) - len(free))
     bounds = {"tau_Y": (0.0, math.inf), "k": (0.0, math.inf), "n": INDEX_BOUNDS}
     judged = {
-        name: Estimate(value, None, None, None, "on a bound" if fitted[name] else "undetermined")
+        name: FittedConstant(value, None, None, None, "on a bound" if fitted[name] else "undetermined")
         for name, value in values.items()
     }
     for name, error in zip(free, errors, strict=True):

@@ -39,7 +39,7 @@ LEVEL = 0.95
 
 
 @dataclass(frozen=True)
-class Estimate:
+class FittedConstant:
     """A fitted constant."""
 
     value: float  # In SI units
@@ -56,15 +56,15 @@ class Estimate:
 _UNSURE: dict[bool, Determination] = {True: "poorly determined", False: "undetermined"}
 
 
-def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> Estimate:
+def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> FittedConstant:
     """Standard error, interval and verdict of a constant that lies between its bounds."""
     if not math.isfinite(error):
-        return Estimate(value, None, None, None, "undetermined")
+        return FittedConstant(value, None, None, None, "undetermined")
     half = quantile * error
     inside = bounds[0] < value - half and value + half < bounds[1]
     interval = (max(value - half, bounds[0]), min(value + half, bounds[1]))
     known = inside and is_identified(math.log(value - half), math.log(value + half))
-    return Estimate(value, error, interval, half, "determined" if known else _UNSURE[inside])
+    return FittedConstant(value, error, interval, half, "determined" if known else _UNSURE[inside])
 
 
 def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ from softcat_sym.fitting.likelihood import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.fitting.priors import read_priors
-from softcat_sym.fitting.problem import Film
+from softcat_sym.fitting.problem import FilmReadings
 from softcat_sym.fitting.result import Fit
 from softcat_sym.scene.laws import LAWS, kind_of_constant, spec_of
 from softcat_sym.scene.scene import Scene
@@ -380,7 +380,7 @@ _NOISIER = 3.0
 """By how much more than any of the laws found the noise may be."""
 
 
-def _misfit(one: Fit, widest: Sequence[Film], limits: tuple[float, float]) -> float:
+def _misfit(one: Fit, widest: Sequence[FilmReadings], limits: tuple[float, float]) -> float:
     """-2 log L with given covariances of the theory's error, for the best standard deviation of the noise in limits.
 
     In units of the standard deviations of the films whose covariances are given, and without the constant.

@@ -113,7 +113,7 @@ def camera_spread(film: Series) -> dict[str, float]:
 
 
 @dataclass(frozen=True, eq=False)
-class Film(Readings):
+class FilmReadings(Readings):
     """One series, the model of its filament, the unknowns on which that depends, and the errors of its readings."""
 
     series: Series
@@ -210,7 +210,7 @@ class Film(Readings):
         """Height that one radian of the camera's tilt adds [m]."""
         return np.nan_to_num(self.place)
 
-    def with_errors(self, scene: Scene, values: Floats, *, theory: bool, by_time: Floats | None = None) -> Film:
+    def with_errors(self, scene: Scene, values: Floats, *, theory: bool, by_time: Floats | None = None) -> FilmReadings:
         """The film with the errors of camera and theory for heights [m] and forces [N] of a scene.
 
         An error of the clock acts by the derivatives by time, by default those of the values.
@@ -319,7 +319,7 @@ class FilamentProblem(Unknowns):
             of_model = [*(free for _, free in inside), *clock]
             none = np.zeros((given.data.size, 0))
             unit = np.where(np.where(given.is_force, *self._stated[::-1]), given.stated, 1.0)
-            made = Film(
+            made = FilmReadings(
                 **vars(given),
                 series=film,
                 model=ForwardModel(one, of_model, film.time, backend, time_steps(film, one, rtol)),
@@ -423,7 +423,7 @@ class FilamentProblem(Unknowns):
         made.__dict__.pop("systematic", None)
         return made
 
-    def _renewed(self, film: Film, q: Floats) -> Film:
+    def _renewed(self, film: FilmReadings, q: Floats) -> FilmReadings:
         """The film with the errors of camera and theory at an optimum.
 
         The theory's is about the filament of the film, which a change of constants hardly moves; the clock's about the
@@ -442,7 +442,12 @@ class FilamentProblem(Unknowns):
         return film.with_errors(film.scene(q), shown, theory=self._theory, by_time=rates)
 
     def _estimate(
-        self, films: Sequence[Film], linearised: Sequence[tuple[Floats, Floats, Floats]], q: Floats, *, correlated: bool
+        self,
+        films: Sequence[FilmReadings],
+        linearised: Sequence[tuple[Floats, Floats, Floats]],
+        q: Floats,
+        *,
+        correlated: bool,
     ) -> NoiseEstimate:
         others = np.zeros((0, q.size)) if self.flow is None else self.flow.slopes(q)
         residuals = [

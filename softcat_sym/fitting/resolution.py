@@ -24,7 +24,7 @@ from softcat_sym.error_control.refinement import refined
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.identifiability import Information
 from softcat_sym.fitting.least_squares import Floats, Optimum
-from softcat_sym.fitting.problem import FilamentProblem, Film, time_steps
+from softcat_sym.fitting.problem import FilamentProblem, FilmReadings, time_steps
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.settings import compiled_settings
@@ -120,7 +120,7 @@ def finer(found: Moved, given: Scene) -> Resolution | None:
     return None if following == found.at else following
 
 
-def _changes(film: Film, scene: Scene, effects: Effects, at: Resolution, begin: float) -> list[Floats]:
+def _changes(film: FilmReadings, scene: Scene, effects: Effects, at: Resolution, begin: float) -> list[Floats]:
     """Error of the readings from grid, time steps and fibres each; NaN where a run has no answer."""
     # A grid too coarse to be halved is compared with a finer one, by the same formula.
     coarse = replace(at, cells=at.cells // 2 if at.cells >= _FEWEST_HALVED else 2 * at.cells)

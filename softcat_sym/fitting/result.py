@@ -26,7 +26,7 @@ from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, judge
 from softcat_sym.fitting.least_squares import Floats, MultiStartResult
 from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.problem import FilamentProblem, Film
+from softcat_sym.fitting.problem import FilamentProblem, FilmReadings
 from softcat_sym.fitting.resolution import Moved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.table_reader import counted
@@ -128,7 +128,7 @@ class FittedFilm:
 
     @classmethod
     def of(
-        cls, film: Film, q: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
+        cls, film: FilmReadings, q: Floats, unit: float, features: Features | None, closed: ClosedForm | None, name: str
     ) -> FittedFilm:
         """Compare a film with its model and the errors of camera and theory that it shows.
 

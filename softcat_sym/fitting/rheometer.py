@@ -18,7 +18,7 @@ from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charges
 from softcat_sym.fitting.flow_curve import REPLACED, FlowCurveFit, fit_flow_curve, fitted_scene
-from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
+from softcat_sym.fitting.identifiability import FittedConstant, estimate, standard_errors, student_quantile
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
@@ -46,12 +46,12 @@ _DROP = 0.5  # Share of G' below which a material counts as broken down
 
 
 @dataclass(frozen=True)
-class Constant:
+class RheometerConstant:
     """A constant of the scene that a test determines."""
 
     key: str  # Of [material], in shear, as a scene takes it
     unit: str
-    estimate: Estimate
+    estimate: FittedConstant
     source: str  # File, and how it was read off
 
 
@@ -81,8 +81,8 @@ class RheometerTest:
     kind: str
     path: Path
     table: pd.DataFrame
-    found: Mapping[str, Estimate]
-    modes: tuple[tuple[Estimate, Estimate], ...] = ()
+    found: Mapping[str, FittedConstant]
+    modes: tuple[tuple[FittedConstant, FittedConstant], ...] = ()
     notes: tuple[str, ...] = ()
     curve: Callable[[Floats], Floats] | None = None
     swept: str = "strain"
@@ -112,13 +112,13 @@ def _least_squares(
     return found.x, errors, len(found.fun) - int(free.sum())
 
 
-def _of_log(log: float, error: float, freedom: int) -> Estimate:
+def _of_log(log: float, error: float, freedom: int) -> FittedConstant:
     """A positive constant from its logarithm, with an interval that is even in the logarithm."""
     value, half = math.exp(log), student_quantile(max(freedom, 1)) * error
     known = estimate(value, value * error, student_quantile(max(freedom, 1)), (0.0, math.inf))
     if not math.isfinite(half):
         return known
-    return Estimate(
+    return FittedConstant(
         value, value * error, (value * math.exp(-half), value * math.exp(half)), value * half, known.verdict
     )
 
@@ -137,7 +137,11 @@ def read_amplitude_sweep(path: Path, table: pd.DataFrame, notes: tuple[str, ...]
     strain, stress, storage, loss = (
         table[name].to_numpy() for name in ("strain", "shear_stress", "storage_modulus", "loss_modulus")
     )
-    level, found, said = float(np.median(storage[: max(3, len(storage) // 3)])), dict[str, Estimate](), list(notes)
+    level, found, said = (
+        float(np.median(storage[: max(3, len(storage) // 3)])),
+        dict[str, FittedConstant](),
+        list(notes),
+    )
     broken = np.flatnonzero(storage < _DROP * level)
     used = slice(0, max(int(broken[0]) + 1 if broken.size else len(storage), _FEWEST - 1))
     x, y = np.log(strain[used]), np.log(storage[used])
@@ -181,7 +185,7 @@ def read_amplitude_sweep(path: Path, table: pd.DataFrame, notes: tuple[str, ...]
     return RheometerTest("amplitude sweep", path, table, found, (), tuple(said), curve, "strain")
 
 
-def _crossing(x: Floats, ratio: Floats) -> Estimate | None:
+def _crossing(x: Floats, ratio: Floats) -> FittedConstant | None:
     """Where log G'/G'' falls through zero, by a parabola through the three points on either side, and its error."""
     falls = np.flatnonzero((ratio[:-1] > 0) & (ratio[1:] <= 0))
     if not falls.size or ratio[0] <= 0:
@@ -412,8 +416,8 @@ class RheometerMaterial(Drawable):
     """
 
     tests: tuple[RheometerTest | FlowCurveFit, ...]
-    constants: tuple[Constant, ...]
-    told: tuple[Constant, ...]
+    constants: tuple[RheometerConstant, ...]
+    told: tuple[RheometerConstant, ...]
     keys: Mapping[str, object]
     missing: Mapping[str, str]
     warnings: tuple[str, ...] = field(default=())
@@ -444,7 +448,7 @@ class RheometerMaterial(Drawable):
     def to_dict(self) -> dict[str, Any]:
         """Content of ``material.json``, in SI and in shear."""
 
-        def rows(constants: Sequence[Constant]) -> dict[str, Any]:
+        def rows(constants: Sequence[RheometerConstant]) -> dict[str, Any]:
             return {
                 one.key: {
                     "value": one.estimate.value,
@@ -482,16 +486,16 @@ _RATIOS = ("index", "strain_linear", "destroyed_share", "recovered_share", "loss
 class _Collected:
     """What has been gathered of the tests, one after the other: what decides the law first."""
 
-    constants: list[Constant] = field(default_factory=list)
-    told: list[Constant] = field(default_factory=list)
+    constants: list[RheometerConstant] = field(default_factory=list)
+    told: list[RheometerConstant] = field(default_factory=list)
     keys: dict[str, object] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
 
-    def add(self, name: str, found: Estimate | None, source: str, *, into_scene: bool) -> None:
+    def add(self, name: str, found: FittedConstant | None, source: str, *, into_scene: bool) -> None:
         """Add a constant that a test has, to those of the scene or to those that are told."""
         if found is not None:
             unit = "" if name in _RATIOS else _UNITS.get(name, "s" if name.endswith("time") else "Pa")
-            (self.constants if into_scene else self.told).append(Constant(name, unit, found, source))
+            (self.constants if into_scene else self.told).append(RheometerConstant(name, unit, found, source))
 
     def flow_curve(self, fit: FlowCurveFit, law: str | None) -> None:
         """Law, yield stress, viscosity or consistency, index."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from softcat_sym.physics.constitutive_laws import Constant
-from softcat_sym.physics.contact import densities_of_contact
+from softcat_sym.physics.contact_densities import densities_of_contact
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.symbols import A0, L_0, g_t, h0, mu_b, rho_b, s, x_t, x_X, y, y_t, y_X

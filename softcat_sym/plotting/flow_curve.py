@@ -21,7 +21,7 @@ from softcat_sym.plotting.units import significant
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from softcat_sym.fitting.identifiability import Estimate
+    from softcat_sym.fitting.identifiability import FittedConstant
     from softcat_sym.scene.scene import Scene
 
 _LOOKS: tuple[tuple[str, Any, str], ...] = (
@@ -94,7 +94,7 @@ def flow_curve_table(fit: FlowCurveFit) -> Table:
     return TextTable(header, rows, range(1, len(header))).printed(title, caption, whole=[0])
 
 
-def _with_interval(constant: Estimate | None) -> str:
+def _with_interval(constant: FittedConstant | None) -> str:
     if constant is None:
         return "–"
     if constant.half_width is None:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from softcat_sym import drawing
 from softcat_sym.drawing import Report
 from softcat_sym.fitting.flow_curve import FlowCurveFit
-from softcat_sym.fitting.rheometer import Constant, RheometerMaterial, RheometerTest
+from softcat_sym.fitting.rheometer import RheometerConstant, RheometerMaterial, RheometerTest
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, styled
 from softcat_sym.plotting.terminal import TextTable
@@ -81,7 +81,7 @@ def _draw_test(axes: Axes, test: RheometerTest) -> None:
         axes.legend(loc="best")
 
 
-def _rows(constants: tuple[Constant, ...]) -> list[tuple[str, str, str, str]]:
+def _rows(constants: tuple[RheometerConstant, ...]) -> list[tuple[str, str, str, str]]:
     rows = []
     for one in constants:
         interval = one.estimate.interval

@@ -12,6 +12,7 @@ from numpy.polynomial import Polynomial
 
 from softcat_sym.discretization.unknowns import PLACES, Floats
 from softcat_sym.effects.selection import Effects
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.expected_regime import TURNS_BACK
 from softcat_sym.estimates.forecast import (
     compliant_sag,
@@ -23,7 +24,6 @@ from softcat_sym.estimates.forecast import (
     tension_share,
 )
 from softcat_sym.estimates.free_vibration import first_vibration, ringing, solid_decay
-from softcat_sym.estimates.motion import Motion
 from softcat_sym.estimates.quasi_static_sag import load_factor, retardation, solvent_lag
 from softcat_sym.estimates.scaling import (
     effective_viscosity,

@@ -13,7 +13,7 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.selection import Effects
-from softcat_sym.estimates.motion import Motion
+from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.scaling import neck_length
 from softcat_sym.results.breaking import breakable, first_break
 from softcat_sym.results.fields import audit_of, energies_of, is_loss, min_energy

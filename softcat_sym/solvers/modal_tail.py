@@ -95,7 +95,7 @@ class Conditions:
                 length = min(GROWTH * length, LONGEST_WINDOW * self.period)
 
 
-class Rates(Protocol):
+class FilamentRates(Protocol):
     """Right-hand side of a filament at one instant of a time at which nothing changes by itself."""
 
     def rates(self, states: Floats) -> Floats:
@@ -154,7 +154,7 @@ class Modes:
     turns: Floats  # da/dq of what is algebraic, (a, q)
 
     @classmethod
-    def of(cls, rates: Rates, at: Partition, state: Floats) -> Modes | None:
+    def of(cls, rates: FilamentRates, at: Partition, state: Floats) -> Modes | None:
         """Newton's method from a state nearby, then eigenvectors; None without a stable equilibrium or with damping."""
         rest, free, forces = state.copy(), np.append(at.q, at.a), np.append(at.v, at.a)
         rest[at.v] = 0.0
@@ -305,7 +305,7 @@ def _frequency(after: Floats, q: Floats, v: Floats, linear: float) -> float:
     return found
 
 
-def foretold_flow(conditions: Conditions, rates: Rates, at: Partition, tail: ModalTail, end: float) -> float:
+def foretold_flow(conditions: Conditions, rates: FilamentRates, at: Partition, tail: ModalTail, end: float) -> float:
     """Plastic strain of the tail of the fibre that flows most, over the yield strain; more than allowed if it is."""
     if not len(at.plastic):
         return 0.0
@@ -322,12 +322,12 @@ def foretold_flow(conditions: Conditions, rates: Rates, at: Partition, tail: Mod
 
 
 @dataclass(frozen=True)
-class Later:
+class ModalFrames:
     """Frames of a solution behind the last that was integrated, computed when they are asked for."""
 
     tail: ModalTail
     pieces: Pieces  # What was integrated
-    rates: Rates
+    rates: FilamentRates
     partition: Partition
 
     @cached_property
@@ -414,7 +414,9 @@ class Pieces:
         return replace(Solution.joined(parts), extremes=extremes)
 
 
-def solved_with_tail(conditions: Conditions, rates: Rates, at: Partition, pieces: Pieces, midpoint: int) -> Solution:
+def solved_with_tail(
+    conditions: Conditions, rates: FilamentRates, at: Partition, pieces: Pieces, midpoint: int
+) -> Solution:
     """Integrate until the modes carry a run to its end, or all of it; `midpoint` is a row, differential ones first."""
     end, sites, refusals = float(pieces.frames[-1]), pieces.sites, 0
     start, fits = (
@@ -440,12 +442,12 @@ def solved_with_tail(conditions: Conditions, rates: Rates, at: Partition, pieces
             continue
         tail = replace(tail, flow=foretold_flow(conditions, rates, at, tail, end))
         if tail.flow <= _TO_FLOW:
-            return _ended(pieces, tail, Later(tail, pieces, rates, at), midpoint)
+            return _ended(pieces, tail, ModalFrames(tail, pieces, rates, at), midpoint)
     pieces.go_to(end)
     return pieces.joined()
 
 
-def _ended(pieces: Pieces, tail: ModalTail, later: Later, midpoint: int) -> Solution:
+def _ended(pieces: Pieces, tail: ModalTail, later: ModalFrames, midpoint: int) -> Solution:
     head, sites, frames = pieces.joined(), pieces.sites, pieces.frames
     turns = tail.extremes(int(np.append(sites.x, sites.z)[midpoint]), float(frames[-1]))
     extremes = None if head.extremes is None else head.extremes.followed_by(turns)

@@ -14,7 +14,7 @@ from softcat_sym.discretization.assembly import Recorded, Theory, choose_grid, c
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.supports import FilamentBody
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.physics.section_equations import FilamentEquations, derive
@@ -69,10 +69,10 @@ def assemble(
     grid: Grid,
     effects: tuple[str, ...],
     theory: Theory = KIRCHHOFF,
-    body: Body | None = None,
+    body: FilamentBody | None = None,
 ) -> Graph:
     """Evaluate the filament of one cell's equations on a grid."""
-    recorded = Recorded(equations.formulation, grid, theory, body or Body())
+    recorded = Recorded(equations.formulation, grid, theory, body or FilamentBody())
     return assembly.graph_of(recorded, effects, recorded.program.signature)
 
 

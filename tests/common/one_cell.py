@@ -14,7 +14,7 @@ from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_points import sampled
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule
 from softcat_sym.discretization.stencil import PARAMETER, UNKNOWN, Leaf
-from softcat_sym.discretization.supports import Body
+from softcat_sym.discretization.supports import FilamentBody
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.physics import reissner
 from softcat_sym.physics.section_equations import derive
@@ -43,7 +43,7 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
         thickness=UNIT, span=10.0, E=UNIT, eta=UNIT, yield_stress=yield_stress, section=section, effects=names
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS[section], asked.run.closure)
-    builder = Builder(equations, (SYMMETRY, CLAMPED), Body())
+    builder = Builder(equations, (SYMMETRY, CLAMPED), FilamentBody())
     s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
     straight = {reissner.Lam: s, reissner.Gam: ca.SX(0), reissner.k: turning}
     resolved = equations.resolved
@@ -70,7 +70,7 @@ def sheared_cell(material: Mapping[str, object]) -> OneCell:
         }
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], asked.run.closure)
-    builder, rule = Builder(equations, (SYMMETRY, CLAMPED), Body()), fibre_rule("rectangle", 2)
+    builder, rule = Builder(equations, (SYMMETRY, CLAMPED), FilamentBody()), fibre_rule("rectangle", 2)
     strains, resolved = (ca.SX.sym("Lam"), ca.SX.sym("Gam"), ca.SX(0)), equations.resolved
     assert resolved is not None
     by = (reissner.Lam, reissner.Gam, reissner.k)
