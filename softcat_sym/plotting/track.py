@@ -24,10 +24,9 @@ from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.contour import PillarContour
-from softcat_sym.tracking.edges import UnreadableFrameError
 from softcat_sym.tracking.film import Picture
 from softcat_sym.tracking.result import Track
-from softcat_sym.tracking.strand import Camera, Measured, measure
+from softcat_sym.tracking.strand import Camera, Strand, UnreadableFrameError, measure
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
@@ -170,21 +169,21 @@ class _Canvas:
         self.picture = np.repeat(np.kron(level, np.ones((self.factor, self.factor), np.uint8))[:, :, None], 3, axis=2)
         for camera in cameras:
             row = np.arange(0, grey.shape[0], 2.0)
-            for edge in (camera.supports.left, camera.supports.right):
-                self.paint(edge - np.tan(camera.tilt) * (row - camera.centre[1]), row, _SUPPORT)
+            for edge in camera.supports:
+                self.paint(edge - np.tan(camera.tilt) * (row - camera.row), row, _SUPPORT)
             with suppress(UnreadableFrameError):
-                self._paint_strand(camera, measure(camera, grey))
+                self._paint_strand(camera, measure(camera, camera.light.signal(grey)))
 
-    def _paint_strand(self, camera: Camera, measured: Measured) -> None:
-        x = np.arange(measured.x[0], measured.x[-1], 0.3 / self.factor)
-        y, half = measured.height(x), measured.thickness(x) / 2
+    def _paint_strand(self, camera: Camera, strand: Strand) -> None:
+        x = np.arange(strand.x[0], strand.x[-1], 0.3 / self.factor)
+        y, half = strand.height(x), strand.thickness(x) / 2
         slope = np.gradient(y, x)
         normal = np.stack([-slope, np.ones_like(x)]) / np.hypot(slope, 1)
         for side in (-1, 1):
             self.paint(*camera.to_picture(x + side * half * normal[0], y + side * half * normal[1]), _EDGE)
         self.paint(*camera.to_picture(x, y), _MIDLINE)
-        bad = ~measured.fitted.kept
-        self.paint(*camera.to_picture(measured.x[bad], measured.y[bad]), _REJECTED, 3)
+        bad = ~strand.line.kept
+        self.paint(*camera.to_picture(strand.x[bad], strand.y[bad]), _REJECTED, 3)
 
     def paint(self, x: Floats, y: Floats, colour: NDArray[np.uint8], size: int = 2) -> None:
         """Paint squares at columns and rows of the frame."""
