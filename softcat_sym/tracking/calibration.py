@@ -70,11 +70,17 @@ class Ruler:
 
 def read_region(numbers: Sequence[object]) -> Region:
     """Read columns and rows of a part of a picture."""
-    try:
-        x0, x1, y0, y1 = (int(str(number)) for number in numbers)
-    except ValueError:
-        raise SoftcatError(f"region {','.join(map(str, numbers))}: accepted: columns and rows x0,x1,y0,y1") from None
+    x0, x1, y0, y1 = (int(one) for one in read_numbers("region", numbers, "0,640,100,400"))
     return x0, x1, y0, y1
+
+
+def read_numbers(name: str, numbers: Sequence[object], example: str) -> list[float]:
+    """Read as many numbers as there are in an example."""
+    with suppress(ValueError, OverflowError):
+        found = [float(str(one)) for one in numbers]
+        if len(found) == example.count(",") + 1 and np.isfinite(found).all():
+            return found
+    raise SoftcatError(f"{name} {','.join(map(str, numbers))}: accepted: numbers such as {example}")
 
 
 def _width_of(part: Picture, camera: Camera, region: Region) -> tuple[float, float]:
@@ -121,7 +127,7 @@ class Calibration:
 
 
 def calibrate(
-    source: Film, supports: tuple[float, float] | None, dark: bool | None, ruler: Ruler, *, flatten: bool
+    source: Film, supports: Sequence[object] | None, dark: bool | None, ruler: Ruler, *, flatten: bool
 ) -> Calibration:
     """Light, supports and scale from the first frame, the blur width from frames 1, 2, 4, 8 and so on."""
     strands, predicted, first = list[Strand](), list[bool](), next(iter(source), None)
@@ -155,43 +161,44 @@ def _level_of(signal: Picture) -> float:
     return _LEVEL * float(np.median(strand))
 
 
-def cameras_of_gaps(source: Film, frame: Frame, dark: bool | None, *, flatten: bool) -> list[Camera]:
-    """How each gap is seen that a strand crosses in one frame, from left to right; row and tilt are not found yet."""
+def cameras_of_gaps(
+    source: Film, frame: Frame, dark: bool | None, supports: Sequence[object] | None = None, *, flatten: bool
+) -> list[Camera]:
+    """How each gap is seen that a strand crosses in one frame, from left to right, or the one between given supports.
+
+    Row and tilt are not found yet.
+    """
     rows, columns = frame.grey.shape
-    if rows < _SMALLEST or columns < _SMALLEST:
+    if min(rows, columns) < _SMALLEST:
         raise SoftcatError(
             f"film {source.path}: {columns} x {rows} pixels; accepted: at least {_SMALLEST} in both directions"
         )
     light = Light.of(frame.grey, dark, flat=flatten)
     signal = light.signal(frame.grey)
-    level = _level_of(signal)
-    return [Camera(light, level, _BLUR, *gap) for gap in find_gaps(signal, level, _BLUR)]
+    if supports is None:
+        level = _level_of(signal)
+        return [Camera(light, level, _BLUR, *gap) for gap in find_gaps(signal, level, _BLUR)]
+    left, right = read_numbers("supports", supports, "35,285")
+    if not 0 <= left < right <= columns - 1 or right - left < 20:
+        raise SoftcatError(f"supports {left:g},{right:g}: accepted: two columns x0 < x1 of the picture, 0 to "
+                           f"{columns - 1}, at least 20 apart")  # fmt: skip
+    return [Camera(light, _level_of(signal[:, int(left) : int(right) + 1]), _BLUR, (left, right))]
 
 
 def _camera(
-    source: Film, frame: Frame, supports: tuple[float, float] | None, dark: bool | None, *, flatten: bool
+    source: Film, frame: Frame, supports: Sequence[object] | None, dark: bool | None, *, flatten: bool
 ) -> Camera:
     """How the strand is seen that crosses the picture's middle, in the first frame."""
-    columns = frame.grey.shape[1]
-    if supports is None:
-        cameras = cameras_of_gaps(source, frame, dark, flatten=flatten)
-        camera = next((one for one in cameras if one.supports[0] < columns / 2 < one.supports[1]), None)
-        if camera is None:
-            raise SoftcatError(
-                "no support found to the left or to the right of the picture's middle: give the columns of both edges "
-                "by --supports x0,x1; --vertical is for a strand that hangs"
-            )
-        signal = camera.light.signal(frame.grey)
-    else:
-        left, right = supports
-        if not 0 <= left < right <= columns - 1 or right - left < 20:
-            raise SoftcatError(f"supports {left:g},{right:g}: accepted: two columns x0 < x1 of the picture, 0 to "
-                               f"{columns - 1}, at least 20 apart")  # fmt: skip
-        light = Light.of(frame.grey, dark, flat=flatten)
-        signal = light.signal(frame.grey)
-        camera = Camera(light, _level_of(signal[:, int(left) : int(right) + 1]), _BLUR, supports)
+    middle, cameras = frame.grey.shape[1] / 2, cameras_of_gaps(source, frame, dark, supports, flatten=flatten)
+    near = [one for one in cameras if supports is not None or one.supports[0] < middle < one.supports[1]]
+    if not near:
+        raise SoftcatError(
+            "no support found to the left or to the right of the picture's middle: give the columns of both edges "
+            "by --supports x0,x1; --vertical is for a strand that hangs"
+        )
+    (camera,) = near
     try:
-        first = measure(camera, signal)
+        first = measure(camera, camera.light.signal(frame.grey))
     except UnreadableFrameError as error:
         raise SoftcatError(f"film {source.path}: first frame: {error}; accepted: one strand from support to support; "
                            "--roi leaves out what else is in the picture, --dark or --light name the strand, "

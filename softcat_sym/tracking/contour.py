@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from softcat_sym import drawing, files
+from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
 from softcat_sym.tracking.calibration import Ruler, cameras_of_gaps, read_region
 from softcat_sym.tracking.film import Film
@@ -41,17 +41,12 @@ class PillarContour(drawing.Drawable):
         rows = [f"{1e3 * x:.7g},{1e3 * y:.7g}" for x, y in zip(self.x, self.y, strict=True)]
         return "\n".join([*lines, "x_mm,y_mm", *rows]) + "\n"
 
-    def save(self, path: str | Path) -> Path:
-        """Write the table for ``softcat fit --test collapse``, and return its path."""
-        with files.new_folder(Path(path).parent):
-            return files.replace_atomically(Path(path), self.to_csv().encode())
-
 
 def contour(
     picture: str | os.PathLike[str],
     scale: str,
     *,
-    region: Sequence[int] | None = None,
+    region: Sequence[object] | None = None,
     dark: bool | None = None,
     flatten: bool = True,
 ) -> PillarContour:

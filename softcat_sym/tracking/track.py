@@ -37,8 +37,8 @@ def track(
     film: str | os.PathLike[str],
     scale: str,
     *,
-    region: Sequence[int] | None = None,
-    supports: tuple[float, float] | None = None,
+    region: Sequence[object] | None = None,
+    supports: Sequence[object] | None = None,
     release: str | float | None = None,
     fps: float | None = None,
     dark: bool | None = None,
@@ -60,9 +60,9 @@ def track(
     scale : str
         ``"span=50 mm"`` (the distance of the supports), ``"pixel=20 um"``, or ``"needle@x0,x1,y0,y1=1.2 mm"`` (the
         width of a bar in a region of the first frame: a needle, a ruler).
-    region : sequence of int, optional
+    region : sequence of four int, optional
         Columns and rows x0, x1, y0, y1 of the part of the picture to read.
-    supports : (float, float), optional
+    supports : sequence of two float, optional
         Columns of the supports' edges, in the region; found by default.
     release : str or float, optional
         Number of the frame of the release, or its time with a unit, ``"0.35 s"``; found by default, to half a frame.
