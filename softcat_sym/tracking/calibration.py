@@ -97,7 +97,7 @@ def _width_of(part: Picture, camera: Camera, region: Region) -> tuple[float, flo
                            f"in it ({error})") from None  # fmt: skip
     at = np.linspace(bar.x[0], bar.x[-1], 20)
     # Of a bar that is not equally wide everywhere it is not known where the width was measured.
-    return float(bar.thickness(at).mean()), float(np.hypot(bar.thickness.std(at).mean(), bar.thickness(at).std()))
+    return float(bar.thickness(at).mean()), float(np.hypot(bar.apart.std(at).mean(), bar.thickness(at).std()))
 
 
 @dataclass(frozen=True, eq=False)

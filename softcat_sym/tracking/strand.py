@@ -63,17 +63,23 @@ class Strand:
 
     x: Floats  # shape (n,); place of each cut
     y: Floats  # shape (n,); height of each cut
-    line: Curve
-    thickness: Curve
+    line: Curve  # halfway between both edges
+    apart: Curve  # distance of the edges
     rms: float  # of the residuals of brightness, median over the cuts
     contrast: float  # step of brightness, median
     blur: float  # width, median
     window: float  # thickness of a bright part within the strand over that of the dark part
 
+    # Blur moves an edge of curvature k by w^2 k/2 towards the centre of its circle, the inner one by w^2 k^2 h/2 more.
+
     def height(self, x: Floats) -> Floats:
-        """Heights of the midline; blur moves an edge of curvature k by w^2 k/2 towards the centre of its circle."""
-        bend = self.line(x, 2) / (1 + self.line(x, 1) ** 2)
-        return np.asarray(self.line(x) - self.blur**2 / 2 * bend)
+        """Heights of the midline."""
+        return np.asarray(self.line(x) - self.blur**2 / 2 * self.line(x, 2) / (1 + self.line(x, 1) ** 2))
+
+    def thickness(self, x: Floats) -> Floats:
+        """Thicknesses along the normal."""
+        curvature = self.line(x, 2) / (1 + self.line(x, 1) ** 2) ** 1.5
+        return np.asarray(self.apart(x) * (1 - (self.blur * curvature) ** 2 / 2))
 
 
 def measure(camera: Camera, signal: Picture, *, free: bool = False) -> Strand:
@@ -122,8 +128,8 @@ def measure(camera: Camera, signal: Picture, *, free: bool = False) -> Strand:
     smooth = curve(x, y, _PIECES, 1 / variance, rounding=_BLOCKY)
     _check(smooth.kept, 0.5, "{:.0%} of the cuts agree with a smooth strand")
     rms, contrast, blur = (float(np.median(one[good])) for one in (found.rms, found.height, found.width))
-    thickness = curve(x, wide, _THICKNESS_PIECES, rounding=_BLOCKY)
-    return Strand(x, y, smooth, thickness, rms, contrast, blur, window)
+    apart = curve(x, wide, _THICKNESS_PIECES, rounding=_BLOCKY)
+    return Strand(x, y, smooth, apart, rms, contrast, blur, window)
 
 
 def _coarse_midline(signal: Picture, level: float, left: float, right: float) -> tuple[Floats, Curve, Curve, float]:

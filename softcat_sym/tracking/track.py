@@ -144,7 +144,7 @@ def _line_and_values(strand: Strand, camera: Camera) -> tuple[Floats, Floats]:
     line, shown, at = np.polyfit(strand.x, strand.y, 1), strand.x[strand.line.kept], _places(camera)
     is_straight = np.std((strand.y - np.polyval(line, strand.x))[strand.line.kept]) < STRAIGHT
     near = np.abs(shown - at[:, None]) < max(0.02 * np.ptp(camera.supports), 6.0)
-    values = strand.height(at), strand.line.std(at), strand.thickness(at), strand.thickness.std(at)
+    values = strand.height(at), strand.line.std(at), strand.thickness(at), strand.apart.std(at)
     return np.where(is_straight, line, np.nan), np.where(near.sum(axis=1) >= 4, values, np.nan)
 
 
