@@ -91,10 +91,10 @@ def _width_of(part: Picture, camera: Camera, region: Region) -> tuple[float, flo
         part = part.T
     try:
         bar = measure(replace(camera, supports=(-2.0, part.shape[1] + 1.0), tilt=0.0), part, free=True)
-    except (UnreadableFrameError, ValueError) as error:
+    except (UnreadableFrameError, ValueError):
         x0, x1, y0, y1 = region
         raise SoftcatError(f"no bar across the region {x0},{x1},{y0},{y1}: both of its edges, and nothing else, belong "
-                           f"in it ({error})") from None  # fmt: skip
+                           "in it") from None  # fmt: skip
     at = np.linspace(bar.x[0], bar.x[-1], 20)
     # Of a bar that is not equally wide everywhere it is not known where the width was measured.
     return float(bar.thickness(at).mean()), float(np.hypot(bar.apart.std(at).mean(), bar.thickness(at).std()))
