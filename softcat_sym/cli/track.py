@@ -17,8 +17,6 @@ with lazy_imports():
     from softcat_sym.tracking import contour as contours
     from softcat_sym.tracking import track as tracking
 
-_NUMBERS = "write numbers separated by commas, such as {}"
-
 
 def track(
     film: Annotated[
@@ -75,8 +73,7 @@ def track(
     if output is not None and output.suffix.lower() == ".csv":
         output, table = output.parent, output.name
     output = cli.output_directory(output, "track", film.stem or film.resolve().name)
-    edges = None if supports is None else _numbers(supports, 2, "--supports", "35,285")
-    region = None if roi is None else [int(one) for one in _numbers(roi, 4, "--roi", "0,640,100,400")]
+    edges, region = (None if text is None else text.split(",") for text in (supports, roi))
     if contour:
         strand = contours.contour(film, scale, region=region, dark=dark, flatten=not no_flatten)
         report = drawing.report(strand, table=table)
@@ -85,8 +82,8 @@ def track(
     with files.new_folder(output), StudyDisplay(quiet=quiet) as progress:
         progress.stage("tracking")
         found = tracking.track(
-            film, scale, region=region, supports=None if edges is None else (edges[0], edges[1]), release=release,
-            fps=fps, dark=dark, vertical=vertical, every=every, flatten=not no_flatten, progress=progress,
+            film, scale, region=region, supports=edges, release=release, fps=fps, dark=dark, vertical=vertical,
+            every=every, flatten=not no_flatten, progress=progress,
         )  # fmt: skip
         progress.stage("drawing")
         report = drawing.report(found, table=table, points=shapes, overlay=overlay)
@@ -95,14 +92,3 @@ def track(
     if not found.is_trusted:
         cli.print_error(f"{len(found.refused)} frames refused, {found.number.size} read: see refused.csv")
         raise typer.Exit(cli.UNTRUSTED)
-
-
-def _numbers(text: str, count: int, name: str, example: str) -> list[float]:
-    """Read numbers separated by commas."""
-    try:
-        numbers = [float(part) for part in text.split(",")]
-        if len(numbers) != count:
-            raise ValueError
-    except ValueError:
-        raise typer.BadParameter(f"{text!r}: {_NUMBERS.format(example)}", param_hint=name) from None
-    return numbers

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import suppress
 from functools import partial
 from io import BytesIO
+from itertools import takewhile
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,10 +25,9 @@ from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit
 from softcat_sym.tracking.contour import PillarContour
-from softcat_sym.tracking.edges import UnreadableFrameError
 from softcat_sym.tracking.film import Picture
 from softcat_sym.tracking.result import Track
-from softcat_sym.tracking.strand import Camera, Measured, measure
+from softcat_sym.tracking.strand import Camera, Strand, UnreadableFrameError, measure
 
 if TYPE_CHECKING:
     from softcat_sym.results.run import Run
@@ -73,20 +73,17 @@ def track_figure(track: Track) -> Figure:
 @styled()
 def model_figure(track: Track, run: Run) -> Figure:
     """Draw the last frame with the edges found in it, and the midline of a run of the fitted filament at its time."""
-    number, data = int(track.number[-1]), run.data
-    time, height = data["time"].to_numpy(), data["y"].to_numpy()
-
-    def model(when: float, x: Floats) -> Floats:
-        later = int(np.clip(np.searchsorted(time, when), 1, time.size - 1))
-        share = float(np.clip((when - time[later - 1]) / (time[later] - time[later - 1]), 0, 1))
-        place, y = ((1 - share) * one[later - 1] + share * one[later] for one in (data["x"].to_numpy(), height))
-        return np.asarray(np.interp(x, place - (place[0] + place[-1]) / 2, y))
-
-    picture = overlays(track, [number], model)[number]
+    number, end = int(track.number[-1]), run.data["time"][-1]
+    now = run.data[["x", "y"]].interp(time=min(max(track.time[-1], 0.0), float(end)))
+    x, y = now["x"].to_numpy() / track.pixel, now["y"].to_numpy() / track.pixel
+    fine = np.linspace(x[0], x[-1], 2 * _WIDE)
+    canvas = _canvases(track, {number})[number]
+    canvas.paint(*track.camera.to_picture(fine - (x[0] + x[-1]) / 2, np.interp(fine, x, y)), _MODEL)
     below = f"frame {number}, {track.time[-1]:.4g} s after the release: edges, midline, and in purple the model"
-    figure, body = style.sheet(track.film.path.name, below, height=style.WIDTH * picture.shape[0] / picture.shape[1])
+    rows, columns, _ = canvas.picture.shape
+    figure, body = style.sheet(track.film.path.name, below, height=style.WIDTH * rows / columns)
     axes = body.subplots()
-    axes.imshow(picture)
+    axes.imshow(canvas.picture)
     axes.set_axis_off()
     return figure
 
@@ -97,17 +94,15 @@ def track_report(track: Track, table: str = "track.csv", points: int = 0, *, ove
     seen = np.flatnonzero(np.isfinite(track.midpoint))
     shown = {"first": seen[0], "middle": seen[seen.size // 2], "last": seen[-1],
              "worst": seen[track.misfit[seen].argmax()]}  # fmt: skip
-    pictures = overlays(track, {int(track.number[place]) for place in shown.values()})
-    refused = pd.DataFrame(
-        [(one.number, one.time - track.release, one.reason) for one in track.refused],
-        columns=["frame_number", "time_s", "reason"],
-    )
+    pictures = _canvases(track, {int(track.number[place]) for place in shown.values()})
+    refused = pd.DataFrame(track.refused, columns=["frame_number", "time_s", "reason"])
+    refused["time_s"] -= track.release
     files: dict[str, object] = {
         table: track.to_csv(points),
         "refused.csv": refused,
         "track.json": track.to_dict,
         "track.png": partial(track_figure, track),
-        **{f"overlay-{name}.png": _png(pictures[int(track.number[place])]) for name, place in shown.items()},
+        **{f"overlay-{name}.png": pictures[int(track.number[place])].png() for name, place in shown.items()},
         "overlay.mp4": partial(_film, track) if overlay else None,
     }
     return Report(files, _texts(track), stale=() if overlay else ("overlay.mp4",))
@@ -132,33 +127,10 @@ def _texts(track: Track) -> list[Any]:
     return [table, *(Text(f"warning: {text}", style="yellow") for text in track.warnings)]
 
 
-def overlays(
-    track: Track, numbers: Iterable[int], model: Callable[[float, Floats], Floats] | None = None
-) -> dict[int, NDArray[np.uint8]]:
-    """Frames with the edges found in them, and perhaps a model's midline: by their numbers, shape (rows, columns, 3).
-
-    Parameters
-    ----------
-    track : Track
-        Whose film is read again.
-    numbers : iterable of int
-        Of the frames.
-    model : callable, optional
-        Heights [m] at a time [s] and at places [m] from halfway between the supports.
-    """
-    wanted = set(numbers)
-    found = dict[int, NDArray[np.uint8]]()
-    for frame in track.film:
-        if frame.number in wanted:
-            canvas = _Canvas(frame.grey, [track.camera])
-            if model is not None:
-                x = np.linspace(-track.span / 2, track.span / 2, canvas.picture.shape[1])
-                y = model(frame.time - track.release, x)
-                canvas.paint(*track.camera.to_picture(x / track.pixel, y / track.pixel), _MODEL)
-            found[frame.number] = canvas.picture
-        if len(found) == len(wanted):
-            break
-    return found
+def _canvases(track: Track, numbers: set[int]) -> dict[int, _Canvas]:
+    """Some frames of the film, read again."""
+    frames = takewhile(lambda frame: frame.number <= max(numbers), track.film)
+    return {one.number: _Canvas(one.grey, [track.camera]) for one in frames if one.number in numbers}
 
 
 class _Canvas:
@@ -170,21 +142,21 @@ class _Canvas:
         self.picture = np.repeat(np.kron(level, np.ones((self.factor, self.factor), np.uint8))[:, :, None], 3, axis=2)
         for camera in cameras:
             row = np.arange(0, grey.shape[0], 2.0)
-            for edge in (camera.supports.left, camera.supports.right):
-                self.paint(edge - np.tan(camera.tilt) * (row - camera.centre[1]), row, _SUPPORT)
+            for edge in camera.supports:
+                self.paint(edge - np.tan(camera.tilt) * (row - camera.row), row, _SUPPORT)
             with suppress(UnreadableFrameError):
-                self._paint_strand(camera, measure(camera, grey))
+                self._paint_strand(camera, measure(camera, camera.light.signal(grey)))
 
-    def _paint_strand(self, camera: Camera, measured: Measured) -> None:
-        x = np.arange(measured.x[0], measured.x[-1], 0.3 / self.factor)
-        y, half = measured.height(x), measured.thickness(x) / 2
+    def _paint_strand(self, camera: Camera, strand: Strand) -> None:
+        x = np.arange(strand.x[0], strand.x[-1], 0.3 / self.factor)
+        y, half = strand.height(x), strand.thickness(x) / 2
         slope = np.gradient(y, x)
         normal = np.stack([-slope, np.ones_like(x)]) / np.hypot(slope, 1)
         for side in (-1, 1):
             self.paint(*camera.to_picture(x + side * half * normal[0], y + side * half * normal[1]), _EDGE)
         self.paint(*camera.to_picture(x, y), _MIDLINE)
-        bad = ~measured.fitted.kept
-        self.paint(*camera.to_picture(measured.x[bad], measured.y[bad]), _REJECTED, 3)
+        bad = ~strand.line.kept
+        self.paint(*camera.to_picture(strand.x[bad], strand.y[bad]), _REJECTED, 3)
 
     def paint(self, x: Floats, y: Floats, colour: NDArray[np.uint8], size: int = 2) -> None:
         """Paint squares at columns and rows of the frame."""
@@ -195,22 +167,22 @@ class _Canvas:
             inside = (right >= 0) & (right < self.picture.shape[1]) & (down >= 0) & (down < self.picture.shape[0])
             self.picture[down[inside], right[inside]] = colour
 
+    def png(self) -> bytes:
+        """The picture as a file."""
+        stream = BytesIO()
+        Image.fromarray(self.picture).save(stream, "png", optimize=True)
+        return stream.getvalue()
+
 
 @drawing.report.register(PillarContour)
 def contour_report(found: PillarContour, table: str = "contour.csv") -> Report:
     """The table of a contour, and the picture with the edges found in it."""
-    picture = _png(_Canvas(next(iter(found.film)).grey, found.cameras).picture)
+    picture = _Canvas(next(iter(found.film)).grey, found.cameras).png()
     rows = [(f"gap {number}", length_unit(right - left).text(right - left))
             for number, (left, right) in enumerate(found.gaps, start=1)]  # fmt: skip
     shown: list[Any] = [TextTable(("", ""), rows).printed(found.film.path.name)]
     shown += [Text(f"warning: left out {text}", style="yellow") for text in found.refused]
     return Report({table: found.to_csv(), "overlay-contour.png": picture}, shown)
-
-
-def _png(picture: NDArray[np.uint8]) -> bytes:
-    stream = BytesIO()
-    Image.fromarray(picture).save(stream, "png", optimize=True)
-    return stream.getvalue()
 
 
 def _film(track: Track) -> bytes:

@@ -10,12 +10,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from softcat_sym import drawing, files
+from softcat_sym import drawing
 from softcat_sym.errors import SoftcatError
-from softcat_sym.tracking.calibration import cameras_of_gaps, pixel_of, read_region, read_ruler
-from softcat_sym.tracking.edges import UnreadableFrameError
+from softcat_sym.tracking.calibration import Ruler, cameras_of_gaps, read_region
 from softcat_sym.tracking.film import Film
-from softcat_sym.tracking.strand import Camera, measure
+from softcat_sym.tracking.strand import Camera, UnreadableFrameError, measure
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +33,7 @@ class PillarContour(drawing.Drawable):
     @property
     def gaps(self) -> list[tuple[float, float]]:
         """Places of both edges of each gap [m]."""
-        return [(self.pixel * one.supports.left, self.pixel * one.supports.right) for one in self.cameras]
+        return [(self.pixel * left, self.pixel * right) for left, right in (one.supports for one in self.cameras)]
 
     def to_csv(self) -> str:
         """Table of the points, with a comment for each gap."""
@@ -42,17 +41,12 @@ class PillarContour(drawing.Drawable):
         rows = [f"{1e3 * x:.7g},{1e3 * y:.7g}" for x, y in zip(self.x, self.y, strict=True)]
         return "\n".join([*lines, "x_mm,y_mm", *rows]) + "\n"
 
-    def save(self, path: str | Path) -> Path:
-        """Write the table for ``softcat fit --test collapse``, and return its path."""
-        with files.new_folder(Path(path).parent):
-            return files.replace_atomically(Path(path), self.to_csv().encode())
-
 
 def contour(
     picture: str | os.PathLike[str],
     scale: str,
     *,
-    region: Sequence[int] | None = None,
+    region: Sequence[object] | None = None,
     dark: bool | None = None,
     flatten: bool = True,
 ) -> PillarContour:
@@ -75,28 +69,25 @@ def contour(
     SoftcatError
         If there is no strand, no gap that can be read, or no scale.
     """
-    ruler = read_ruler(scale)
+    ruler = Ruler.read(scale)
     source = Film(Path(picture), 1.0, None if region is None else read_region(region))
     frame = next(iter(source))
-    cameras, x, y, refused = list[Camera](), list[Floats](), list[Floats](), list[str]()
+    cameras, points, refused = list[Camera](), list[tuple[Floats, Floats]](), list[str]()
     for camera in cameras_of_gaps(source, frame, dark, flatten=flatten):
+        signal = camera.light.signal(frame.grey)
         try:
             # The blur width first, then with it all cuts.
-            camera = replace(camera, width=measure(camera, frame.grey, free=True).cuts.width)
-            measured = measure(camera, frame.grey)
+            camera = replace(camera, width=measure(camera, signal, free=True).blur)
+            strand = measure(camera, signal)
         except UnreadableFrameError as error:
-            refused.append(f"gap at columns {camera.supports.left:.0f} to {camera.supports.right:.0f}: {error}")
+            refused.append(f"gap at columns {camera.supports[0]:.0f} to {camera.supports[1]:.0f}: {error}")
             continue
         cameras.append(camera)
-        good = measured.fitted.kept
-        column, row = camera.to_picture(measured.x[good], measured.y[good])
-        x.append(column)
-        y.append(-row)
+        points.append(camera.to_picture(strand.x[strand.line.kept], strand.y[strand.line.kept]))
     if not cameras or (ruler.of == "span" and len(cameras) > 1):
         found = "; ".join(refused) or (f"{len(cameras)} gaps" if cameras else "no gap between two supports")
         accepted = "a strand across one gap, or across several with a scale by pixel or needle"
         raise SoftcatError(f"picture {source.path}: {found}; accepted: {accepted}")
-    pixel, _ = pixel_of(cameras[0], frame, ruler)
-    return PillarContour(
-        source, tuple(cameras), pixel, pixel * np.concatenate(x), pixel * np.concatenate(y), tuple(refused)
-    )
+    pixel, _ = ruler.pixel(cameras[0], frame.grey)
+    x, row = np.concatenate(points, axis=1)
+    return PillarContour(source, tuple(cameras), pixel, pixel * x, -pixel * row, tuple(refused))

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ Region = tuple[int, int, int, int]
 """Columns and rows x0, x1, y0, y1 of a part of a picture; x1 and y1 are the first ones beyond it."""
 
 PICTURES = (".png", ".tif", ".tiff", ".gif", ".bmp", ".jpg", ".jpeg", ".pgm")
+_FILMS = (".mp4", ".mov", ".avi", ".mkv", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".mjpeg")
 _UNREADABLE = "cannot be read; accepted: a film, a TIFF stack or a folder of pictures"
 
 
@@ -33,13 +34,21 @@ class Frame:
     is_predicted: bool = False  # Whether the codec wrote only what changes
 
 
-@dataclass(frozen=True)
-class Codec:
+class Codec(NamedTuple):
     """How the frames of a film are written."""
 
     name: str
     bits: float  # Of all frames; infinite for pictures
     is_lossless: bool
+
+
+def part_of(grey: Picture, region: Region, name: str) -> Picture:
+    """A region of a picture."""
+    (rows, columns), (x0, x1, y0, y1) = grey.shape, region
+    if not (0 <= x0 < x1 <= columns and 0 <= y0 < y1 <= rows):
+        raise SoftcatError(f"{name} {x0},{x1},{y0},{y1} is outside of the picture; accepted: columns x0,x1 in 0 to "
+                           f"{columns} and rows y0,y1 in 0 to {rows}")  # fmt: skip
+    return grey[y0:y1, x0:x1]
 
 
 @dataclass(frozen=True)
@@ -51,48 +60,45 @@ class Film:
     region: Region | None = None  # Part that is read; None for all
     is_vertical: bool = False  # Turned by 90 degrees, for threads that hang
 
+    @property
+    def _is_pictures(self) -> bool:
+        return self.path.is_dir() or self.path.suffix.lower() in PICTURES
+
     def __iter__(self) -> Iterator[Frame]:
         try:
-            if self.path.is_dir() or self.path.suffix.lower() in PICTURES:
-                yield from map(self._framed, self._of_pictures())
-            else:
-                yield from map(self._framed, self._of_video())
+            for frame in self._of_pictures() if self._is_pictures else self._of_video():
+                grey = frame.grey if self.region is None else part_of(frame.grey, self.region, "region")
+                yield replace(frame, grey=np.rot90(grey) if self.is_vertical else grey)
         except (UnidentifiedImageError, EOFError, SyntaxError) as error:
             raise SoftcatError(f"film {self.path}: {_UNREADABLE} ({error})") from None
 
-    def _framed(self, frame: Frame) -> Frame:
-        """The region of a frame, turned if it is to be."""
-        grey, region = frame.grey, self.region
-        if region is not None:
-            rows, columns = grey.shape
-            x0, x1, y0, y1 = region
-            if not (0 <= x0 < x1 <= columns and 0 <= y0 < y1 <= rows):
-                raise SoftcatError(
-                    f"film {self.path}: region {x0},{x1},{y0},{y1} is outside of the picture; accepted: columns "
-                    f"x0,x1 in 0 to {columns} and rows y0,y1 in 0 to {rows}"
-                )
-            grey = grey[y0:y1, x0:x1]
-        return Frame(frame.number, frame.time, np.rot90(grey) if self.is_vertical else grey, frame.is_predicted)
-
     def _of_pictures(self) -> Iterator[Frame]:
-        if self.fps is None or not self.fps > 0:
+        if self.fps is None:
             raise SoftcatError(
                 f"film {self.path}: pictures have no times; accepted: softcat track with --fps, such as --fps 240"
             )
-        files = [self.path] if self.path.is_file() else sorted(
-            (one for one in self.path.iterdir() if one.suffix.lower() in PICTURES), key=_natural
-        )  # fmt: skip
         number, size = 0, None
-        for file in files:
+        for file in self._files():
             with Image.open(file) as picture:
                 for page in range(getattr(picture, "n_frames", 1)):
                     picture.seek(page)
-                    grey = _grey(picture)
+                    # Of a picture in colour its brightness.
+                    is_grey = picture.mode in ("I;16", "I;16B", "I;16L", "I", "F")
+                    grey = np.asarray(picture if is_grey else picture.convert("L"), dtype=np.float32)
                     if size not in (None, grey.shape):
                         raise SoftcatError(f"film {self.path}: {file.name} is of another size than the first picture")
                     size = grey.shape
                     yield Frame(number, number / self.fps, grey)
                     number += 1
+
+    def _files(self) -> list[Path]:
+        """The pictures, number 10 after number 9."""
+        if self.path.is_file():
+            return [self.path]
+        return sorted(
+            (one for one in self.path.iterdir() if one.suffix.lower() in PICTURES),
+            key=lambda one: [(not part.isdigit(), part.zfill(20)) for part in re.split(r"(\d+)", one.name)],
+        )
 
     def _of_video(self) -> Iterator[Frame]:
         av = pyav()
@@ -117,31 +123,17 @@ class Film:
 
     def codec(self) -> Codec:
         """How its frames are written."""
-        if self.path.is_dir() or self.path.suffix.lower() in PICTURES:
-            names = [one.suffix.lower() for one in self.path.iterdir()] if self.path.is_dir() else []
-            return Codec("pictures", np.inf, is_lossless=not {".jpg", ".jpeg"} & {*names})
+        if self._is_pictures:
+            return Codec("pictures", np.inf, not {".jpg", ".jpeg"} & {one.suffix.lower() for one in self._files()})
         with pyav().open(str(self.path)) as container:
             stream = container.streams.video[0]
             kind, bits = stream.codec_context.codec, 8.0 * sum(packet.size for packet in container.demux(stream))
-            return Codec(stream.codec_context.name, bits, is_lossless=bool(kind.lossless and not kind.lossy))
+            return Codec(stream.codec_context.name, bits, bool(kind.lossless and not kind.lossy))
 
 
 def is_film(path: Path) -> bool:
     """Whether a file is a film with times of its own, and no table, by its name."""
-    suffixes = (".mp4", ".mov", ".avi", ".mkv", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".mjpeg")
-    return path.suffix.lower() in suffixes
-
-
-def _grey(picture: Any) -> Picture:
-    """Grey levels of a picture; of one in colour its brightness."""
-    if picture.mode in ("I;16", "I;16B", "I;16L", "I", "F"):
-        return np.asarray(picture, dtype=np.float32)
-    return np.asarray(picture.convert("L"), dtype=np.float32)
-
-
-def _natural(path: Path) -> list[tuple[int, int | str]]:
-    """Key by which picture 10 comes after picture 9."""
-    return [(0, int(part)) if part.isdigit() else (1, part) for part in re.split(r"(\d+)", path.name)]
+    return path.suffix.lower() in _FILMS
 
 
 def pyav() -> Any:

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d
+from scipy.ndimage import gaussian_filter
 
 from softcat_sym.tracking.film import Picture
+from softcat_sym.tracking.splines import robust_fit
 
 Floats = NDArray[np.float64]
 
@@ -27,27 +28,27 @@ class Light:
     is_dark: bool  # Whether the strand is darker
 
     @classmethod
-    def of(cls, grey: Picture, is_dark: bool, *, flat: bool = True) -> Light:
-        """Fit the background to one picture, without what is not background; of one grey level unless `flat`."""
+    def of(cls, grey: Picture, is_dark: bool | None, *, flat: bool = True) -> Light:
+        """Fit the background to one picture, without what is not background; of one grey level unless `flat`.
+
+        A polarity that is not given is the one whose mask crosses more of the middle half with less area.
+        """
+        if is_dark is None:
+            return max((cls.of(grey, one, flat=flat) for one in (True, False)), key=lambda one: one._crossing(grey))
         sign = 1.0 if is_dark else -1.0
-        rows, columns = grey.shape
         small = sign * grey[::_STRIDE, ::_STRIDE].astype(np.float64)
-        v, u = np.meshgrid(np.linspace(-1, 1, small.shape[0]), np.linspace(-1, 1, small.shape[1]), indexing="ij")
         if not flat:
-            level = np.quantile(small, 0.8)
-            return cls(np.full((1, 1), sign * level, np.float32), is_dark)
+            return cls(np.full(grey.shape, sign * np.quantile(small, 0.8), np.float32), is_dark)
+        powers = _powers(small.shape)
         # The brightest fifth of each block is background, unless the block is covered.
-        parts = [(a, b) for a in np.array_split(np.arange(small.shape[0]), _BLOCKS)
-                 for b in np.array_split(np.arange(small.shape[1]), _BLOCKS)]  # fmt: skip
-        bright = np.array([np.quantile(small[np.ix_(a, b)], 0.8) for a, b in parts])
-        where = np.array([(u[0, b].mean(), v[a, 0].mean()) for a, b in parts]).T
-        coefficients = _one_sided(_powers(*where), bright)
-        flat_u, flat_v, values = u.ravel(), v.ravel(), small.ravel()
-        near = np.abs(values - _powers(flat_u, flat_v) @ coefficients) <= 0.5 * np.ptp(bright) + 0.1 * np.ptp(values)
-        coefficients = _one_sided(_powers(flat_u[near], flat_v[near]), values[near])
-        v, u = np.meshgrid(np.linspace(-1, 1, rows), np.linspace(-1, 1, columns), indexing="ij")
-        surface = (_powers(u.ravel(), v.ravel()) @ coefficients).reshape(rows, columns)
-        return cls((sign * surface).astype(np.float32), is_dark)
+        parts = [part for band in np.array_split(np.arange(small.size).reshape(small.shape), _BLOCKS)
+                 for part in np.array_split(band, _BLOCKS, axis=1)]  # fmt: skip
+        bright = np.array([np.quantile(small.flat[part], 0.8) for part in parts])
+        rough = robust_fit(np.array([powers[part].mean(axis=(0, 1)) for part in parts]), bright, (3, 5)).coefficients
+        values = small.ravel()
+        near = np.abs(values - powers @ rough) <= 0.5 * np.ptp(bright) + 0.1 * np.ptp(values)
+        surface = _powers(grey.shape) @ robust_fit(powers[near], values[near], (3, 5)).coefficients
+        return cls((sign * surface).astype(np.float32).reshape(grey.shape), is_dark)
 
     def signal(self, grey: Picture) -> Picture:
         """Relative difference of a frame to the background, positive in the strand."""
@@ -56,24 +57,16 @@ class Light:
         # A dark background is no measure of the light that falls on the strand.
         return np.asarray((grey - self.background) / np.float32(max(float(self.background.mean()), 1.0)))
 
+    def _crossing(self, grey: Picture) -> float:
+        smooth = gaussian_filter(self.signal(grey)[:, grey.shape[1] // 4 : -grey.shape[1] // 4], 1.5)
+        mask = smooth > max(threshold(smooth), 1e-6)
+        return float(mask.any(axis=0).mean() - 3 * mask.mean())
 
-def _powers(u: Floats, v: Floats) -> Floats:
+
+def _powers(shape: tuple[int, ...]) -> Floats:
+    """Powers of the place in a picture, shape (pixels, 9)."""
+    v, u = (one.ravel() for one in np.mgrid[-1 : 1 : shape[0] * 1j, -1 : 1 : shape[1] * 1j])
     return np.stack([np.ones_like(u), u, v, u * u, u * v, v * v, u**4, v**4, u * u * v * v], axis=1)
-
-
-def _one_sided(powers: Floats, values: Floats) -> Floats:
-    """Least squares without what is below the others by more than three standard deviations of what is above."""
-    kept = np.ones(values.size, bool)
-    coefficients: Floats = np.zeros(powers.shape[1])
-    for _ in range(8):
-        coefficients = np.asarray(np.linalg.lstsq(powers[kept], values[kept], rcond=None)[0], dtype=np.float64)
-        residual = values - powers @ coefficients
-        spread = max(1.4826 * np.median(np.abs(residual[kept])), 1e-9)
-        now = (residual > -3 * spread) & (residual < 5 * spread)
-        if now.sum() < 2 * powers.shape[1] or np.array_equal(now, kept):
-            break
-        kept = now
-    return coefficients
 
 
 def threshold(signal: Picture) -> float:
@@ -83,22 +76,7 @@ def threshold(signal: Picture) -> float:
     """
     count, edges = np.histogram(signal, bins=256)
     level = (edges[1:] + edges[:-1]) / 2
-    below, total = np.cumsum(count), count.sum()
-    mass = np.cumsum(count * level)
+    below, mass = np.cumsum(count), np.cumsum(count * level)
     with np.errstate(divide="ignore", invalid="ignore"):
-        between = (mass[-1] * below / total - mass) ** 2 / (below * (total - below))
+        between = (mass[-1] * below / below[-1] - mass) ** 2 / (below * (below[-1] - below))
     return float(level[np.nan_to_num(between[:-1]).argmax()])
-
-
-def light_of(grey: Picture, is_dark: bool | None, *, flat: bool = True) -> Light:
-    """The light, and the polarity whose mask crosses more of the picture's middle half with less area."""
-    if is_dark is not None:
-        return Light.of(grey, is_dark, flat=flat)
-
-    def score(light: Light) -> float:
-        middle = light.signal(grey)[:, grey.shape[1] // 4 : -grey.shape[1] // 4]
-        smooth = gaussian_filter1d(gaussian_filter1d(middle, 1.5, axis=0), 1.5, axis=1)
-        mask = smooth > max(threshold(smooth), 1e-6)
-        return float(mask.any(axis=0).mean() - 3 * mask.mean())
-
-    return max((Light.of(grey, dark, flat=flat) for dark in (True, False)), key=score)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
@@ -36,20 +39,21 @@ def refusals(change: Floats, rms: Floats, height: Floats, std: Floats, *, is_pre
     the edges' residuals; `height`, `std` of the midpoint, NaN where it was not seen. A codec that predicts writes a
     repeated frame as a small change, others once more.
     """
-    found = dict[int, str]()
-    # At rest, frames are alike where a codec drops the noise, and do no harm.
     seen = np.isfinite(height)
-    for k in range(max(onset(height[seen], std[seen]), 1), change.size):
-        near = np.concatenate([change[max(k - 2, 1) : k], change[k + 1 : k + 3]])
-        if near.size and change[k] < (_REPEATED_SHARE if is_predicted else _SAME) * np.median(near):
-            found[k] = REPEATED
-    found |= {int(k): "edges unlike those of the other frames" for k in np.flatnonzero(rms > _WORSE * np.median(rms))}
-    found |= {int(k): UNSEEN for k in np.flatnonzero(np.isnan(height))}
-    for k in range(1, height.size - 1):
-        off, apart = abs(height[k] - (height[k - 1] + height[k + 1]) / 2), abs(height[k + 1] - height[k - 1])
-        if off > _SPIKE * std[k] and off > _BEYOND_MOTION * apart:
-            found.setdefault(k, "midpoint jumps there and back")
-    return found
+    share = _REPEATED_SHARE if is_predicted else _SAME
+    # At rest, frames are alike where a codec drops the noise, and do no harm.
+    moving = range(max(onset(height[seen], std[seen]), 1), change.size)
+    near = {k: np.concatenate([change[max(k - 2, 1) : k], change[k + 1 : k + 3]]) for k in moving}
+    off, apart = np.abs(height[1:-1] - (height[:-2] + height[2:]) / 2), np.abs(height[2:] - height[:-2])
+    # Of several reasons the last one counts.
+    jumps = (off > _SPIKE * std[1:-1]) & (off > _BEYOND_MOTION * apart)
+    places: dict[str, Iterable[int]] = {
+        "midpoint jumps there and back": 1 + np.flatnonzero(jumps),
+        REPEATED: [k for k, others in near.items() if others.size and change[k] < share * np.median(others)],
+        "edges unlike those of the other frames": np.flatnonzero(rms > _WORSE * np.median(rms)),
+        UNSEEN: np.flatnonzero(~seen),
+    }
+    return {int(k): reason for reason, those in places.items() for k in those}
 
 
 def onset(height: Floats, std: Floats) -> int:
@@ -100,17 +104,13 @@ def time_factor(time: Floats, values: Floats, std: Floats) -> float:
     for order in (3, 5, 7):
         if time.size < 2 * order + 4:
             break
-        differences, spans = list[float](), list[float]()
-        for start in range(time.size - order):
-            part = slice(start, start + order + 1)
-            # Weights of the divided difference of this order.
-            apart = (time[part, None] - time[None, part]) / np.ptp(time[part])
-            np.fill_diagonal(apart, 1.0)
-            weight = 1 / apart.prod(axis=1)
-            differences.append(abs(float(weight @ values[part])) / float(np.sqrt(weight**2 @ std[part] ** 2)))
-            spans.append(float(np.ptp(values[part])))
-        slower = np.argsort(spans)[: max(len(spans) // 2, 4)]
-        found.append(1.4826 * float(np.median(np.array(differences)[slower])))
+        t, y, error = (sliding_window_view(one, order + 1) for one in (time, values, std))
+        # Weights of the divided difference of this order.
+        apart = (t[:, :, None] - t[:, None]) / np.ptp(t, axis=1)[:, None, None] + np.eye(order + 1)
+        weight = 1 / apart.prod(axis=2)
+        difference = np.abs(np.sum(weight * y, axis=1)) / np.sqrt(np.sum((weight * error) ** 2, axis=1))
+        slower = np.argsort(np.ptp(y, axis=1))[: max(len(y) // 2, 4)]
+        found.append(1.4826 * float(np.median(difference[slower])))
     if len(found) < 2 or found[-1] < _RESOLVED * found[-2]:
         return 1.0
     # Windows overlap: so many are worth one reading. Few of them tell little against errors that hold within a frame.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from softcat_sym import drawing, files
 from softcat_sym.tracking.film import Film
+from softcat_sym.tracking.over_time import REPEATED
 from softcat_sym.tracking.strand import Camera
 
 Floats = NDArray[np.float64]
@@ -20,14 +21,12 @@ MAX_POINTS = 11
 """Points of a shape at most: of more, neighbours on one spline are no readings of their own."""
 
 
-@dataclass(frozen=True)
-class RefusedFrame:
+class RefusedFrame(NamedTuple):
     """A frame that gives no midpoint."""
 
     number: int
     time: float  # [s] by the film's clock
     reason: str
-    is_repeated: bool = False  # A repeated frame is no fault of the film: it tells nothing new
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,12 +95,13 @@ class Track(drawing.Drawable):
     @property
     def span(self) -> float:
         """Distance of the supports [m]."""
-        return float((self.camera.supports.right - self.camera.supports.left) / np.cos(self.camera.tilt) * self.pixel)
+        return self.camera.span * self.pixel
 
     @property
     def is_trusted(self) -> bool:
         """Whether five frames were read or more, and at most half of them refused, repeated ones aside."""
-        lost = sum(not one.is_repeated for one in self.refused)
+        # A repeated frame is no fault of the film: it tells nothing new.
+        lost = sum(one.reason != REPEATED for one in self.refused)
         return self.number.size >= 5 and lost <= self.number.size
 
     def to_frame(self, points: int = 0) -> pd.DataFrame:
@@ -111,7 +111,6 @@ class Track(drawing.Drawable):
         ``time_s, x_mm, y_mm, y_std_mm, thickness_mm, frame_number``.
         """
         if not points:
-            seen = np.isfinite(self.midpoint)
             columns = {
                 "time_s": self.time,
                 "midpoint_mm": 1e3 * self.midpoint,
@@ -120,17 +119,17 @@ class Track(drawing.Drawable):
                 "thickness_std_mm": 1e3 * self.thickness_std,
                 "frame_number": self.number,
             }
-            return pd.DataFrame({name: values[seen] for name, values in columns.items()})
+            return pd.DataFrame(columns).dropna(subset="midpoint_mm")
         chosen = np.linspace(0, self.place.size - 1, points).round().astype(int)
-        table = pd.DataFrame({
+        columns = {
             "time_s": np.repeat(self.time, points),
             "x_mm": np.tile(1e3 * self.place[chosen], self.number.size),
             "y_mm": 1e3 * self.shapes[:, chosen].ravel(),
             "y_std_mm": 1e3 * self.shapes_std[:, chosen].ravel(),
             "thickness_mm": 1e3 * self.shapes_thickness[:, chosen].ravel(),
             "frame_number": np.repeat(self.number, points),
-        })  # fmt: skip
-        return table[table["y_mm"].notna()]
+        }
+        return pd.DataFrame(columns).dropna(subset="y_mm")
 
     def to_csv(self, points: int = 0) -> str:
         """The table with comments, of which ``filament.span`` sets the scene's."""
@@ -153,7 +152,6 @@ class Track(drawing.Drawable):
 
     def to_dict(self) -> dict[str, Any]:
         """Content of ``track.json``, in SI; pixels where it says so."""
-        supports = self.camera.supports
         return {
             "film": self.film.path.name,
             "codec": self.codec,
@@ -164,8 +162,8 @@ class Track(drawing.Drawable):
             "pixel_m": self.pixel,
             "pixel_std_m": self.pixel_std,
             "span_m": self.span,
-            "supports_px": [supports.left, supports.right],
-            "supports_std_px": [supports.left_std, supports.right_std],
+            "supports_px": list(self.camera.supports),
+            "supports_std_px": list(self.camera.supports_std),
             "tilt_rad": self.camera.tilt,
             "blur_px": self.camera.width,
             "is_dark": self.camera.light.is_dark,
@@ -177,7 +175,7 @@ class Track(drawing.Drawable):
             "thickness_m": self.thickness.tolist(),
             "thickness_std_m": self.thickness_std.tolist(),
             "error_factors": {"midpoint": self.factors[0], "thickness": self.factors[1]},
-            "refused": [{"frame": one.number, "time_s": one.time, "reason": one.reason} for one in self.refused],
+            "refused": [dict(zip(("frame", "time_s", "reason"), one, strict=True)) for one in self.refused],
             "warnings": list(self.warnings),
         }
 

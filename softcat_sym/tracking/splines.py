@@ -1,4 +1,4 @@
-"""Smooth curves through points along a strand, with errors from the residuals and their correlation."""
+"""Robust least squares, and smooth curves along a strand with errors from residuals and their correlation."""
 
 from __future__ import annotations
 
@@ -11,15 +11,50 @@ from scipy.interpolate import BSpline
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-_REJECTED = 4.0
-"""Robust standard deviations beyond which a point is left out."""
 _CORRELATED = 0.05
 """Correlation of residuals down to which it is summed."""
-
 _FEWEST = 6
 """Points in a piece at least."""
 _GRADED = 16
 """Pieces from which on those next to the supports are shorter."""
+
+
+@dataclass(frozen=True, eq=False)
+class RobustFit:
+    """Linear least squares without outliers."""
+
+    coefficients: Floats  # shape (k,)
+    inverse: Floats  # shape (k, k); of the normal matrix
+    residual: Floats  # shape (n,); times the square root of the weight
+    kept: Flags  # shape (n,); which points are no outliers
+
+
+def robust_fit(
+    basis: Floats,
+    values: Floats,
+    rejected: tuple[float, float],
+    *,
+    weight: Floats | None = None,
+    penalty: Floats | None = None,
+    rounding: float = 1e-9,
+) -> RobustFit:
+    """Fit values by a basis, shape (n, k), without those that are too far below and above the others.
+
+    `rejected` counts robust standard deviations, which are no smaller than `rounding`.
+    """
+    weight = np.ones_like(values) if weight is None else weight
+    now = np.ones(values.size, bool)
+    for _ in range(8):
+        kept = now
+        active = (weight * kept)[:, None] * basis
+        inverse = np.linalg.inv(basis.T @ active + (0.0 if penalty is None else penalty))
+        coefficients = inverse @ (active.T @ values)
+        residual = (values - basis @ coefficients) * np.sqrt(weight)
+        spread = max(1.4826 * float(np.median(np.abs(residual[kept]))), rounding)
+        now = (residual > -rejected[0] * spread) & (residual < rejected[1] * spread)
+        if np.array_equal(now, kept) or now.sum() < 2 * basis.shape[1]:
+            break
+    return RobustFit(coefficients, np.asarray(inverse), residual, kept)
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,35 +65,23 @@ class Curve:
     inverse: Floats  # shape (k, k); inverse of the normal matrix, for weights of unit variance
     scale: float  # by which errors are larger: of the residuals, and of their correlation along the strand
     kept: Flags  # shape (n,); which points were not rejected
-    rms: float  # of the residuals of these points
 
     def __call__(self, x: Floats, order: int = 0) -> Floats:
         """Value or derivative."""
         return np.asarray(self.spline(x, order))
 
-    def covariance(self, x: Floats) -> Floats:
-        """Covariance of the values at some places, shape (m, m)."""
-        basis = _basis(self.spline.t, np.asarray(x, dtype=np.float64))
-        return np.asarray(self.scale**2 * (basis @ self.inverse @ basis.T))
-
     def std(self, x: Floats) -> Floats:
         """Standard errors of the values at some places, shape (m,)."""
-        return np.asarray(np.sqrt(np.maximum(np.diag(self.covariance(x)), 0.0)))
+        basis = _basis(self.spline.t, x)
+        return np.asarray(self.scale * np.sqrt(np.maximum(np.sum((basis @ self.inverse) * basis, axis=1), 0.0)))
 
 
 def curve(
-    x: Floats,
-    y: Floats,
-    pieces: int,
-    weight: Floats | None = None,
-    *,
-    rejected: float = _REJECTED,
-    rounding: float = 0.0,
+    x: Floats, y: Floats, pieces: int, weight: Floats | None = None, *, rejected: float = 4.0, rounding: float = 1e-9
 ) -> Curve:
     """Fit a cubic spline of equal pieces, shorter ones next to the supports, to points of increasing x.
 
-    Left out are points that are off by more than `rejected` robust standard deviations, which are no smaller than
-    `rounding`. A weight is an inverse variance up to a factor.
+    A weight is an inverse variance up to a factor; outliers are left out as of :func:`robust_fit`.
     """
     pieces = max(min(pieces, x.size // _FEWEST), 1)
     inner = np.arange(1, pieces) / pieces
@@ -66,45 +89,21 @@ def curve(
         # Next to a clamp a strand bends within its thickness.
         close = np.array([0.2, 0.5, 1.5]) / pieces
         inner = np.sort(np.concatenate([close, inner, 1 - close]))
-    ends = x[[0, -1]]
-    knots = np.concatenate([[ends[0]] * 4, ends[0] + inner * np.ptp(ends), [ends[1]] * 4])
+    knots = x[0] + np.ptp(x) * np.concatenate([np.zeros(4), inner, np.ones(4)])
     basis = _basis(knots, x)
-    weight = np.ones_like(x) if weight is None else weight / weight.mean()
-    kept = np.ones(x.size, bool)
     # A gap without points is bridged by the smoothest curve; elsewhere this changes nothing.
     bend = np.diff(np.eye(basis.shape[1]), 2, axis=0)
-    smooth = 1e-7 * x.size / pieces * bend.T @ bend
-    for _ in range(6):
-        active = weight * kept
-        inverse = np.linalg.inv(basis.T @ (active[:, None] * basis) + smooth)
-        coefficients = inverse @ (basis.T @ (active * y))
-        residual = (y - basis @ coefficients) * np.sqrt(weight)
-        spread = max(1.4826 * float(np.median(np.abs(residual[kept]))), rounding, 1e-9)
-        now = np.abs(residual) < rejected * spread
-        if np.array_equal(now, kept) or now.sum() < 2 * basis.shape[1]:
-            break
-        kept = now
-    good = residual[kept]
-    mean_square = float(good @ good) / max(good.size - basis.shape[1], 1)
-    scale = float(np.sqrt(mean_square * _correlation_time(good)))
-    rms = float(np.sqrt(np.mean((y - basis @ coefficients)[kept] ** 2)))
-    return Curve(BSpline(knots, coefficients, 3), np.asarray(inverse, dtype=np.float64), scale, kept, rms)
+    weight = None if weight is None else weight / weight.mean()
+    fit = robust_fit(basis, y, (rejected, rejected), weight=weight, rounding=rounding,
+                     penalty=1e-7 * x.size / pieces * bend.T @ bend)  # fmt: skip
+    good = fit.residual[fit.kept]
+    square = max(float(good @ good), 1e-300)
+    # Integrated correlation of the residuals: the number of points that are worth one.
+    correlation = np.append(np.correlate(good, good, "full")[good.size : good.size + good.size // 4] / square, 0.0)
+    worth = 1 + 2 * correlation[: np.argmax(correlation < _CORRELATED)].sum()
+    scale = float(np.sqrt(square / max(good.size - basis.shape[1], 1) * worth))
+    return Curve(BSpline(knots, fit.coefficients, 3), fit.inverse, scale, fit.kept)
 
 
 def _basis(knots: Floats, x: Floats) -> Floats:
-    inside = np.clip(x, knots[0], knots[-1])
-    return np.asarray(BSpline.design_matrix(inside, knots, 3).toarray())
-
-
-def _correlation_time(residual: Floats) -> float:
-    """Integrated correlation of residuals: the number of points that are worth one."""
-    square = float(residual @ residual)
-    if square <= 0:
-        return 1.0
-    total = 1.0
-    for lag in range(1, residual.size // 4):
-        correlation = float(residual[lag:] @ residual[:-lag]) / square
-        if correlation < _CORRELATED:
-            break
-        total += 2 * correlation
-    return total
+    return np.asarray(BSpline.design_matrix(np.clip(x, knots[0], knots[-1]), knots, 3).toarray())

@@ -1,43 +1,31 @@
-"""The frame of the world in a picture: supports, scale, and the level of the strand between them."""
+"""The supports in a picture: the gaps that a strand crosses."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import find_objects, gaussian_filter1d, label
+from scipy.ndimage import find_objects, gaussian_filter, label
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.tracking.edges import extents, fit_edges
-from softcat_sym.tracking.film import Picture, Region
-from softcat_sym.tracking.splines import curve
-
-Floats = NDArray[np.float64]
+from softcat_sym.tracking.edges import fit_edges
+from softcat_sym.tracking.film import Picture
+from softcat_sym.tracking.splines import robust_fit
+from softcat_sym.tracking.strand import wide_parts
 
 _FEWEST_ROWS = 4
 
 
-@dataclass(frozen=True)
-class Supports:
-    """Edges of the supports between which the strand hangs."""
+def find_gaps(signal: Picture, level: float, width: float) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """Find the gaps that a strand crosses, from left to right: columns of both edges and their standard errors [px].
 
-    left: float  # Column of each at the strand's level [px]
-    right: float
-    left_std: float = 0.0  # Standard errors [px]
-    right_std: float = 0.0
-
-
-def find_gaps(signal: Picture, level: float, width: float) -> list[Supports]:
-    """Find the gaps that a strand crosses, from left to right: between columns with more dark rows than it is thick.
-
-    The edges are then fitted in every row that a support reaches and the strand does not, and a line through them is
-    read at the strand's level.
+    A support has more dark rows than the strand is thick. Its edge is then fitted in every row that it reaches and the
+    strand does not, and a line through them is read at the strand's level.
     """
-    mask = gaussian_filter1d(gaussian_filter1d(signal, 1.0, axis=0), 1.0, axis=1) > level
+    mask = gaussian_filter(signal, 1.0) > level
     middle = mask.shape[1] // 2
-    if max(extents(*label(mask[:, middle // 2 : -middle // 2], np.ones((3, 3), int))), default=0) < 0.2 * middle:
+    if not wide_parts(mask[:, middle // 2 : -middle // 2], 0.2 * middle)[1]:
         raise SoftcatError(
             "no strand crosses the middle of the picture; accepted: one from the left to the right, darker or lighter "
             "than what is behind it; --vertical for one that hangs"
@@ -45,87 +33,35 @@ def find_gaps(signal: Picture, level: float, width: float) -> list[Supports]:
     count = mask.sum(axis=0)
     inner = count[middle - middle // 2 : middle + middle // 2]
     thick = float(np.median(inner[inner > 0]))
-    many = label(count > max(1.8 * thick, thick + 12))[0]
+    many = find_objects(label(count > max(1.8 * thick, thick + 12))[0])
     # A grain of dust at the strand is no support.
-    supports = [place for (place,) in find_objects(many) if place.stop - place.start > max(0.5 * thick, 4)]
-    found = list[Supports]()
-    for one, other in pairwise(supports):
-        left, left_std = _edge_at(signal, mask, one.stop - 1, -1, thick, width)
-        right, right_std = _edge_at(signal, mask, other.start, 1, thick, width)
-        found.append(Supports(left, right, left_std, right_std))
-    return found
+    supports = [place for (place,) in many if place.stop - place.start > max(0.5 * thick, 4)]
+    edges = [(_edge(signal, mask, one.stop - 1, -1, thick, width), _edge(signal, mask, other.start, 1, thick, width))
+             for one, other in pairwise(supports)]  # fmt: skip
+    return [((left[0], right[0]), (left[1], right[1])) for left, right in edges]
 
 
-def _edge_at(
+def _edge(
     signal: Picture, mask: NDArray[np.bool_], column: int, side: int, thick: float, width: float
 ) -> tuple[float, float]:
     """Column of a support's edge at the strand's level, and its standard error, near a whole column."""
-    far = thick / 2 + 4 * width
+    far, (rows, columns) = thick / 2 + 4 * width, mask.shape
     # The strand's level at the edge, from a line through what is seen of it beside the edge.
     beside = column - side * np.arange(int(far) + 2, int(far + 3 * thick) + 12)
-    beside = beside[(beside >= 0) & (beside < mask.shape[1])]
+    beside = beside[(beside >= 0) & (beside < columns)]
     beside = beside[mask[:, beside].any(axis=0)]
     level = [float(np.flatnonzero(mask[:, one]).mean()) for one in beside]
-    strand = float(np.polyval(np.polyfit(beside, level, 1), column)) if len(level) > 1 else mask.shape[0] / 2
-    inside = np.clip(column + side * 4, 0, mask.shape[1] - 1)
-    dark = mask[:, inside]
-    rows = np.flatnonzero(dark & ~mask[:, np.clip(column - side * 4, 0, mask.shape[1] - 1)])
-    # Far enough from the strand and from the support's own corners.
-    rows = rows[np.abs(rows - strand) > far]
-    limits = np.flatnonzero(dark)[[0, -1]]
-    limits = np.array([limits[0] if limits[0] > 0 else -99, limits[1] if limits[1] < mask.shape[0] - 1 else 1e9])
-    rows = rows[(rows > limits[0] + 4 * width) & (rows < limits[1] - 4 * width)]
-    if rows.size < _FEWEST_ROWS:
+    strand = float(np.polyval(np.polyfit(beside, level, 1), column)) if len(level) > 1 else rows / 2
+    inside, outside = (mask[:, np.clip(column + shift, 0, columns - 1)] for shift in (4 * side, -4 * side))
+    # Far enough from the strand and from the support's own corners, unless it leaves the picture.
+    row, reached = np.flatnonzero(inside & ~outside), np.flatnonzero(inside)[[0, -1]]
+    low, high = np.where(reached == [0, rows - 1], [-np.inf, np.inf], reached + 4 * width * np.array([1, -1]))
+    row = row[(np.abs(row - strand) > far) & (row > low) & (row < high)]
+    along = np.broadcast_to(np.arange(-10.0, 11.0), (row.size, 21))
+    values = signal[row[:, None], np.clip(column + side * along.astype(int), 0, columns - 1)].astype(np.float64)
+    found = fit_edges(values, along, np.full((row.size, 1), -0.5), width, free=True)
+    if found.is_found.sum() < _FEWEST_ROWS:
         return float(column - 0.5 * side), 1.0
-    along = np.arange(-10, 11)
-    values = signal[rows[:, None], np.clip(column + side * along, 0, mask.shape[1] - 1)].astype(np.float64)
-    grid = np.broadcast_to(along.astype(np.float64), values.shape)
-    found = fit_edges(values, grid, np.full((rows.size, 1), -0.5), width, free=True)
-    good = found.is_found
-    if good.sum() < _FEWEST_ROWS:
-        return float(column - 0.5 * side), 1.0
-    y, x = rows[good] - strand, column + side * found.place[good, 0]
-    kept = np.ones(x.size, bool)
-    for _ in range(5):
-        powers = np.stack([np.ones(kept.sum()), y[kept]], axis=1)
-        line = np.linalg.lstsq(powers, x[kept], rcond=None)[0]
-        residual = x - line[0] - line[1] * y
-        spread = max(1.4826 * float(np.median(np.abs(residual[kept]))), 1e-3)
-        kept = np.abs(residual) < 3 * spread
-    inverse = np.linalg.inv(powers.T @ powers)
-    rms = float(np.std(residual[kept]))
-    return float(line[0]), float(rms * np.sqrt(inverse[0, 0]))
-
-
-def width_of(signal: Picture, region: Region, level: float, width: float) -> tuple[float, float]:
-    """Width of a straight bar in a region, such as a needle or a nozzle, and its standard error [px]."""
-    x0, x1, y0, y1 = region
-    part = signal[y0:y1, x0:x1]
-    mask = gaussian_filter1d(part, 1.0, axis=1) > level
-    crossed = mask.any(axis=1).mean(), mask.any(axis=0).mean()
-    # Cuts go along the rows of a bar that stands.
-    if mask.all(axis=1).mean() > mask.all(axis=0).mean() or (crossed[0] < crossed[1]):
-        part, mask = part.T, mask.T
-    whole = np.flatnonzero(mask.any(axis=1) & ~mask[:, 0] & ~mask[:, -1])
-    if whole.size < 2 * _FEWEST_ROWS:
-        raise SoftcatError(f"no bar across the region {x0},{x1},{y0},{y1}: both of its edges, and nothing else, belong "
-                           "in it")  # fmt: skip
-    left, right = mask[whole].argmax(axis=1), mask.shape[1] - 1 - mask[whole][:, ::-1].argmax(axis=1)
-    axis = np.polyfit(whole, (left + right) / 2, 1)
-    half = float(np.median(right - left + 1)) / 2
-    reach = min(half + 4 * width + 6, (mask.shape[1] - 1) / 2)
-    middle = np.polyval(axis, whole)
-    columns = np.rint(middle[:, None] + np.arange(-reach, reach + 1)).astype(int).clip(0, mask.shape[1] - 1)
-    values = part[whole[:, None], columns].astype(np.float64)
-    guess = np.tile([-half, half], (whole.size, 1))
-    found = fit_edges(values, columns - middle[:, None], guess, width, free=True)
-    good = found.is_found
-    if good.sum() < 2 * _FEWEST_ROWS:
-        raise SoftcatError(f"no sharp edges in the region {x0},{x1},{y0},{y1}")
-    # The slope of the fitted axis, not of the mask's.
-    centre = middle[good] + found.place[good].mean(axis=1)
-    cosine = 1 / np.hypot(1, np.polyfit(whole[good], centre, 1)[0])
-    fitted = curve(whole[good].astype(np.float64), np.diff(found.place[good], axis=1)[:, 0] * cosine, 1)
-    at = np.linspace(whole[0], whole[-1], 20)
-    # Of a bar that is not equally wide everywhere it is not known where the width was measured.
-    return float(fitted(at).mean()), float(np.hypot(np.sqrt(fitted.covariance(at).mean()), fitted(at).std()))
+    height, place = row[found.is_found] - strand, column + side * found.place[found.is_found, 0]
+    line = robust_fit(np.stack([np.ones_like(height), height], axis=1), place, (3, 3), rounding=1e-3)
+    return float(line.coefficients[0]), float(np.std(line.residual[line.kept]) * np.sqrt(line.inverse[0, 0]))

@@ -7,21 +7,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.units import NotAQuantity, to_si
-from softcat_sym.tracking.calibration import STRAIGHT, Calibration, calibrate, read_region, read_ruler
-from softcat_sym.tracking.edges import UnreadableFrameError
-from softcat_sym.tracking.film import Film, Picture
-from softcat_sym.tracking.over_time import REPEATED, UNSEEN, onset, refusals, release_of, time_factor
+from softcat_sym.tracking.calibration import STRAIGHT, Calibration, Ruler, calibrate, read_region
+from softcat_sym.tracking.film import Film
+from softcat_sym.tracking.over_time import UNSEEN, onset, refusals, release_of, time_factor
 from softcat_sym.tracking.result import MAX_POINTS, RefusedFrame, Track
-from softcat_sym.tracking.strand import Camera, Measured, measure
+from softcat_sym.tracking.strand import Camera, Strand, UnreadableFrameError, measure
 
 if TYPE_CHECKING:
     from softcat_sym.progress import Display
@@ -38,8 +37,8 @@ def track(
     film: str | os.PathLike[str],
     scale: str,
     *,
-    region: Sequence[int] | None = None,
-    supports: tuple[float, float] | None = None,
+    region: Sequence[object] | None = None,
+    supports: Sequence[object] | None = None,
     release: str | float | None = None,
     fps: float | None = None,
     dark: bool | None = None,
@@ -61,9 +60,9 @@ def track(
     scale : str
         ``"span=50 mm"`` (the distance of the supports), ``"pixel=20 um"``, or ``"needle@x0,x1,y0,y1=1.2 mm"`` (the
         width of a bar in a region of the first frame: a needle, a ruler).
-    region : sequence of int, optional
+    region : sequence of four int, optional
         Columns and rows x0, x1, y0, y1 of the part of the picture to read.
-    supports : (float, float), optional
+    supports : sequence of two float, optional
         Columns of the supports' edges, in the region; found by default.
     release : str or float, optional
         Number of the frame of the release, or its time with a unit, ``"0.35 s"``; found by default, to half a frame.
@@ -92,88 +91,66 @@ def track(
     """
     if every < 1 or (fps is not None and not fps > 0):
         raise SoftcatError(f"every = {every}, fps = {fps}: accepted: a whole number from 1 on, and a positive one")
-    ruler = read_ruler(scale)
+    ruler = Ruler.read(scale)
     source = Film(Path(film), fps, None if region is None else read_region(region), vertical)
     setup = calibrate(source, supports, dark, ruler, flatten=flatten)
     readings, refused = _readings(source, setup, every, progress)
-    std = np.hypot(readings.height_std, setup.floor)
+    height, std = readings.values[:, :2, MAX_POINTS // 2].T
     rate = readings.change / np.diff(readings.time, prepend=readings.time[0] - 1.0)
-    reasons = refusals(rate, readings.rms, readings.height, std, is_predicted=setup.is_predicted)
-    refused += [RefusedFrame(int(readings.number[k]), float(readings.time[k]), text, text == REPEATED)
-                for k, text in reasons.items()]  # fmt: skip
+    reasons = refusals(rate, readings.rms, height, np.hypot(std, setup.floor), is_predicted=setup.is_predicted)
+    refused += [RefusedFrame(int(readings.number[k]), float(readings.time[k]), why) for k, why in reasons.items()]
     # Of a strand whose middle is not seen the shape is.
-    kept = np.array([reasons.get(k, UNSEEN) == UNSEEN for k in range(readings.number.size)])
-    _check_count(source, int(np.isfinite(readings.height[kept]).sum()), refused)
-    refused.sort(key=lambda one: one.number)
-    return _with_errors(source, setup, readings.part(kept), tuple(refused), release)
+    kept = np.array([reasons.get(k, UNSEEN) == UNSEEN for k in range(height.size)])
+    _check_count(source, int(np.isfinite(height[kept]).sum()), refused)
+    return _with_errors(source, setup, _Readings(*(one[kept] for one in readings)), tuple(sorted(refused)), release)
 
 
-@dataclass(frozen=True, eq=False)
-class _Readings:
+class _Readings(NamedTuple):
     """What stays of n frames, in pixels."""
 
     number: NDArray[np.int64]
     time: Floats  # [s]
     change: Floats  # to the frame before [grey level]
     rms: Floats
-    line: Floats  # shape (n, 2); height in the middle and slope of a straight strand; NaN of a curved one
-    height: Floats  # of the midpoint
-    height_std: Floats
-    thickness: Floats
-    thickness_std: Floats
-    shapes: Floats  # shape (n, points)
-    shapes_std: Floats
-    shapes_thickness: Floats
-
-    def part(self, kept: NDArray[np.bool_]) -> _Readings:
-        """Some of the frames."""
-        return _Readings(*(getattr(self, one.name)[kept] for one in fields(self)))
+    line: Floats  # shape (n, 2); slope, and height in the middle, of a straight strand; NaN of a curved one
+    values: Floats  # shape (n, 4, points); height, its standard error, thickness, its standard error
 
 
 def _readings(
     source: Film, setup: Calibration, every: int, progress: Display | None
 ) -> tuple[_Readings, list[RefusedFrame]]:
     """Measure every frame."""
-    rows, refused = list[tuple[object, ...]](), list[RefusedFrame]()
-    before: Picture | None = None
+    rows, refused, before = list[tuple[object, ...]](), list[RefusedFrame](), None
     for frame in source:
         if frame.number % every:
             continue
         if progress is not None:
             progress.reach(frame.number / setup.frames, f"frame {frame.number} of {setup.frames}")
-        small = frame.grey[::2, ::2]
+        small = frame.grey[::2, ::2].copy()
         change = np.inf if before is None else float(np.mean(np.abs(small - before)))
-        before = small.copy()
+        before = small
         try:
-            measured = measure(setup.camera, frame.grey)
+            strand = measure(setup.camera, setup.camera.light.signal(frame.grey))
         except UnreadableFrameError as error:
             refused.append(RefusedFrame(frame.number, frame.time, str(error)))
             continue
-        rows.append((frame.number, frame.time, change, measured.cuts.rms, *_numbers(setup.camera, measured)))
+        rows.append((frame.number, frame.time, change, strand.rms, *_line_and_values(strand, setup.camera)))
     _check_count(source, len(rows), refused)
     return _Readings(*(np.array(column) for column in zip(*rows, strict=True))), refused
 
 
-def _numbers(camera: Camera, measured: Measured) -> tuple[object, ...]:
-    """Numbers of one frame, in the order of :class:`_Readings`."""
-    reach = (camera.supports.right - camera.supports.left) / 2
-    x, place = measured.x, _places(camera)
-    slope, middle = np.polyfit(x, measured.y, 1)
-    is_straight = float(np.std((measured.y - middle - slope * x)[measured.fitted.kept])) < STRAIGHT
-    shown = x[measured.fitted.kept]
-    seen = np.array([np.sum(np.abs(shown - one) < max(0.04 * reach, 6.0)) >= 4 for one in (0.0, *place)])
-    at = np.array([0.0, *place])
-    values = [measured.height(at), measured.fitted.std(at), measured.thickness(at), measured.thickness.std(at)]
-    height, height_std, thickness, thickness_std = (np.where(seen, one, np.nan) for one in values)
-    # The middle of an asymmetric strand is where x is zero.
-    line = (middle, slope) if is_straight else (np.nan, np.nan)
-    return (line, height[0], height_std[0], thickness[0], thickness_std[0], height[1:], height_std[1:], thickness[1:])
+def _line_and_values(strand: Strand, camera: Camera) -> tuple[Floats, Floats]:
+    """Of one frame, as in :class:`_Readings`."""
+    line, shown, at = np.polyfit(strand.x, strand.y, 1), strand.x[strand.line.kept], _places(camera)
+    is_straight = np.std((strand.y - np.polyval(line, strand.x))[strand.line.kept]) < STRAIGHT
+    near = np.abs(shown - at[:, None]) < max(0.02 * np.ptp(camera.supports), 6.0)
+    values = strand.height(at), strand.line.std(at), strand.thickness(at), strand.apart.std(at)
+    return np.where(is_straight, line, np.nan), np.where(near.sum(axis=1) >= 4, values, np.nan)
 
 
 def _places(camera: Camera) -> Floats:
-    """Places of the points of shapes [px]; those at the supports are known."""
-    half = (camera.supports.right - camera.supports.left) / 2
-    return np.linspace(-half, half, MAX_POINTS + 2)[1:-1]
+    """Places of the points of shapes [px], the midpoint among them; those at the supports are known."""
+    return np.asarray(np.ptp(camera.supports) * (np.arange(1, MAX_POINTS + 1) / (MAX_POINTS + 1) - 0.5))
 
 
 def _check_count(source: Film, count: int, refused: Sequence[RefusedFrame]) -> None:
@@ -192,29 +169,30 @@ def _with_errors(
     release: str | float | None,
 ) -> Track:
     """Errors over time, zero, release and units."""
-    camera, pixel = setup.camera, setup.pixel
-    seen = np.isfinite(readings.height)
-    time = readings.time[seen]
-    factors = (time_factor(time, readings.height[seen], readings.height_std[seen]),
-               time_factor(time, readings.thickness[seen], readings.thickness_std[seen]))  # fmt: skip
-    std = np.hypot(factors[0] * readings.height_std, setup.floor)
-    thickness_std = np.hypot(factors[1] * readings.thickness_std, setup.floor)
-    when, when_std = _release(release, readings.time, readings.number, readings.height, std)
+    pixel, middle, time = setup.pixel, MAX_POINTS // 2, readings.time
+    height, std, thickness, thickness_std = readings.values.transpose(1, 0, 2).copy()
+    seen = np.isfinite(height[:, middle])
+    factors = (time_factor(time[seen], height[seen, middle], std[seen, middle]),
+               time_factor(time[seen], thickness[seen, middle], thickness_std[seen, middle]))  # fmt: skip
+    std = np.hypot(factors[0] * std, setup.floor)
+    thickness_std = np.hypot(factors[1] * thickness_std, setup.floor)
+    first = onset(height[seen, middle], std[seen, middle])
+    when, when_std = _release(release, readings.number, time, height[:, middle], std[:, middle])
     # The level from all frames at rest, instead of from the first one.
-    rest = (readings.time < when) & np.isfinite(readings.line[:, 0])
-    zero, slope = readings.line[rest].mean(axis=0) if rest.any() else (0.0, 0.0)
-    camera = replace(camera, centre=(camera.centre[0], camera.centre[1] - float(zero)), tilt=camera.tilt - float(slope))
-    shapes = readings.shapes - zero - slope * _places(camera)
-    is_thin = np.nanmedian(readings.thickness) < _RESOLVED * camera.width
-    thickness = np.where(is_thin, np.nan, readings.thickness)
-    first = onset(readings.height[seen], std[seen])
-    found = _warnings(setup, is_thin=bool(is_thin), is_late=first == 0, is_still=first == seen.sum())
+    rest = (time < when) & np.isfinite(readings.line[:, 0])
+    slope, zero = readings.line[rest].mean(axis=0) if rest.any() else (0.0, 0.0)
+    camera = replace(setup.camera, row=setup.camera.row - float(zero), tilt=setup.camera.tilt - float(slope))
+    height -= zero + slope * _places(camera)
+    is_thin = bool(np.nanmedian(thickness[:, middle]) < _RESOLVED * camera.width)
+    if is_thin:
+        thickness[:] = np.nan
+    found = _warnings(setup, is_thin=is_thin, is_late=first == 0, is_still=first == seen.sum())
     return Track(
-        source, camera, pixel, setup.pixel_std, readings.number, readings.time - when,
-        pixel * (readings.height - zero), pixel * std, pixel * thickness, pixel * thickness_std,
-        pixel * _places(camera), pixel * shapes, pixel * np.hypot(factors[0] * readings.shapes_std, setup.floor),
-        pixel * np.where(is_thin, np.nan, readings.shapes_thickness), when, when_std,
-        readings.rms / np.median(readings.rms), refused, setup.codec.name, setup.bits_per_pixel, factors, found,
+        source, camera, pixel, setup.pixel_std, readings.number, time - when,
+        pixel * height[:, middle], pixel * std[:, middle], pixel * thickness[:, middle],
+        pixel * thickness_std[:, middle], pixel * _places(camera), pixel * height, pixel * std, pixel * thickness,
+        when, when_std, readings.rms / np.median(readings.rms), refused, setup.codec.name, setup.bits_per_pixel,
+        factors, found,
     )  # fmt: skip
 
 
@@ -229,13 +207,13 @@ def _warnings(setup: Calibration, *, is_thin: bool, is_late: bool, is_still: boo
         ),
         "nothing moves": is_still,
         "the film begins with the strand in motion: its first frame is taken for the release": is_late,
-        "the supports' edges are known to half a pixel only": setup.camera.supports.left_std >= 0.5,
+        "the supports' edges are known to half a pixel only": max(setup.camera.supports_std) >= 0.5,
     }
     return tuple(text for text, holds in found.items() if holds)
 
 
 def _release(
-    given: str | float | None, time: Floats, number: NDArray[np.int64], height: Floats, std: Floats
+    given: str | float | None, number: NDArray[np.int64], time: Floats, height: Floats, std: Floats
 ) -> tuple[float, float]:
     """Time of the release by the film's clock, and its standard error [s]."""
     if given is None:

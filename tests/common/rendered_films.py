@@ -1,7 +1,8 @@
 """Films of a strand between two supports, rendered from exact geometry: what tracking is held against.
 
-A quarter of a pixel has the share of its area that the strand covers, exact in the vertical and on three lines across;
-supports are exact along the span. A lens blurs before pixels average: blurred after it, an edge would move by a
+A part of a pixel has the share of its area that the strand covers, exact in the vertical and on three lines across;
+supports are exact along the span. With its place in a part of 1/n px, an edge's squared blur width changes by up to
+1/(4 n^2): thin strands need fine parts. A lens blurs before pixels average: blurred after it, an edge would move by a
 hundredth of a pixel with its place in the pixel. Then follow light, noise, rounding to grey levels and a codec.
 Rows count downwards; a pixel's centre has whole coordinates.
 """
@@ -25,8 +26,8 @@ from tests.common.draws import draws
 Array = np.ndarray
 Shape = Callable[[float, Array], Array]
 
-FINE, LINES = 2, 3
-"""Parts of a pixel in each direction, and vertical lines in a part on which its coverage is exact."""
+LINES = 3
+"""Vertical lines in a part of a pixel on which its coverage is exact."""
 
 
 def falling(sag: float, span: float, duration: float, release: float = 0.25) -> Shape:
@@ -83,6 +84,7 @@ class Picture:
     second: float = 0.0  # distance below of a second strand; 0 for none
     dust: tuple[tuple[float, float, float], ...] = ()  # row, column and radius
     light_strand: bool = False
+    fine: int = 2  # parts of a pixel in each direction
     seed: int = 0
     times: Array = field(default_factory=lambda: np.arange(9) / 7.2)
 
@@ -115,8 +117,9 @@ class Picture:
     def _sampled(self, covered: Array) -> Array:
         """Blurred by the lens, then averaged over pixels."""
         for axis in (0, 1):
-            covered = gaussian_filter1d(covered.astype(np.float32), FINE * self.blur, axis=axis, mode="nearest")
-            covered = sum(covered[part::FINE] if axis == 0 else covered[:, part::FINE] for part in range(FINE)) / FINE
+            covered = gaussian_filter1d(covered.astype(np.float32), self.fine * self.blur, axis=axis, mode="nearest")
+            parts = (-1, self.fine, covered.shape[1]) if axis == 0 else (covered.shape[0], -1, self.fine)
+            covered = covered.reshape(parts).mean(axis=axis + 1)
         return covered
 
     def _light(self) -> Array:
@@ -137,7 +140,7 @@ class Picture:
     @cached_property
     def _clear(self) -> Array:
         """Share of each part of a pixel that supports and dust leave free."""
-        free = np.ones((self.rows * FINE, self.columns * FINE))
+        free = np.ones((self.rows * self.fine, self.columns * self.fine))
         half, deep = self.span / 2, 45.0 * self.rows / 240
         for side in (-1, 1):
             top, bottom = (deep, -deep) if self.supports == "clamps" else (-self.thickness / 2, -2 * self.rows)
@@ -145,14 +148,14 @@ class Picture:
             # Transposed, the support reaches from its edge to the picture's.
             far = np.full(200, -9.0 if side < 0 else self.columns + 9.0)
             low, high = (far, columns) if side < 0 else (columns, far)
-            free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows).T
+            free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows, self.fine).T
         for edges in self.inner:
             y = np.linspace(-self.thickness / 2, -2 * self.rows, 200)
             (low, rows), (high, _) = (self.to_picture(edge + np.zeros(200), y) for edge in edges)
-            free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows).T
-        v, u = np.mgrid[: self.rows * FINE, : self.columns * FINE]
+            free *= 1 - _coverage((rows, low), (rows, high), self.columns, self.rows, self.fine).T
+        v, u = np.mgrid[: self.rows * self.fine, : self.columns * self.fine]
         for row, column, radius in self.dust:
-            free *= np.clip(np.hypot(v - FINE * row, u - FINE * column) - FINE * radius, 0, 1)
+            free *= np.clip(np.hypot(v - self.fine * row, u - self.fine * column) - self.fine * radius, 0, 1)
         return free
 
     def _ribbon(self, time: float, thickness: float, above: float = 0.0) -> Array:
@@ -162,17 +165,17 @@ class Picture:
         slope = np.gradient(y, x)
         normal = np.stack([-slope, np.ones_like(x)]) / np.hypot(slope, 1)
         edges = [self.to_picture(x + t * normal[0], y + above + t * normal[1]) for t in (thickness / 2, -thickness / 2)]
-        return _coverage(edges[0], edges[1], self.rows, self.columns)
+        return _coverage(edges[0], edges[1], self.rows, self.columns, self.fine)
 
 
-def _coverage(upper: tuple[Array, Array], lower: tuple[Array, Array], rows: int, columns: int) -> Array:
+def _coverage(upper: tuple[Array, Array], lower: tuple[Array, Array], rows: int, columns: int, fine: int) -> Array:
     """Share of each part of a pixel between two curves (columns, rows), which go to the right."""
-    x = (np.arange(columns * FINE * LINES) + 0.5) / (FINE * LINES) - 0.5
+    x = (np.arange(columns * fine * LINES) + 0.5) / (fine * LINES) - 0.5
     top = np.interp(x, *upper, left=np.nan, right=np.nan)
     bottom = np.interp(x, *lower, left=np.nan, right=np.nan)
-    edge = np.arange(rows * FINE + 1)[:, None] / FINE - 0.5
-    share = FINE * np.diff(np.clip(edge, top, bottom), axis=0)
-    return np.nan_to_num(share).reshape(rows * FINE, columns * FINE, LINES).mean(axis=2)
+    edge = np.arange(rows * fine + 1)[:, None] / fine - 0.5
+    share = fine * np.diff(np.clip(edge, top, bottom), axis=0)
+    return np.nan_to_num(share).reshape(rows * fine, columns * fine, LINES).mean(axis=2)
 
 
 LOSSLESS = ("ffv1", "gray", {})
