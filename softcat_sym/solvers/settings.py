@@ -27,6 +27,7 @@ from softcat_sym.estimates.scaling import (
 )
 from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, groups_of, is_held, is_slack, why_interpreted
+from softcat_sym.scene.tables import unsupported
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
 
@@ -306,7 +307,8 @@ def _flow_damps(scene: Scene, effects: Effects) -> bool:
 
 
 def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
-    """Whether the filament yields throughout, stops, and is too viscous to rebound."""
+    """Whether the filament, or the part of it that pillars leave free, yields, stops, and is too viscous to rebound."""
+    scene = unsupported(scene)
     gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
     if not effects.terms().yields or gravity_number is None or viscous is None:
         return False
