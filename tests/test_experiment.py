@@ -14,9 +14,10 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.design.critical_span import Limit, critical_span, polished
+from softcat_sym.design.critical_span import critical_span, polished
 from softcat_sym.design.experiment import Experiment, design_experiment, least_in_box
 from softcat_sym.design.information import ReadingNoise, exact_film, films_of, relative_errors
+from softcat_sym.estimates.span import Limit
 from softcat_sym.fitting.free_parameters import free_parameters
 from tests.common.in_process import Softcat, sets
 

@@ -11,10 +11,11 @@ import pandas as pd
 
 from softcat_sym.batch.plan import plan_sweep
 from softcat_sym.batch.sweep import sweep
-from softcat_sym.design.critical_span import LIMITS, Limit, read_limit
+from softcat_sym.design.critical_span import LIMITS, read_limit
 from softcat_sym.design.information import SPAN
 from softcat_sym.drawing import Drawable
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.estimates.span import Limit
 from softcat_sym.results.motion import time_of_rest
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.units import NotAQuantity, length_text

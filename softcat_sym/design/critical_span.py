@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
-from itertools import pairwise
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +25,16 @@ from softcat_sym.design.information import (
     read_share,
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.estimates.forecast import expected_sag
+from softcat_sym.estimates.span import (
+    CLEAR,
+    FACTOR,
+    RATIO,
+    Limit,
+    crossings,
+    foreseen_log_span,
+    steps_to_limit,
+    with_span,
+)
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.fitting.identifiability import is_identified, two_sided_quantile
@@ -44,11 +51,6 @@ if TYPE_CHECKING:
     from softcat_sym.scene.reading import Changes, SceneLike
 
 
-def crossings(values: Sequence[float]) -> tuple[int, ...]:
-    """Numbers i for which values i and i + 1 lie on different sides of zero; infinities count by their sign."""
-    return tuple(i for i, (a, b) in enumerate(pairwise(values)) if (a < 0) != (b < 0))
-
-
 # Between which the largest sag is found by a parabola.
 _MIN_FRAMES = 2001
 _STEP = 1e-3
@@ -62,11 +64,6 @@ class Sag:
     value: float
     effects: tuple[str, ...]  # In force
     note: str  # Why there is no answer; empty if there is
-
-
-def with_span(scene: Scene, span: float) -> Scene:
-    """The scene with another span [m]."""
-    return scene.replace({SPAN: f"{span!r} m"})
 
 
 _SAG = store.json_form(asdict, lambda found: Sag(found["value"], tuple(found["effects"]), found["note"]))
@@ -176,32 +173,6 @@ _SCATTER = 0.02
 
 LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
 """Limits of the sag that are accepted."""
-
-
-@dataclass(frozen=True, slots=True)
-class Limit:
-    """Of the sag: a length, or a fraction of the span."""
-
-    value: float  # [m], or a fraction
-    of_span: bool  # Which of them
-
-    def at(self, span: float) -> float:
-        """The limit [m]."""
-        return self.value * span if self.of_span else self.value
-
-    def excess(self, span: float, sag: float) -> float:
-        """Logarithm of the sag over the limit."""
-        if not sag > 0:
-            return -math.inf
-        return math.log(sag / self.at(span)) if math.isfinite(sag) else math.inf
-
-    def slope(self, by_span: float) -> float:
-        """Slope of the excess by log span, from that of log sag."""
-        return by_span - 1.0 if self.of_span else by_span
-
-
-DEFAULT_LIMIT = Limit(0.05, of_span=True)
-"""The largest sag of a span that is called good where nothing else is asked for."""
 
 
 def read_limit(value: object) -> Limit:
@@ -341,14 +312,10 @@ def _compared(best: Trial, given: Trial) -> str:
     return f"The scene as given would leave {same}: {gain:.3g} times more."
 
 
-_FACTOR = 30.0
-_RATIO = 1.8  # of neighbouring spans in the scan
 _FEWEST = 4
 _COARSE = 2e-3
-_CLEAR = 2.0  # of log sag over the limit: clearly more, or less
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
-_GUESS = 0.03  # of log span: the least step of a search, and how well the forecast is solved
 
 
 @dataclass(frozen=True, eq=False)
@@ -437,14 +404,14 @@ def critical_span(
 
     def left(x: float) -> float:
         # Of an infinite sag the sign is enough.
-        return float(np.clip(allowed.excess(math.exp(x), at(x).value), -_CLEAR, _CLEAR))
+        return float(np.clip(allowed.excess(math.exp(x), at(x).value), -CLEAR, CLEAR))
 
     low, high = map(math.log, bounds)
     if scan:
-        logs = np.linspace(low, high, max(math.ceil((high - low) / math.log(_RATIO)) + 1, _FEWEST)).tolist()
+        logs = np.linspace(low, high, max(math.ceil((high - low) / math.log(RATIO)) + 1, _FEWEST)).tolist()
         excess = [left(x) for x in logs]
     else:
-        logs, excess = _towards_the_limit(left, allowed, _foreseen(read, allowed, (low, high)), (low, high))
+        logs, excess = steps_to_limit(left, allowed, foreseen_log_span(read, allowed, (low, high)), (low, high))
     spans, scanned = [math.exp(x) for x in logs], [at(x) for x in logs]
     _refuse_without_crossing(allowed, bounds, spans, scanned, excess)
     found = crossings(excess)
@@ -528,50 +495,6 @@ def longest_span(
     return replace(found, error=error, limited_by=why)
 
 
-def foreseen_span(scene: Scene, limit: Limit) -> float | None:
-    """The span [m] at which the forecast's sag reaches a limit; None where it does not within a factor of thirty."""
-    ends = math.log(scene.filament.span / _FACTOR), math.log(scene.filament.span * _FACTOR)
-    found = _foreseen(scene, limit, ends)
-    return None if found in ends else math.exp(found)
-
-
-def _foreseen(scene: Scene, limit: Limit, within: tuple[float, float]) -> float:
-    """Logarithm of the span at which the forecast's sag reaches the limit, else of the end nearest to it."""
-
-    @functools.cache
-    def excess(x: float) -> float:
-        span = math.exp(x)
-        try:
-            sag = span * expected_sag(with_span(scene, span))
-        except SceneError:  # A span that this scene cannot have.
-            return _CLEAR
-        return float(np.clip(limit.excess(span, sag), -_CLEAR, _CLEAR))
-
-    logs, values = _towards_the_limit(excess, limit, math.log(scene.filament.span), within)
-    turns = crossings(values)
-    if not turns:
-        return logs[0] if values[0] >= 0 else logs[-1]
-    return float(brentq(excess, logs[turns[0]], logs[turns[0] + 1], xtol=_GUESS))
-
-
-def _towards_the_limit(
-    excess: Callable[[float], float], limit: Limit, start: float, within: tuple[float, float]
-) -> tuple[list[float], list[float]]:
-    """Steps from a first guess until the sag has crossed the limit: logarithms of spans, ascending, and the excesses.
-
-    A step is the one that a sag as the span to the power of 1.8 calls for: rather too long, as most sags grow faster.
-    """
-    x = min(max(start, within[0]), within[1])
-    seen = {x: excess(x)}
-    upwards = seen[x] < 0
-    while (seen[x] < 0) == upwards and x != within[upwards]:
-        step = min(max(abs(seen[x]) / limit.slope(1.8), _GUESS), math.log(_RATIO))
-        x = min(max(x + (step if upwards else -step), within[0]), within[1])
-        seen[x] = excess(x)
-    logs = sorted(seen)
-    return logs, [seen[x] for x in logs]
-
-
 def _read(
     scene: Scene, limit: object, time: object, within: tuple[object, object] | None
 ) -> tuple[Scene, Limit, tuple[float, float]]:
@@ -590,7 +513,7 @@ def _read(
         faults.append(Fault("pillars", "given, whose gap no search varies", "softcat sweep over pillars.gap"))
     span, least = scene.filament.span, _THICK * scene.filament.thickness
     try:
-        pair = within or (span / _FACTOR, span * _FACTOR)
+        pair = within or (span / FACTOR, span * FACTOR)
         low, high = (read_positive(bound, "length", "m") for bound in pair)
         bounds = (max(low, least), high)
         if not bounds[0] < high:

@@ -15,7 +15,7 @@ import pandas as pd
 from scipy.optimize import minimize
 
 from softcat_sym import store
-from softcat_sym.design.critical_span import LIMITS, Limit, read_limit, sentences
+from softcat_sym.design.critical_span import LIMITS, read_limit, sentences
 from softcat_sym.design.information import (
     DURATION,
     FRAME_RATE,
@@ -34,6 +34,7 @@ from softcat_sym.design.information import (
     relative_errors,
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.estimates.span import Limit
 from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
 from softcat_sym.fitting.identifiability import FACTOR, MAX_ERROR, Information, information, two_sided_quantile
 from softcat_sym.fitting.least_squares import Floats

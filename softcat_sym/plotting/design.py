@@ -12,10 +12,11 @@ from matplotlib.figure import Figure
 
 from softcat_sym import drawing
 from softcat_sym.design.bridges import BridgeTable
-from softcat_sym.design.critical_span import CriticalSpan, with_span
+from softcat_sym.design.critical_span import CriticalSpan
 from softcat_sym.design.experiment import Experiment
 from softcat_sym.design.information import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.drawing import Report
+from softcat_sym.estimates.span import with_span
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import log_axes, plain_log
 from softcat_sym.plotting.terminal import TextTable

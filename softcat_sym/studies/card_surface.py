@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from softcat_sym.design.critical_span import CriticalSpan, Limit, read_limit, with_span
+from softcat_sym.design.critical_span import CriticalSpan, read_limit
 from softcat_sym.estimates.quasi_static_sag import load_factor
 from softcat_sym.estimates.scaling import pull_of_surface, weight_stress
+from softcat_sym.estimates.span import Limit, with_span
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, is_held, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from softcat_sym.design.critical_span import DEFAULT_LIMIT, foreseen_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.drawing import html
 from softcat_sym.effects.selection import choose_effects
@@ -18,6 +17,7 @@ from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.estimates.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.estimates.forecast import expected_sag, expected_strain
 from softcat_sym.estimates.free_vibration import damping_note
+from softcat_sym.estimates.span import DEFAULT_LIMIT, foreseen_span
 from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import Changes, SceneLike, as_scene
 from softcat_sym.scene.scene import groups_of
