@@ -107,8 +107,7 @@ def test_the_theory_errs_by_as_much_as_fits_allow_for(theory: str) -> None:
     title = f"{theory} theory, minus elements; {within:.0%} of {len(scores)} within 95 % intervals, rms {rms:.2f}"
     show(title, ["film", "rms of height and pace", "amplitude", "largest shift over error"], rows)
     assert max(told) < 1.4 and 0.4 < np.sqrt(np.mean(np.square(told))) < 1.0
-    # One of the forty of the published theory lies at the end of its interval.
-    assert within > (0.95 if theory == "default" else 0.87)
+    assert within > (0.95 if theory == "default" else 0.9)
     assert theory != "default" or 0.5 < rms < 1.0
 
 
