@@ -12,7 +12,6 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene import scene as geometry
 from softcat_sym.scene.scene import Scene
 
-REFUSED, LATE = "refused", "late"
 _STORED = tuple(f"energy_{kind}" for kind in ("kinetic", "elastic", "potential", "dissipated", "gradient", "surface"))
 
 PLACE = 1e-6
