@@ -148,7 +148,7 @@ def test_unknowns_are_those_of_the_graph(comparison: Comparison) -> None:
         effects = choose_effects(scene)
         equations = derive(effects.terms(), SECTIONS["rectangle"], scene.run.closure)
         graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene, equations.terms))
-        names = [name.split("[")[0] for name in (*graph.state_names, *graph.algebraic_names)]
+        names = [name.split("[")[0] for name in (*graph.differential.names, *graph.algebraic.names)]
         assert row.dofs == sum(name in ("x", "y", "psi") for name in names)
 
 

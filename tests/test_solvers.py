@@ -164,7 +164,7 @@ def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks(
 def with_ode(graph: Graph, ode: ca.SX) -> Graph:
     other, symbolic = copy.copy(graph), copy.copy(graph.symbolic)
     symbolic.__dict__.pop("rates", None)
-    symbolic.__dict__["balances"] = (ode, graph.alg)
+    symbolic.__dict__["balances"] = (ode, graph.symbolic.alg)
     other.__dict__["symbolic"] = symbolic
     return other
 
@@ -177,7 +177,9 @@ def test_a_run_that_breaks_keeps_its_sound_part(monkeypatch: pytest.MonkeyPatch,
     for solver in ("cvodes", "rosenbrock"):
         monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2000)
         end = float(prepared(scene).times[-1])
-        spoiled = graph.ode + 1e-3 * ca.log(0.55 * end - graph.t) * ca.SX.ones(graph.ode.numel())
+        spoiled = graph.symbolic.ode + 1e-3 * ca.log(0.55 * end - graph.symbolic.t) * ca.SX.ones(
+            graph.symbolic.ode.numel()
+        )
         run = prepare(scene, with_ode(graph, spoiled), settings_of(scene, solver=solver))
         solution = run.solve(Silence())
         assert solution.outcome in (Outcome.non_finite, Outcome.no_convergence, Outcome.step_limit)
@@ -187,12 +189,12 @@ def test_a_run_that_breaks_keeps_its_sound_part(monkeypatch: pytest.MonkeyPatch,
         stated = float(solution.message.removeprefix("stopped after t = ").partition(" s; fastest: ")[0]) / run.scale
         assert solution.time[-1] * (1 - 1e-5) <= stated <= 0.55 * end
         # An undefined component is worse than any.
-        nowhere = ca.SX.ones(graph.ode.numel())
-        nowhere[chosen] = ca.log(-1 - graph.t)
+        nowhere = ca.SX.ones(graph.symbolic.ode.numel())
+        nowhere[chosen] = ca.log(-1 - graph.symbolic.t)
         broken = prepare(scene, with_ode(graph, nowhere), settings_of(scene, solver=solver)).solve(Silence())
         assert broken.outcome is Outcome.non_finite
         assert len(broken.time) == 1 and np.all(np.isfinite(broken.x))
-        assert f"fastest: {graph.state_names[chosen]};" in broken.message
+        assert f"fastest: {graph.differential.names[chosen]};" in broken.message
         monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2)
         cut = prepared(scene, solver=solver).solve(Silence())
         assert cut.outcome is Outcome.step_limit and len(cut.time) == 1
@@ -441,13 +443,17 @@ class Shape:
     @property
     def heights(self) -> Floats:
         """y over rest length, from the midpoint to the right support."""
-        return self.z[np.isin(self.graph.z_kinds, ("y",))]
+        return self.z[np.isin(self.graph.algebraic.kinds, ("y",))]
 
     @property
     def stiffness(self) -> float:
         """Lowest eigenvalue of the tangent stiffness over the masses: real, as it is symmetric and they positive."""
         graph = self.graph
-        tangent = ca.Function("k", [graph.t, graph.x, graph.z, graph.p], [-ca.jacobian(graph.alg, graph.z)])
+        tangent = ca.Function(
+            "k",
+            graph.symbolic.inputs,
+            [-ca.jacobian(graph.symbolic.alg, graph.symbolic.z)],
+        )
         values = np.linalg.eigvals(np.asarray(tangent(0.0, self.x, self.z, self.p)))
         assert np.max(np.abs(values.imag)) <= 1e-9 * np.max(np.abs(values.real))
         return float(np.min(values.real))
@@ -546,7 +552,7 @@ def test_a_column_between_clamps_buckles() -> None:
             slack = over * critical
             begun = started(column(slack, theory=theory))[1]
             amplitude, expected = -float(np.min(begun.heights)), 2 / np.pi * np.sqrt(slack - critical)
-            where = begun.graph.z_where[np.isin(begun.graph.z_kinds, ("y",))]
+            where = begun.graph.algebraic.where[np.isin(begun.graph.algebraic.kinds, ("y",))]
             assert amplitude == pytest.approx(expected, rel=0.01 if over > 1.5 else 0.03), (theory, over)
             np.testing.assert_allclose(-begun.heights / amplitude, (1 + np.cos(2 * np.pi * where)) / 2, atol=5e-3)
             assert begun.observed["stretch"] == pytest.approx(1 - critical, abs=0.03 * critical + slack**2)
@@ -572,7 +578,7 @@ def test_without_inertia_a_run_begins_in_equilibrium() -> None:
             run = prepared(without(short_scene(law, ramp=ramp), "inertia"))
             graph = run.graph
             assert run.start is not None
-            forces = ca.Function("forces", [graph.t, graph.x, graph.z, graph.p], [graph.alg])
+            forces = ca.Function("forces", graph.symbolic.inputs, [graph.symbolic.alg])
             left = np.abs(np.asarray(forces(0.0, graph.start, run.start.z, run.p))).max()
             straight = np.abs(np.asarray(forces(1e9, graph.start, graph.straight, run.p))).max()
             assert left <= 1e-8 * straight

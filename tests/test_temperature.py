@@ -62,8 +62,8 @@ def _mode(cells: int, mode: int) -> float:
     prepared = build(scene, choose_effects(scene))
     graph = prepared.graph
     x = prepared.start.x.copy()
-    warm = [k for k, kind in enumerate(graph.x_kinds) if kind == "warming"]
-    x[warm] = 1e-3 * np.cos(mode * np.pi * (graph.x_where[warm] + (0 if graph.grid.is_half else 0.5)))
+    warm = [k for k, kind in enumerate(graph.differential.kinds) if kind == "warming"]
+    x[warm] = 1e-3 * np.cos(mode * np.pi * (graph.differential.where[warm] + (0 if graph.grid.is_half else 0.5)))
     solution = prepared.integration.run(
         Start(x, prepared.start.z), prepared.p, prepared.times[-1], prepared.scale, Silence()
     )
@@ -274,7 +274,7 @@ def test_without_a_temperature_nothing_is_left_of_it() -> None:
     effects = choose_effects(scene)
     assert effects.left_out["temperature"] == 0
     graph = build(scene, effects).graph
-    assert "warming" not in graph.x_kinds
+    assert "warming" not in graph.differential.kinds
     assert not [name for name in graph.parameters if name.startswith("temperature")]
     bare = scene.model_copy(update={"temperature": Temperature()})
     assert build(bare, choose_effects(bare)).graph.symbolic.instructions == graph.symbolic.instructions

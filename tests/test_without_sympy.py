@@ -10,8 +10,7 @@ import pytest
 import sympy as sp
 from sympy import chebyshevu, legendre
 
-from softcat_sym.discretization.point_rule import POINT_TABLES
-from softcat_sym.discretization.section_rule import polynomials
+from softcat_sym.discretization.section_rule import POINT_TABLES, polynomials
 from softcat_sym.effects.temperature import cylinder_in_air
 from softcat_sym.physics import heat
 from softcat_sym.physics.bulk import nu

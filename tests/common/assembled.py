@@ -10,8 +10,8 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization import assembly
-from softcat_sym.discretization.assembly import Recorded, Theory, choose_grid, choose_theory
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.assembly import choose_grid, choose_theory
+from softcat_sym.discretization.graph import Graph, Recorded, Theory
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.supports import FilamentBody
@@ -113,7 +113,11 @@ def random_state(graph: Graph, seed: int, size: float = 0.02) -> tuple[Floats, F
 
 def rhs(graph: Graph) -> ca.Function:
     """(t, x, z, p) to (ode, alg, quad)."""
-    return ca.Function("rhs", [graph.t, graph.x, graph.z, graph.p], [graph.ode, graph.alg, graph.quad])
+    return ca.Function(
+        "rhs",
+        graph.symbolic.inputs,
+        [graph.symbolic.ode, graph.symbolic.alg, graph.symbolic.quad],
+    )
 
 
 def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
@@ -124,7 +128,9 @@ def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
 
 def energy_of(graph: Graph, names: tuple[str, ...]) -> ca.SX:
     """Sum of energies [J per unit undeformed area] as an expression of the graph's own symbols."""
-    out = graph.symbolic.observables(time=graph.t, state=graph.x, algebraic=graph.z, parameters=graph.p)
+    out = graph.symbolic.observables(
+        time=graph.symbolic.t, state=graph.symbolic.x, algebraic=graph.symbolic.z, parameters=graph.symbolic.p
+    )
     return sum((out[name] for name in names), ca.SX(0))
 
 
@@ -136,7 +142,7 @@ def place(name: str) -> tuple[str, int]:
 
 def midpoint(run: Prepared, states: Floats) -> Floats:
     """y/L at X = 0 of the given states (x, or z without inertia)."""
-    names = run.graph.algebraic_names if run.graph.is_dae else run.graph.state_names
+    names = run.graph.algebraic.names if run.graph.is_dae else run.graph.differential.names
     (row,) = [k for k, name in enumerate(names) if name.startswith("y[0]")]
     return np.asarray(states)[row]
 
@@ -144,7 +150,10 @@ def midpoint(run: Prepared, states: Floats) -> Floats:
 def largest_difference(run: Prepared, one: Solution, other: Solution) -> float:
     """Of any unknown at any time, over the largest value of its kind."""
     worst = 0.0
-    for found, wanted, kinds_of in ((one.x, other.x, run.graph.x_kinds), (one.z, other.z, run.graph.z_kinds)):
+    for found, wanted, kinds_of in (
+        (one.x, other.x, run.graph.differential.kinds),
+        (one.z, other.z, run.graph.algebraic.kinds),
+    ):
         rows = np.array(kinds_of)
         for kind in dict.fromkeys(kinds_of):
             size = np.max(np.abs(wanted[rows == kind]))
