@@ -114,7 +114,7 @@ def test_a_table_and_its_faults(tmp_path: Path) -> None:
         ("groups.G,groups.V\n", "no rows"),
         ("0.5,26\n0.6,27\n", "'0.5' is no dotted key"),
         ("groups.G,groups.G\n1,2\n", "groups.G stands there twice"),
-        ("groups.G,groups.V\n1\n", "line 2: 1 values, but the header has 2 keys"),
+        ("groups.G,groups.V\n1\n", "line 2, groups.V: an empty cell"),
         ("groups.G,groups.V\n1,\n", "line 2, groups.V: an empty cell"),
         ("groups.G\nNaN\n", "is not finite"),
         ("filament.span [bananas]\n4\n", "line 1, filament.span: unknown unit 'bananas'"),
