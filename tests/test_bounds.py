@@ -6,11 +6,9 @@ import math
 from time import process_time
 from typing import Any
 
-import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.scene.curve import SplineCurve
 from softcat_sym.scene.history import read_formula
 
 VISCOSITY = (1.0, -1.0, -1.0)
@@ -44,12 +42,6 @@ def test_a_formula_that_stays_positive_is_read(text: str) -> None:
     assert sc.Scene.from_dict(tables).material.viscosity == read_formula(text, VISCOSITY)
 
 
-def test_extremes_of_a_formula_are_found_between_samples() -> None:
-    history = read_formula("60 Pa*s*(1 - 0.9*exp(-((t - 7.31 s)/20 ms)**2))", VISCOSITY)
-    assert history.extremes(10.0) == pytest.approx((6.0, 60.0), rel=1e-6)
-    assert history.extremes(7.0) == pytest.approx((60.0, 60.0))
-
-
 def helix(**shape: float) -> dict[str, Any]:
     return STRAND | {
         "filament": STRAND["filament"] | {"shape": "helix"} | shape,
@@ -74,19 +66,3 @@ def test_what_would_take_long_to_read_is_one_clear_error(found: str) -> None:
         sc.Scene.from_dict(LONG[found])
     assert str(error.value).splitlines()[1].strip().startswith(found) and len(error.value.faults) == 1
     assert process_time() - began < 5
-
-
-def test_a_slinky_is_read() -> None:
-    """Eighty turns of 3 cm; the limit is a thousand."""
-    assert sc.Scene.from_dict(helix(curvature=66.6, twist=1.0)).filament.shape == "helix"
-
-
-def test_sections_along_a_long_polyline_are_carried_quickly_and_square_to_it() -> None:
-    """Without a turn about the curve: a plane one keeps the normal of its plane."""
-    angle = np.linspace(0, 3, 1000)
-    curve = SplineCurve(np.column_stack([np.sin(angle), 1 - np.cos(angle), 0 * angle]))
-    began, along = process_time(), np.linspace(0, curve.length, 50)
-    w, x, y, z = curve.quaternions(along).T
-    assert process_time() - began < 3
-    turned = np.unwrap(2 * np.arctan2(z, w))
-    assert np.abs([x, y]).max() < 1e-12 and turned == pytest.approx(along / curve.length * 3, abs=1e-6)

@@ -111,15 +111,6 @@ def random_state(graph: Graph, seed: int, size: float = 0.02) -> tuple[Floats, F
     return x, z
 
 
-def rhs(graph: Graph) -> ca.Function:
-    """(t, x, z, p) to (ode, alg, quad)."""
-    return ca.Function(
-        "rhs",
-        graph.symbolic.inputs,
-        [graph.symbolic.ode, graph.symbolic.alg, graph.symbolic.quad],
-    )
-
-
 def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
     """Outputs as flat arrays."""
     outputs = function.call([ca.DM(i) for i in inputs])
@@ -128,9 +119,8 @@ def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
 
 def energy_of(graph: Graph, names: tuple[str, ...]) -> ca.SX:
     """Sum of energies [J per unit undeformed area] as an expression of the graph's own symbols."""
-    out = graph.symbolic.observables(
-        time=graph.symbolic.t, state=graph.symbolic.x, algebraic=graph.symbolic.z, parameters=graph.symbolic.p
-    )
+    observables = graph.symbolic.observables
+    out = dict(zip(observables.name_out(), observables(*graph.symbolic.inputs), strict=True))
     return sum((out[name] for name in names), ca.SX(0))
 
 
@@ -150,12 +140,9 @@ def midpoint(run: Prepared, states: Floats) -> Floats:
 def largest_difference(run: Prepared, one: Solution, other: Solution) -> float:
     """Of any unknown at any time, over the largest value of its kind."""
     worst = 0.0
-    for found, wanted, kinds_of in (
-        (one.x, other.x, run.graph.differential.kinds),
-        (one.z, other.z, run.graph.algebraic.kinds),
-    ):
-        rows = np.array(kinds_of)
-        for kind in dict.fromkeys(kinds_of):
+    for found, wanted, layout in ((one.x, other.x, run.graph.differential), (one.z, other.z, run.graph.algebraic)):
+        rows = np.array(layout.kinds)
+        for kind in dict.fromkeys(layout.kinds):
             size = np.max(np.abs(wanted[rows == kind]))
             worst = max(worst, float(np.max(np.abs(found - wanted)[rows == kind]) / max(size, 1e-12)))
     return worst
