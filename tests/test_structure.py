@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from typing import Any
 
 import numpy as np
@@ -108,13 +107,6 @@ def test_auto_takes_it_in_where_it_matters() -> None:
         scene = sc.Scene.from_dict(ink).replace({"material.structure": table})
         assert ("structure" in choose_effects(scene).names) is expected, table
         assert "structure" in choose_effects(scene.replace({"run.effects": EFFECTS})).names
-
-
-def test_the_table_survives_being_written() -> None:
-    for table in ({}, {"rest": "3 s", "growth": "linear", "destroyed_yield_stress": "100 Pa"}, {"measured": "shear"}):
-        scene = bar({"structured_yield_stress": "900 Pa", **table})
-        again = sc.Scene.model_validate(tomllib.loads(scene.to_toml()))
-        assert again.material.structure == scene.material.structure
 
 
 @pytest.mark.parametrize(

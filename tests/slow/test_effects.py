@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import softcat_sym as sc
 from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.effects.effect import Effect
@@ -307,7 +306,6 @@ def test_a_linear_profile_of_fibres_is_the_run_without_them() -> None:
 
 # Every registered effect has a bundled scene in which it matters, a limit test and a derivation.
 NAMES = [effect.name for effect in REGISTRY]
-COARSE = {"numerics.cells": 10, "numerics.estimate": False}
 
 
 def test_every_effect_has_its_scene_its_limit_and_its_derivation() -> None:
@@ -317,24 +315,6 @@ def test_every_effect_has_its_scene_its_limit_and_its_derivation() -> None:
 
 def test_no_limit_is_of_an_unknown_effect() -> None:
     assert {limit.effect for limit in LIMITS} == set(NAMES)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
-def test_it_matters_in_its_scene(effect: Effect) -> None:
-    """Leaving it out changes the midpoint by more than the accuracy asked, or the run cannot be finished."""
-    fibres = {"numerics.fibres": 6} if "fibres" in lists(effect)[1] else {}
-    scene = sc.load_scene(effect.example, COARSE | fibres)
-    runs = [sc.simulate(with_effects(scene, names)) for names in lists(effect)]
-    assert runs[0].outcome is sc.Outcome.solved
-    change = float("inf")
-    if runs[1].outcome is sc.Outcome.solved:
-        present, absent = (run.data["midpoint"].values for run in runs)
-        change = float(np.max(np.abs(present - absent)) / np.max(np.abs(present)))
-    header = ("scene", "change without it", "accuracy", "outcome without it")
-    accuracy = scene.run.accuracy
-    show(effect.name, header, [[effect.example, f"{change:.2e}", f"{accuracy:g}", runs[1].outcome.name]])
-    assert change > accuracy
 
 
 # An absent effect leaves no symbol in the graph and fewer instructions, in the bundled scene in which it matters.

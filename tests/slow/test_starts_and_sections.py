@@ -57,26 +57,6 @@ def test_a_relaxed_stretch_is_a_thinner_filament(theory: str, law: str, profile:
     assert np.allclose(runs[0]["stretch"].values[0], drawn, rtol=1e-9)
 
 
-def test_an_initial_plastic_stretch_is_the_tension_of_a_bar() -> None:
-    """P = -0.02 everywhere and no weight: T = E A (log 1 + 0.02)."""
-    material = {"law": "maxwell", "youngs_modulus": 1e6, "viscosity": 1e9}
-    data = solved(
-        scene(
-            material,
-            {"thickness": 0.05},
-            effects=(*GEOMETRY, "viscous-flow"),
-            ends={"left": "pinned", "right": "pinned"},
-            initial={"P": [-0.02]},
-            load={"gravity": 0.0},
-            run={"duration": 1e-3, "frames": 2},
-            cells=8,
-        )
-    )
-    tension = data["tension"].values[0] / (1e6 * 0.05**2)
-    show("bar with P = -0.02", ["T/(E A)", "error"], [[f"{tension[0]:.8f}", f"{abs(tension - 0.02).max():.1e}"]])
-    assert tension == pytest.approx(np.full(len(tension), 0.02), rel=1e-6)
-
-
 @pytest.mark.parametrize("effects", [GEOMETRY, pytest.param((*GEOMETRY, "shear", "fibres"), marks=pytest.mark.slow)])
 def test_an_initial_plastic_bend_is_a_natural_curvature(effects: tuple[str, ...]) -> None:
     """C = -kappa h0/2 and the natural curvature kappa are the same arc of a free end, which is a circle's."""
