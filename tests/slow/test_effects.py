@@ -50,11 +50,9 @@ _STRAIN = {"finite-stretch": 1 / 6, "thinning": 1 / 3, "large-rotation": 2 / 5}
 _CABLE, _PINS = partial(fading.bending_of_a_cable, {}), partial(fading.bending_of_a_cable, fading.PINNED)
 LIMITS: tuple[Limit, ...] = (
     Limit("inertia", "viscous string, rho at fixed rho g", (1.0, 0.1, 0.01), (1 / 5, 0.03), fading.inertia_always),
-    Limit("inertia", "the same, late", (0.1, 0.01, 0.001), (13 / 60, 0.03), fading.inertia_late),
     Limit("inertia", "viscous beam, rho at fixed rho g", (1e-2, 1e-3, 1e-4), (1, 0.02), fading.inertia_of_a_beam),
     Limit("bending", "elastic cable between clamps, l/L", halved(0.016), (1, 0.06), _CABLE, (1.0, 0.04)),
     Limit("bending", "elastic cable between pins, l/L", halved(0.04), (3, 0.06), _PINS, (20.0, 0.04)),
-    Limit("bending", "creeping string, pins, late, h/L", halved(0.04), (2, 0.1), fading.bending_of_a_creeping_string),
     Limit(
         "extensibility",
         "clamped elastic beam, H/h",
@@ -99,7 +97,6 @@ LIMITS: tuple[Limit, ...] = (
         fading.ramp_of_a_creeping_beam,
         (1 / 2, 0.03),
     ),
-    Limit("gravity-ramp", "swinging beam, ramp [s]", halved(0.04), (1, 0.05), fading.ramp_of_a_swinging_beam),
     Limit("shear", "clamped beam, h/L", halved(0.1), (2, 0.02), fading.shear_of_a_beam, (8 * 1.45 * 6 / 5, 0.01)),
     Limit("fibres", "Bingham beam, pins, sigma_Y/(rho g L)", halved(0.4), (2, 0.1), fading.fibres_of_a_beam),
     Limit("necking-gradient", "Maxwell string, pins, h/L", halved(0.1), (2, 0.04), fading.gradient_of_a_string),
