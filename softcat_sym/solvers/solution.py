@@ -189,6 +189,13 @@ class Solution:
         part = replace(self, outcome=Outcome.interrupted, message=message)
         return Interrupted(lambda: part)
 
+    def integrated(self, scale: float) -> Solution:
+        """What was integrated, as the part of a run that was interrupted before its modal tail was known."""
+        time = self.time[: self.x.shape[1]]
+        message = f"it was interrupted after {time[-1] * scale:.4g} s, before the rest of its ringing was computed"
+        part = replace(self, time=time, later=None, extremes=None, tail_from=None, tail_error=0.0)
+        return replace(part, outcome=Outcome.interrupted, message=message)
+
     def only(self, frames: slice | list[int]) -> Solution:
         """The solution at some of its frames."""
         parts = self.x, self.z, self.quad
