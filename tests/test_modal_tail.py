@@ -27,8 +27,7 @@ from softcat_sym.solvers.modal_tail import (
     tail_of,
 )
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.solution import Interrupted, Solution
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Interrupted, Solution, Start
 
 FREE = (False, False)
 SLOTS = (

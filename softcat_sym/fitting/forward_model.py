@@ -15,8 +15,7 @@ from softcat_sym.fitting.integration import FrozenFilament, Point, frozen_filame
 from softcat_sym.physics.terms import Terms
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 from softcat_sym.simulate import identity_of
-from softcat_sym.solvers.solution import watched
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Start, watched
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
 _STEP = 1e-6  # In unknowns of order one, for observables that are smooth functions of the state
