@@ -21,7 +21,7 @@ from softcat_sym.effects.selection import Effects
 from softcat_sym.effects.theory_limits import theory_error
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.estimates.free_vibration import damping_note
-from softcat_sym.estimates.initial_stress import surface_note
+from softcat_sym.estimates.scaling import surface_note
 from softcat_sym.files import write_results
 from softcat_sym.physics.terms import Terms
 from softcat_sym.results.breaking import break_frame

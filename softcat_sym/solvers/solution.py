@@ -15,7 +15,7 @@ import numpy.typing as npt
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.estimates.expected_regime import worst_gravity_number
-from softcat_sym.estimates.initial_stress import initial_strain
+from softcat_sym.estimates.scaling import initial_strain
 from softcat_sym.interrupts import Interrupts, interrupts_go_to
 from softcat_sym.physics import beams
 from softcat_sym.physics.terms import Terms

@@ -19,8 +19,8 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.estimates.expected_regime import worst_gravity_number
-from softcat_sym.estimates.initial_stress import initial_strain
 from softcat_sym.estimates.scaling import (
+    initial_strain,
     neck_length,
     pull_of_surface,
     yield_stress_of,
