@@ -25,7 +25,6 @@ from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.drawing import Report
 from softcat_sym.plotting import style
 from softcat_sym.plotting.phase import AXES, LOOKS
-from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit, typeset
 
@@ -91,7 +90,7 @@ def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
 
 @drawing.report.register(Sweep)
 def sweep_report(sweep: Sweep) -> Report:
-    """How the members ended, a picture, and a page with sliders of their shapes."""
+    """How the members ended, and a picture."""
     plan, counts, ran = sweep.plan, sweep.counts, len(sweep) - sweep.resumed
     sizes = [str(len(axis.values)) for axis in plan.axes]
     how = {
@@ -112,12 +111,10 @@ def sweep_report(sweep: Sweep) -> Report:
     if sweep.peak_memory:
         rows.append(("peak memory", f"{sweep.peak_memory:.0f} MB"))
     table = TextTable(("", ""), rows).printed(plan.scene.title or "sweep", box=box.SIMPLE)
-    has_page = plan.shapes and counts.outcomes.get("solved")
     files = {
         "sweep.json": sweep.to_dict,
         "scene.toml": plan.scene.to_toml,
         "sweep.png": partial(sweep_figure, sweep),
-        "sliders.html": partial(sliders_page, sweep.data, _title(sweep)) if has_page else None,
     }
     return Report(files, [table])
 
