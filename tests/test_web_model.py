@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +11,9 @@ import pytest
 
 from softcat_sym.batch.members import written
 from softcat_sym.discretization.parameters import parameter_values
-from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.web import sliders
-from softcat_sym.web.fixed import Fixed
-from softcat_sym.web.sliders import choose_sliders
 from tests.common.javascript import evaluated
 from tests.common.pages import quick_page, random_states
 from tests.common.runs import scene_of
@@ -64,49 +60,8 @@ def test_parameters_toml_and_links_of_a_state_are_those_of_its_scene(monkeypatch
         assert "filament.span=" in link and "<" not in link
 
 
-@pytest.mark.slow
-def test_a_loss_that_is_stated_keeps_no_slider_away(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its viscosity goes as E/omega_1: what the page interpolates in groups is what first_vibration finds anew."""
-    keys = ("filament.span", "filament.density", "material.youngs_modulus")
-    monkeypatch.setattr(sliders, "_DEFAULT", keys)
-    scene = ink().replace({"material.loss_tangent": 0.1, "load.ramp": "0 s", "surroundings.surface_tension": "0 N/m"})
-    base = Fixed(scene.replace({"run.effects": list(choose_effects(scene).names)}))
-    chosen = choose_sliders(base)
-    assert [one.key for one in chosen.each] == list(keys) and [*chosen.interpolations] == ["solid_viscosity"]
-    # Two groups of three keys: where density and modulus grow alike, so does the viscosity.
-    assert len(chosen.interpolations["solid_viscosity"].groups) == 2
-    known = chosen.coefficients(base)
-    data = {"keys": chosen.values(scene), "coefficients": [known[name] for name in base.names]}
-    data |= {"sliders": [one.to_dict() for one in chosen.each], "numbers": base.names}
-    data |= {"interpolations": {name: asdict(one) for name, one in chosen.interpolations.items()}}
-    states = random_states(data, 20)
-    asked = "given.states.map(state => numbersOf(given.data, state))"
-    for state, parameters in zip(states, evaluated(asked, data=data, states=states), strict=True):
-        values = parameter_values(scene.replace(written(scene, state["values"])))
-        for name, found in zip(base.names, parameters, strict=True):
-            assert found == pytest.approx(values[name], rel=0.02 if name == "solid_viscosity" else 1e-12), name
-
-
 def load_scene_text(text: str) -> Scene:
     return Scene.model_validate(tomllib.loads(text))
-
-
-def test_a_broken_link_gives_the_scene_as_it_stands() -> None:
-    data = quick_page(ink(), only_numbers=True)
-    slider = {"key": "filament.span", "si": 1e-3, "low": 2, "high": 9, "exponents": {}, "written": "m"}
-    data = {**data, "sliders": [slider], "keys": {"filament.span": 0.005}}
-    for hash_text, span in {
-        "": 0.005,
-        "#%E0%A4%A": 0.005,
-        "#scene=other&filament.span=0.004": 0.004,
-        "#scene=scene&filament.span=0.004": 0.004,
-        "#scene=scene&filament.span=": 0.005,
-        "#scene=scene&filament.span=1e9": 0.005,
-        "#scene=scene&filament.span=NaN&__proto__=1&x": 0.005,
-        "#<script>": 0.005,
-    }.items():
-        state = evaluated("stateOf(given.data, given.hash)", in_node=True, data=data, hash=hash_text)
-        assert state == {"values": {"filament.span": span}}, hash_text
 
 
 def test_a_run_ends_where_a_cell_is_drawn_beyond_what_its_material_bears() -> None:
