@@ -175,7 +175,7 @@ def test_every_cell_dissipates_at_every_moment(name: str) -> None:
     solution = prepared.solve(Silence())
     assert solution.outcome.is_success
     graph = prepared.graph
-    power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.symbolic.powers[0]])
+    power = ca.Function("power", graph.symbolic.inputs, [graph.symbolic.powers[0]])
     cells = np.array(
         [
             np.asarray(power(t, x, z, prepared.p)).ravel()

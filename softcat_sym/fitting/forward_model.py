@@ -80,7 +80,7 @@ class SupportForce(Observable):
 
     def read(self, values: Floats, point: Point, seconds: Floats, rows: NDArray[np.bool_]) -> Floats:
         """Stress at the support times the undeformed section."""
-        filament, count = self._filament, len(self._filament.graph.x_kinds)
+        filament, count = self._filament, len(self._filament.graph.differential.kinds)
         times, scene = np.maximum(seconds, 0.0) / filament.scale, filament.scene_of(point.q)
         states = values[:, :count].T, values[:, count:].T
         stress = filament.support(len(values))(times[None, :], *states, filament.parameters(scene))
