@@ -74,8 +74,6 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
         "-q",
         "--bounds",
         "viscosity=5:50 kPa*s",
-        "--loss",
-        "soft-l1",
         "--method",
         "ipopt",
     )
@@ -138,9 +136,6 @@ BAD = {
     "scene": (("FILM", "--scene", "continual-decent", *FREE), "continual-decent"),
     "metres": (("METRES", *SCENE, *FREE), "0.2 m"),
     "same film twice": (("FILM", "FILM", *SCENE, *FREE), "named twice"),
-    "loss": (("FILM", *SCENE, *FREE, "--loss", "huber"), "soft-l1"),
-    "scale of nothing": (("FILM", *SCENE, *FREE, "--scale", "2"), "--scale"),
-    "scale": (("FILM", *SCENE, *FREE, "--loss", "cauchy", "--scale", "-1"), "positive"),
     "method": (("FILM", *SCENE, *FREE, "--method", "newton"), "least-squares, ipopt"),
     "starts": (("FILM", *SCENE, *FREE, "--starts", "-1"), "--starts"),
     "set": (("FILM", *SCENE, *FREE, *sets("material.visosity=1 Pa*s")), "material.visosity"),

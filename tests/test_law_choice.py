@@ -13,22 +13,18 @@ from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.fitting.likelihood import Loss
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes
 from softcat_sym.fitting.model_selection import (
     FITTED,
     FittedLaw,
     ModelChoice,
     choose_model,
-    fit_law,
     fit_laws,
     rough_constants,
     scene_of_law,
-    widened,
 )
 from softcat_sym.scene.laws import LAWS
-from tests.common.draws import draws, gain
-from tests.marks import few
+from tests.common.draws import draws
 
 
 def test_criteria_by_hand_with_known_noise() -> None:
@@ -285,72 +281,3 @@ def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
     found = fit_laws(few, scene, ["newtonian", "kelvin-voigt"], also_free=["initial_sag"], starts=0)
     assert not found.failures
     assert {*found.choice.close, *found.choice.wider} == {"newtonian", "kelvin-voigt"}
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_a_robust_comparison_does_not_follow_outliers() -> None:
-    scene, film = _fallen("newtonian", 0.01, outliers=6)
-    robust = fit_laws(film, scene, ["newtonian", "kelvin-voigt"], starts=0, loss=Loss("cauchy", 2.0))
-    assert _gained(robust.choice, 60) < gain(60, 2)
-    plain = robust.fits["newtonian"]
-    # Charged alike: by the least of the scales, and not by the squares that the outliers make.
-    assert robust.choice.table[0].law.squares < 0.5 * plain.squares
-
-
-PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]
-
-
-def _oil(law: str) -> sc.Scene:
-    """A filament that sags by a good tenth of its span and does not ring."""
-    own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "60 kPa*s", "yield_stress": "2 kPa"}
-    changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
-    changes |= {f"material.{name}": own[name] for name in LAWS[law].constants}
-    if law in ("power-law", "herschel-bulkley"):
-        changes |= {"material.index": 0.8, "material.viscosity": "60 kPa*s^0.8"}
-    plain = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 41}
-    scene = sc.load_scene("continual-descent", plain).replace(changes)
-    return scene.replace({"run.effects": [name for name in choose_effects(scene).names if name != "inertia"]})
-
-
-def _film_of(scene: sc.Scene) -> tuple[np.ndarray, np.ndarray]:
-    data = sc.simulate(scene).data
-    return data.time.values[1:], data.midpoint.values[1:]
-
-
-@pytest.mark.parametrize(("wider", "narrower"), few(PAIRS, *PAIRS[:2]))
-def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> None:
-    """Two percent of the sag: negligible constants are a hundredth of what would matter, not nothing."""
-    scene = _oil(narrower)
-    time, height = _film_of(scene)
-    inside = widened(scene, wider, Measurements.of(time, height))
-    assert inside.material.law == wider
-    after, found = _film_of(inside)
-    late = time > 0.2 * time[-1]
-    scale = float(np.abs(height).max())
-    assert np.abs(np.interp(time, after, found) - height)[late].max() < 0.02 * scale
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_a_wider_law_starts_again_from_the_one_inside() -> None:
-    """A solid's modulus that is far too large cannot be left behind by its own starts, whose bounds lie about it."""
-    scene = _oil("newtonian")
-    time, height = _film_of(scene)
-    film = Measurements.of(time, height + 1e-4 * draws(4).standard_normal(height.size))
-    stiff = scene.replace(
-        {"material.law": "kelvin-voigt", "material.youngs_modulus": "300 MPa", "run.effects": "paper"}
-    ).replace({"run.effects": [name for name in choose_effects(_oil("kelvin-voigt")).names if name != "inertia"]})
-    alone = fit_law(film, stiff, "kelvin-voigt", starts=0, profiles=False)
-    found = fit_laws(film, stiff, ["kelvin-voigt", "newtonian"], starts=0)
-    assert found.restarted == {"kelvin-voigt": "newtonian"}
-    assert alone.squares > 10 * found.fits["kelvin-voigt"].squares
-    # What has one constant more is no worse, but for how little its modulus may be made.
-    assert found.fits["kelvin-voigt"].squares < 1.01 * found.fits["newtonian"].squares
-    assert _gained(found.choice, 40) < gain(40, 2)
-
-
-def test_the_narrower_comes_first() -> None:
-    """Laws are fitted in the order of how many others they contain."""
-    for law in FITTED:
-        assert all(len(LAWS[inside].limits) < len(LAWS[law].limits) for inside in LAWS[law].limits)
