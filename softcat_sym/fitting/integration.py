@@ -107,9 +107,8 @@ class _Followed:
 
     def __init__(self, graph: Graph, rest: Graph, balanced: Newton) -> None:
         self._graph, self.rest, self._balanced = graph, rest, balanced
-        x = _numbered(graph.x_kinds, graph.x_places)
-        z = _numbered(graph.z_kinds, graph.z_places)
-        rest_x, rest_z = _numbered(rest.x_kinds, rest.x_places), _numbered(rest.z_kinds, rest.z_places)
+        x, z = _numbered(graph.differential), _numbered(graph.algebraic)
+        rest_x, rest_z = _numbered(rest.differential), _numbered(rest.algebraic)
         self._plastic = _pairs(rest_x, x)
         self._moving, self._still = _pairs(rest_z, x), _pairs(rest_z, z)
         self._complete = len(self._moving[0]) + len(self._still[0]) == len(rest_z)
@@ -118,7 +117,7 @@ class _Followed:
         """The shape at rest with these parameters, followed from a neighbouring one; algebraic unknowns as there."""
         if not self._complete:
             return None
-        x, z = self.rest.start.copy(), np.zeros(self.rest.z.numel())
+        x, z = self.rest.start.copy(), np.zeros(len(self.rest.algebraic))
         x[self._plastic[0]] = near.x[self._plastic[1]]
         z[self._moving[0]], z[self._still[0]] = near.x[self._moving[1]], near.z[self._still[1]]
         values = dict(zip(self._graph.parameters, p.tolist(), strict=True))
@@ -134,8 +133,8 @@ class _Followed:
         return result
 
 
-def _numbered(kinds: tuple[str, ...], places: tuple[int, ...]) -> dict[_Unknown, int]:
-    return {unknown: number for number, unknown in enumerate(zip(kinds, places, strict=True))}
+def _numbered(layout: Layout) -> dict[_Unknown, int]:
+    return {unknown: number for number, unknown in enumerate(layout.unknowns)}
 
 
 def _pairs(
@@ -281,7 +280,10 @@ class InterpretedForward(Integrator):
 
     def _make(self, later: tuple[float, ...], seen: tuple[int, ...], max_steps: int) -> ca.Function:
         graph = self._graph
-        x, z, p = (ca.MX.sym(name, part.numel()) for name, part in (("x", graph.x), ("z", graph.z), ("p", graph.p)))
+        x, z, p = (
+            ca.MX.sym(name, part.numel())
+            for name, part in (("x", graph.symbolic.x), ("z", graph.symbolic.z), ("p", graph.symbolic.p))
+        )
         first = ca.MX.sym("first")
         states, algebraic = self._step(x, z, p, ca.MX(0), first, (1.0,), max_steps)
         if later:
@@ -296,11 +298,13 @@ class InterpretedForward(Integrator):
         """States at start + unit * taus."""
         graph = self._graph
         tau, begins, interval = ca.SX.sym("tau"), ca.SX.sym("begins"), ca.SX.sym("interval")
-        ode, alg = ca.substitute([graph.ode, graph.alg], [graph.t], [begins + interval * tau])
-        dae: dict[str, Any] = {"t": tau, "x": graph.x, "p": ca.vertcat(graph.p, begins, interval)}
+        ode, alg = ca.substitute(
+            [graph.symbolic.ode, graph.symbolic.alg], [graph.symbolic.t], [begins + interval * tau]
+        )
+        dae: dict[str, Any] = {"t": tau, "x": graph.symbolic.x, "p": ca.vertcat(graph.symbolic.p, begins, interval)}
         dae |= {"ode": ode * interval}
         if graph.is_dae:
-            dae |= {"z": graph.z, "alg": alg}
+            dae |= {"z": graph.symbolic.z, "alg": alg}
         options: dict[str, Any] = {"reltol": self.settings.rtol, "abstol": self.settings.atol}
         # A failure shows in the result, and is common in a fit: no warnings.
         options |= {"max_num_steps": max_steps, "show_eval_warnings": False}
@@ -464,7 +468,7 @@ class FrozenFilament:
     def unknowns(self) -> list[_Unknown]:
         """Kind and place of every unknown of the state, differential ones first."""
         graph = self.graph
-        return [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
+        return [*graph.differential.unknowns, *graph.algebraic.unknowns]
 
     def point(self, q: Floats, *, slopes: bool) -> Point | None:
         """The filament with these unknowns of the scene, and its derivatives by them; None without a starting state."""
@@ -511,7 +515,7 @@ class FrozenFilament:
                 raise SceneError([Fault("ends.motion", found, f"a C compiler; {self.backend.reason}")])
             return InterpretedForward(parts.graph, settings)
         filament = compile_filament(parts.graph, parts.structure)
-        works = "v" not in parts.graph.x_kinds
+        works = "v" not in parts.graph.differential.kinds
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
     def _idle(self) -> list[FreeParameter]:
