@@ -26,7 +26,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError, SoftcatWarning
 from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
-from softcat_sym.scene.table_reader import number_in, read_cells, refusal, sentence
+from softcat_sym.scene.table_reader import number_in, read_table
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import NotAQuantity, Quantity, Whole, shown, to_si_of_any
 from softcat_sym.simulate import identity_of
@@ -263,14 +263,19 @@ def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
     faults = []
     for axis in axes:
         kind = kind_of(scene, {}, axis.key)
-        for value in axis.values if isinstance(kind, Quantity) else ():
-            try:
-                if not is_number(value) and isinstance(kind, Quantity):
-                    kind.measured(value)
-            except NotAQuantity as error:
-                faults.append(Fault(axis.key, str(error), kind.accepted if kind is not None else ""))
+        if isinstance(kind, Quantity):
+            faults += [fault for one in axis.values if not is_number(one) for fault in _faults_of(axis.key, one, kind)]
     if faults:
         raise SceneError(list(dict.fromkeys(faults))[:_FAULTS_LISTED], SOURCE)
+
+
+def _faults_of(key: str, value: Value, kind: Quantity) -> list[Fault]:
+    """The fault of text that is not the quantity of a key."""
+    try:
+        kind.measured(value)
+    except NotAQuantity as error:
+        return [Fault(key, str(error), kind.accepted)]
+    return []
 
 
 def read_axes(
@@ -355,14 +360,14 @@ def _key_of(heading: str) -> str | None:
 
 def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
     """Read the members of a sweep from the rows of a CSV file."""
-    _, cells = read_cells(path, _KIND, _CSV_FORM, _key_of)
-    where, faults, header = f"line {cells.line}", cells.no_rows(), list[tuple[str, str]]()
-    for place, heading in enumerate(cells.header):
+    table = read_table(path, _KIND, _CSV_FORM, _key_of)
+    where, faults, header = f"line {table.line}", list[Fault](), list[tuple[str, str]]()
+    for place, heading in enumerate(table.header):
         match = _HEADER.fullmatch(heading)
         if match is None:
             faults.append(Fault(where, f"{shown(heading)} is no dotted key", _CSV_FORM))
             continue
-        key, unit = match[1], match[2] or (cells.units[place] if cells.units else "")
+        key, unit = match[1], match[2] or table.units[place]
         if key in dict(header):
             faults.append(Fault(where, f"{key} stands there twice", "each key once"))
         try:
@@ -370,18 +375,14 @@ def _table_axes(scene: Scene, path: Path) -> tuple[SweepAxis, ...]:
         except NotAQuantity:
             faults.append(Fault(f"{where}, {key}", f"unknown unit {shown(unit)}", "a unit, such as [mm]"))
         header.append((key, unit))
-    rows: list[list[Value]] = []
-    for number, row in cells.rows if not faults else ():
-        if len(row) != len(header):
-            found = f"{len(row)} values, but the header has {len(header)} keys"
-            faults.append(Fault(f"line {number}", found, "a value for each key"))
-            continue
-        rows.append([_cell(scene, key, unit, cell) for (key, unit), cell in zip(header, row, strict=True)])
-        wrong = [value for value in rows[-1] if isinstance(value, Fault)]
-        faults += [Fault(f"line {number}, {fault.path}", fault.found, fault.accepted) for fault in wrong]
-    if faults:
-        raise refusal(_KIND, path, faults)
-    for note in sentence(*cells.said):
+    table.refuse(faults)
+    table.check_rows()
+    rows = [[_cell(scene, *heading, cell) for heading, cell in zip(header, row, strict=False)] for _, row in table.rows]
+    for (number, _), row in zip(table.rows, rows, strict=True):
+        wrong = [one for one in row if isinstance(one, Fault)]
+        faults += [Fault(f"line {number}, {one.path}", one.found, one.accepted) for one in wrong]
+    table.refuse(faults)
+    for note in table.notes:
         warnings.warn(f"{path}: {note}", SoftcatWarning, stacklevel=3)
     return tuple(SweepAxis(key, tuple(row[k] for row in rows)) for k, (key, _) in enumerate(header))
 
@@ -393,13 +394,9 @@ def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
     number, kind = number_in(cell), kind_of(scene, {}, key)
     if number is None:
         overrides, faults = read_overrides([f"{key}={cell}"])
-        if faults or not isinstance(kind, Quantity):
-            return faults[0] if faults else overrides[0].value
-        try:
-            kind.measured(overrides[0].value)
-        except NotAQuantity as error:
-            return Fault(key, str(error), kind.accepted)
-        return overrides[0].value
+        if not faults and isinstance(kind, Quantity):
+            faults = _faults_of(key, overrides[0].value, kind)
+        return faults[0] if faults else overrides[0].value
     if not math.isfinite(number):
         return Fault(key, f"{shown(cell)} is not finite", "a finite number")
     if unit and unit != "1":
