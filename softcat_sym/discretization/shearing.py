@@ -1,7 +1,7 @@
 """A filament that shears, in its plane or in space: a node has a place and a frame, a cell the whole section.
 
-A two-node element with one point along the filament, so that it neither locks in shear nor has a spurious mode. Its turn
-is the middle of the geodesic between those of its nodes, curvature and twist their relative turn over the length
+A two-node element with one point along the filament, so that it neither locks in shear nor has a spurious mode. Its
+turn is the middle of the geodesic between those of its nodes, curvature and twist their relative turn over the length
 (THEORY3D 5; Crisfield & Jelenic 1999): a rigid motion strains nothing, what is planar is the planar cell. Stresses act
 on the conjugates of the cell's strains, and these on its nodes, each by virtual power.
 """
