@@ -8,12 +8,8 @@ from scipy import stats
 
 import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter
-from softcat_sym.fitting.likelihood import Loss
-from softcat_sym.fitting.measurements import Measurements
-from softcat_sym.fitting.posterior import posterior_of
 from softcat_sym.fitting.priors import read_priors, refuse_excluded
 from tests.common.draws import RARE, draws
-from tests.common.filmed import film, scene
 
 FREE = (
     FreeParameter("viscosity", "material.viscosity", "Pa*s", 20.0, True, 20.0, (0.02, 2e4)),
@@ -94,18 +90,3 @@ def test_a_prior_that_excludes_the_best_fit_is_refused() -> None:
     with pytest.raises(sc.SceneError, match="no finite density at the best fit, 20 Pa"):
         refuse_excluded(priors, np.zeros(3))
     refuse_excluded(priors, np.array([0.5, 0.0, 0.0]))
-
-
-def test_a_robust_fit_has_no_posterior() -> None:
-    """Its likelihood would not be the one that was maximised."""
-    found = sc.fit(
-        Measurements.of(*film()),
-        scene(),
-        ["viscosity"],
-        loss=Loss("soft-l1"),
-        starts=0,
-        profiles=False,
-        discrepancy=False,
-    )
-    with pytest.raises(sc.SoftcatError, match="Gaussian, but the loss of the fit is 'soft-l1'"):
-        posterior_of(found)
