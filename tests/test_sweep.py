@@ -5,9 +5,6 @@ from __future__ import annotations
 import csv
 import json
 import math
-import signal
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -18,10 +15,9 @@ import xarray as xr
 import softcat_sym as sc
 from softcat_sym import cache
 from softcat_sym.batch import worker
-from softcat_sym.batch.executor import RunPool
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.results.motion import time_to_share
 from softcat_sym.solvers.compiled import CModel
 from tests.common.in_process import Softcat, sets
@@ -82,24 +78,17 @@ def test_values_of_an_axis() -> None:
         assert axis.scale == ("log" if text.endswith("log") else "lin")
 
 
-def test_modes_order_their_members() -> None:
-    assert [plan("groups.G=1,2", "groups.V=4,5").row(k) for k in range(4)] == [
-        {"groups.G": G, "groups.V": V} for G in (1, 2) for V in (4, 5)
-    ]
-    assert plan("groups.G=1,2", "groups.V=4,5", mode="zip").row(1) == {"groups.G": 2, "groups.V": 5}
-
-
 def test_a_latin_hypercube_has_one_sample_in_each_part_of_each_axis() -> None:
     texts = ("groups.G=0.01:1:log", "filament.span=4:12 mm", "numerics.cells=10,20")
     found, other = (plan(*texts, mode="lhs", samples=50, seed=seed) for seed in (3, 4))
-    rows = [found.row(member) for member in range(found.members)]
+    rows = found.rows
     G, span = (np.array([float(str(row[key])) for row in rows]) for key in ("groups.G", "filament.span"))
     np.testing.assert_array_equal(np.sort(np.floor(50 * np.log(G / 0.01) / np.log(100))), np.arange(50))
     np.testing.assert_array_equal(np.sort(np.floor(50 * (span - 4e-3) / 8e-3)), np.arange(50))
     assert sorted(row["numerics.cells"] for row in rows) == [10] * 25 + [20] * 25  # type: ignore[type-var]
     # Of two independent permutations of fifty, Student's t = r sqrt(48/(1 - r^2)) is beyond 6.7 once in 5e7.
     assert abs(float(np.corrcoef(np.log(G), span)[0, 1])) < 0.7
-    assert other.row(0) != found.row(0) and other.digest != found.digest
+    assert other.rows[0] != found.rows[0] and other.digest != found.digest
 
 
 def test_a_table_and_its_faults(tmp_path: Path) -> None:
@@ -107,14 +96,14 @@ def test_a_table_and_its_faults(tmp_path: Path) -> None:
     file.write_text("# of mine\ngroups.G, filament.span [mm], material.law\n0.5, 4, bingham\n1, 5, bingham\n")
     found = plan_sweep(SCENE, file)
     assert (found.mode, found.members) == ("table", 2)
-    assert found.row(0) == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
+    assert found.rows[0] == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
     for text, message in (
         ("", "holds no data"),
         ("filament.span [mm],material.law\nabc,bingham\n", "line 2, filament.span: .abc. is not a number"),
         ("groups.G,groups.V\n", "no rows"),
         ("0.5,26\n0.6,27\n", "'0.5' is no dotted key"),
         ("groups.G,groups.G\n1,2\n", "groups.G stands there twice"),
-        ("groups.G,groups.V\n1\n", "line 2: 1 values, but the header has 2 keys"),
+        ("groups.G,groups.V\n1\n", "line 2, groups.V: an empty cell"),
         ("groups.G,groups.V\n1,\n", "line 2, groups.V: an empty cell"),
         ("groups.G\nNaN\n", "is not finite"),
         ("filament.span [bananas]\n4\n", "line 1, filament.span: unknown unit 'bananas'"),
@@ -147,7 +136,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         (varied("groups.G=1,,2"), "an empty value"),
         (varied("groups.G=1,1"), "1 is named twice"),
         (varied("groups.G=1:2:5", "groups.G=3,4"), "varied twice"),
-        (varied("groups.G=1:2:9999", "groups.V=1:2:9999"), "accepted: up to 10000000"),
+        (varied("groups.G=1:2:9999", "groups.V=1:2:9999"), "accepted: up to 1000000"),
         (varied("groups.Q=1,2"), "every one of the 2 members is refused"),
         (varied("nonsense.G=1,2"), "unknown"),
         (varied("material.yeild_stress=1 kPa,2 kPa"), "did you mean 'yield_stress'"),
@@ -161,11 +150,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         ([*pair, "--mode", "spiral"], "grid, zip, lhs"),
         ([*pair, "--mode", "lhs"], "needs a number"),
         ([*pair, "--samples", "10"], "samples are for a Latin hypercube"),
-        ([*pair, "--local-cluster", "0"], "1 or more"),
-        ([*pair, "--local-cluster", "2", "--scheduler", "tcp://a:1"], "not both"),
-        ([*pair, "--local-cluster", "2", "--workers", "2"], "threads is for runs in this process"),
         ([*pair, "--workers", "0"], "1 or more"),
-        ([*pair, "--scheduler", "here"], "no address of a Dask scheduler"),
     ):
         done = softcat("sweep", "arrested-overdamped", *arguments, "-o", "out")
         assert (done.status, done.out) == (2, ""), arguments
@@ -199,7 +184,7 @@ def test_members_are_as_accurate_as_the_middle_one_was_made(softcat: Softcat, tm
     # What the scene says stays, and nothing is run for it; each is estimated on request.
     own = sc.simulate_many(rod.replace({"numerics.cells": 10, "numerics.rtol": 1e-5}), {"material.viscosity": [3e12]})
     assert (own.data.cells, own.data.rtol) == (10, 1e-5) and "numerics says all" in own.data.attrs["centres"]
-    each = sc.simulate_many(rod, {"material.viscosity": [3e12]}, estimate=True).data
+    each = sc.sweep(rod, {"material.viscosity": [3e12]}, estimate=True).data
     assert each.cells == at["cells"] and each.error_estimate == done.centre.error
     options = [*sets("run.accuracy=1e-4", "run.frames=11"), *varied("material.viscosity=2.5e12:3.5e12 Pa*s:3")]
     printed = softcat("sweep", "glass-rod", *options, "-o", str(tmp_path / "out"))
@@ -210,7 +195,8 @@ def test_rows_are_those_of_simulate(tmp_path: Path) -> None:
     vary = {"groups.G": [0.02, 0.4, 1.9], "material.viscosity": ["9 kPa*s", 14e3]}
     done = sc.sweep(SCENE, vary, tmp_path, shapes=True)
     data = done.data
-    assert (len(done), data.sizes["member"], done.path) == (6, 6, tmp_path / "sweep.nc")
+    assert (len(done), data.sizes["member"]) == (6, 6)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["sweep.csv", "sweep.nc"]
     assert data["groups.G"].values.tolist() == [0.02, 0.02, 0.4, 0.4, 1.9, 1.9]
     assert data["material.viscosity"].values.tolist() == [9e3, 14e3] * 3
     assert data["material.viscosity"].attrs == {"varied": 1, "scale": "lin", "units": "Pa*s"}
@@ -243,23 +229,6 @@ def test_time_to_a_share_of_an_exponential() -> None:
     assert math.isnan(time_to_share(time, np.zeros_like(time)))
 
 
-@pytest.mark.slow
-def test_members_of_which_a_single_run_does_more(tmp_path: Path) -> None:
-    """One whose error is estimated, one that is repeated with more effects."""
-    honey = sc.load_scene("cold-honey", {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.1 s"})
-    honey = honey.replace({"run.accuracy": 0.1})
-    done = sc.sweep(honey, {"filament.density": [1400.0, -1.0]}, tmp_path, estimate=True)
-    single = sc.simulate(honey.replace({"filament.density": "1400 kg/m^3"}))
-    assert single.summary["error_estimate"] is not None
-    np.testing.assert_array_equal(done.data.midpoint.values[0], single.data.midpoint.values)
-    assert done.data.outcome.values.tolist() == [single.outcome.name, "refused"]
-    band = sc.load_scene("stretched-rubber-band", {"run.accuracy": 0.1, "run.frames": 21, "numerics.estimate": False})
-    found = sc.sweep(band, {"load.gravity": [5.0]}).data
-    single = sc.simulate(band.replace({"load.gravity": "5 m/s^2"}))
-    assert "shear" in single.summary["repeats"][0]
-    assert float(found["midpoint_final"][0]) == pytest.approx(single.summary["midpoint_final_m"], rel=1e-9)
-
-
 def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     descent = sc.load_scene("continual-descent", QUICK)
     vary = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
@@ -283,7 +252,7 @@ def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypat
     assert done.data.message.values.tolist()[2] == "a pipe has burst"
     assert "material.yield_stress: '-1.0 Pa' is negative" in str(done.data.message.values[1])
     assert np.isnan(done.data.midpoint.values).all(axis=1).tolist() == [False, True, True]
-    assert dict(done.counts.outcomes) == {"solved": 1, "refused": 1, "failed": 1}
+    assert done.outcomes == {"solved": 1, "refused": 1, "failed": 1}
 
 
 @pytest.mark.slow
@@ -313,16 +282,7 @@ def test_an_interrupted_sweep_resumes_where_it_was(
     assert sorted(path.name for path in broken.iterdir()) == ["sweep.csv", "sweep.nc"]
     ran.clear()
     again = sc.sweep(brief, vary, broken, shapes=True)
-    assert (len(ran), again.resumed, again.counts) == (0, 35, done.counts)
-
-
-def test_without_a_directory_the_data_stay_in_memory() -> None:
-    done = sc.sweep(SCENE, ["material.law=bingham,maxwell"])
-    assert not done.path.exists()
-    assert done.data["material.law"].values.tolist() == ["bingham", "maxwell"]
-    assert done.data.outcome.values.tolist() == ["solved", "refused"]
-    with pytest.raises(SceneError, match="unknown key"):
-        sc.sweep(SCENE, {"material.yeild_stress": ["1 kPa", "2 kPa"]})
+    assert (len(ran), again.resumed, again.outcomes) == (0, 35, done.outcomes)
 
 
 def test_any_executor_runs_the_members() -> None:
@@ -342,8 +302,8 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     values = varied("material.yield_stress=4:40 kPa:3:log", "groups.V=20,-1")
     done = softcat("sweep", "arrested-overdamped", "-o", str(output), *values, *OPTIONS, "--shapes", "--workers", "1")
     assert (done.status, done.err) == (0, "")
-    assert {path.name for path in output.iterdir()} == FILES | {"sliders.html"}
-    assert all(word in done.out for word in ("3 x 2 grid", "refused", "3 (50%)", "1 thread", "peak memory", "sweep.nc"))
+    assert {path.name for path in output.iterdir()} == FILES
+    assert all(word in done.out for word in ("3 x 2 grid", "refused", "3 (50%)", "1 thread", "sweep.nc"))
     assert (output / "sweep.png").read_bytes().startswith(b"\x89PNG")
     assert sc.load_scene(output / "scene.toml") == sc.load_scene("arrested-overdamped", OPTIONS[1::2])
     data = xr.load_dataset(output / "sweep.nc", engine="h5netcdf")
@@ -353,90 +313,10 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     found = json.loads((output / "sweep.json").read_text())
     assert found["outcomes"] == {"refused": 3, "solved": 3}
     assert (found["plan"]["members"], found["plan"]["mode"], found["place"]) == (6, "grid", "embedded, 1 thread")
-    assert found["peak_memory_MB"] > 1 and found["versions"]["softcat_sym"]
+    assert found["versions"]["softcat_sym"]
     with (output / "sweep.csv").open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert [row["outcome"] for row in rows] == data.outcome.values.tolist()
     assert [row["regime"] for row in rows] == data.regime.values.tolist()
     assert float(rows[2]["sag_largest [m]"]) == float(data.sag_largest[2])
     assert rows[1]["sag_largest [m]"] == "" and "no positive number" in rows[1]["message"]
-    assert "<script" in (output / "sliders.html").read_text()
-
-
-@pytest.mark.slow
-def test_a_picture_of_each_sort(softcat: Softcat, tmp_path: Path) -> None:
-    cube = varied("groups.G=0.3:0.5", "groups.V=10:30", "filament.density=1000:2000 kg/m^3")
-    for k, arguments in enumerate(
-        (
-            varied("groups.G=0.02:2:4:log"),
-            [*cube, "--mode=lhs", "--samples=4"],
-            varied("material.law=bingham,maxwell"),
-            [*varied("groups.G=0.3,0.4", "groups.V=20,30"), "--mode=zip"],
-            varied("groups.G=0.4,0.400001"),
-        )
-    ):
-        output = tmp_path / str(k)
-        done = softcat("sweep", "arrested-overdamped", "-q", "-o", str(output), *arguments, *OPTIONS)
-        assert (done.status, done.out, done.err) == (0, "", ""), arguments
-        assert {path.name for path in output.iterdir()} == FILES
-
-
-@pytest.mark.slow
-def test_how_a_sweep_without_answers_or_interrupted_ends(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked = ("sweep", "arrested-overdamped", "-q", "-o", str(tmp_path / "out"), *OPTIONS, "--workers", "1")
-    many = [*varied("groups.G=0.1:0.5:25"), "--set", "run.duration=0.2 s"]
-    judged, ran = worker.judged, list[object]()
-
-    def stopping(*given: object) -> object:
-        ran.append(1)
-        if len(ran) == 15:
-            raise KeyboardInterrupt
-        return judged(*given)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(worker, "judged", stopping)
-    done = softcat(*asked, *many)
-    assert (done.status, done.out) == (130, "")
-    assert "the same command resumes from what was finished" in done.err
-    assert not (tmp_path / "out").exists()
-    ran.extend([1] * 100)
-    for options, runs in (((), 15), ((), 0), (("--fresh",), 25)):
-        before = len(ran)
-        assert softcat(*asked, *many, *options).status == 0
-        assert len(ran) == before + runs
-        assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
-
-    def failing(*_: object) -> None:
-        raise RuntimeError("burst")
-
-    monkeypatch.setattr(worker, "judged", failing)
-    done = softcat(*asked, *varied("groups.G=0.3,0.4"))
-    assert (done.status, done.out) == (1, "") and "no member is an answer" in done.err
-    assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
-    monkeypatch.setattr(RunPool, "map_members", lambda *_: signal.raise_signal(signal.SIGINT))
-    done = softcat("sweep", "arrested-overdamped", "-o", str(tmp_path / "none"), *varied("groups.G=0.3,0.41"), *OPTIONS)
-    assert (done.status, done.out) == (130, "")
-    assert not (tmp_path / "none").exists()
-
-
-PEAKS = """
-import subprocess, sys
-if len(sys.argv) == 1:
-    large = b"x" * 800_000_000
-    del large
-    sys.exit(subprocess.run([sys.executable, "-c", sys.orig_argv[2], "child"]).returncode)
-from softcat_sym.batch.sweep import peak_memory
-before = peak_memory()
-large = b"x" * 200_000_000
-del large
-print(before, peak_memory())
-"""
-
-
-@pytest.mark.slow
-def test_peak_memory_is_that_of_the_process_not_of_the_one_that_started_it() -> None:
-    done = subprocess.run([sys.executable, "-c", PEAKS], capture_output=True, text=True, check=True)
-    before, after = map(float, done.stdout.split())
-    assert 1 < before < 700
-    assert after > before + 100

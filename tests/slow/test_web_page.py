@@ -66,7 +66,7 @@ def typed(chromium: Browser, key: str, what: str) -> None:
 
 def test_a_slider_gives_another_filament_first_coarse_and_then_in_full(strand: Browser):
     before = text(strand, "numbers")
-    assert "arrested" in before
+    assert "computed" in before
     strand.ask(
         "window.seen = []; new MutationObserver(() => seen.push(document.querySelector('main').dataset.shown))"
         ".observe(document.querySelector('main'), {attributes: true, attributeFilter: ['data-shown']})"
@@ -76,8 +76,8 @@ def test_a_slider_gives_another_filament_first_coarse_and_then_in_full(strand: B
     assert strand.ask("[...new Set(seen.filter(Boolean))]") == ["preview", "resolution"]
     assert text(strand, "numbers") != before
     assert "40 cells a half span, 201 frames" in text(strand, "resolution")
-    assert strand.ask("document.querySelector('[data-key=\"filament.span\"]').getAttribute('aria-valuetext')") == (
-        "7.96 millimetres"
+    assert (
+        strand.ask("document.querySelector('[data-key=\"filament.span\"]').getAttribute('aria-valuetext')") == "7.96 mm"
     )
     strand.ask("document.getElementById('reset').click()")
     strand.until(FULL)
@@ -119,71 +119,6 @@ def test_what_fails_is_told_and_what_does_not_end_is_stopped(strand: Browser):
     typed(strand, "filament.span", "6")
     strand.until(FULL)
     assert text(strand, "problem") == ""
-
-
-def test_a_move_while_a_run_hangs_is_answered_at_once(strand: Browser):
-    typed(strand, "filament.span", "16")
-    time.sleep(0.5)
-    begun = time.monotonic()
-    typed(strand, "filament.span", "6")
-    strand.until(FULL)
-    assert time.monotonic() - begun < 2.5
-
-
-def test_keys_play_and_move_in_time(strand: Browser):
-    strand.ask("document.getElementById('time').focus()")
-    strand.call("Input.dispatchKeyEvent", type="keyDown", key=" ", code="Space", text=" ")
-    assert text(strand, "play") == "play"
-    strand.ask("document.activeElement.blur()")
-    strand.press("Home")
-    assert strand.ask("Number(document.getElementById('time').value)") == 0
-    strand.press("ArrowRight")
-    assert strand.ask("Number(document.getElementById('time').value)") == pytest.approx(0.01, abs=0.006)
-    slider = "document.querySelector('input[type=range][data-key=\"filament.span\"]')"
-    strand.ask(f"{slider}.focus()")
-    strand.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowRight", code="ArrowRight", windowsVirtualKeyCode=39)
-    strand.until(FULL)
-    assert strand.ask(f"{slider}.getAttribute('aria-valuetext')") == "5.08 millimetres"
-
-
-def test_links_scenes_and_what_is_taken_away(strand: Browser, tmp_path: Path):
-    typed(strand, "filament.span", "8")
-    strand.until(FULL)
-    held, link = text(strand, "numbers"), strand.ask("location.hash")
-    opened(strand, tmp_path / "strand.html", link)
-    assert text(strand, "numbers") == held
-    strand.ask("location.hash = '#nonsense=1'")
-    strand.until(f"{FULL} && !document.getElementById('numbers').textContent.includes({json.dumps(held)})")
-    choice = "document.getElementById('scene')"
-    strand.ask(f"{choice}.value = '1'; {choice}.dispatchEvent(new Event('change'))")
-    strand.until(FULL)
-    assert strand.ask("document.querySelector('input[type=text]').value") == "10"
-    # A browser that lets no page copy shows the text instead.
-    strand.ask("navigator.clipboard.writeText = () => Promise.reject(new Error('no'))")
-    strand.ask("document.getElementById('toml').click()")
-    strand.until("!document.getElementById('by-hand').hidden")
-    assert 'span = "0.01 m"' in strand.ask("document.getElementById('text').value")
-    folder = tmp_path / "loads"
-    strand.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
-    strand.ask("document.getElementById('csv').click()")
-    end = time.monotonic() + 10
-    while not (folder / "strand.csv").exists():
-        assert time.monotonic() < end
-        time.sleep(0.1)
-    assert len((folder / "strand.csv").read_text(encoding="utf-8").splitlines()) == 202
-
-
-def test_a_title_does_nothing(chromium: Browser, tmp_path: Path):
-    word = """<script>alert(1)</script>"' </title><img src=x onerror=alert(1)>"""
-    (tmp_path / "title.html").write_text(page(word), encoding="utf-8")
-    chromium.messages.clear()
-    opened(chromium, tmp_path / "title.html")
-    typed(chromium, "load.gravity", "40")
-    chromium.until("document.getElementById('problem').textContent")
-    assert chromium.ask("document.title") == text(chromium, "title") == word
-    assert word in text(chromium, "problem")
-    assert chromium.ask("document.querySelectorAll('img, #problem script, h1 script').length") == 0
-    assert chromium.messages == []
 
 
 def test_pictures_fit_desks_and_phones_by_day_and_night(strand: Browser, tmp_path: Path):

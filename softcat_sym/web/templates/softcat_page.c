@@ -18,15 +18,15 @@
 #define EXPORTED(name) name
 #endif
 
-enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 10, TURNS = 1024 };
+enum { PARAMETERS = SOFTCAT_PARAMETERS, STATUS = 8 };
 
 /* The text of the observables: rows of sites for each of `count` times in units of the scale. */
 int softcat_filament_observe(const softcat_filament *, int count, const double *times,
                              const double *states, double *out, double *scratch);
 
 static const softcat_structure *const structure = &softcat_filament_structure;
-static double parameters[PARAMETERS], known[STATUS], rows[3 * TURNS];
-static double *absolute, *start, *memory, *fields, *midpoint, *work;
+static double parameters[PARAMETERS], known[STATUS];
+static double *absolute, *start, *memory, *fields, *midpoint;
 static int start_rows;
 static softcat_workspace workspace;
 
@@ -60,17 +60,6 @@ double *EXPORTED(page_fields)(void)
 double *EXPORTED(page_midpoint)(void)
 {
     return midpoint;
-}
-
-double *EXPORTED(page_work)(void)
-{
-    return work;
-}
-
-/* Time, height and integral of the height: at first, at the turning points of the midpoint, at last. */
-double *EXPORTED(page_extremes)(void)
-{
-    return rows;
 }
 
 double *EXPORTED(page_status)(void)
@@ -119,37 +108,24 @@ static int make_room(const softcat_sized *sized, size_t frames, size_t sites, si
     const softcat_model *m = &sized->model;
     size_t points = (size_t)sized->structure.points;
     size_t each = (size_t)m->places + 1 + PAGE_SCRATCH(points);
-    size_t sizes[] = {frames, frames * (size_t)m->powers, frames * sites * PAGE_ROWS(points),
-                      frames, frames * sites * (size_t)m->slots, sites * each};
-    double **parts[] = {&midpoint, &work, &fields, times, states, places};
+    size_t sizes[] = {frames, frames * sites * PAGE_ROWS(points), frames,
+                      frames * sites * (size_t)m->slots, sites * each};
+    double **parts[] = {&midpoint, &fields, times, states, places};
     size_t sum = 0;
-    for (int k = 0; k < 6; k++) sum += sizes[k];
+    for (int k = 0; k < 5; k++) sum += sizes[k];
     free(memory);
     memory = calloc(sum + bytes / sizeof(double) + 1, sizeof(double));
     workspace = (softcat_workspace){memory ? memory + sum : NULL, bytes};
     double *at = memory;
-    for (int k = 0; k < 6; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
+    for (int k = 0; k < 5; at += memory ? sizes[k] : 0, k++) *parts[k] = at;
     return memory != NULL;
 }
 
-/* Whether plastic strain has come about between two states. */
-static int has_yielded(const softcat_sized *sized, int sites, const double *first,
-                       const double *last)
-{
-    const softcat_structure *s = &sized->structure;
-    int slots = sized->model.slots;
-    for (int i = 0; i < sites * slots; i++)
-        if ((s->mean[i % slots] != 0.0 || s->bending[i % slots] != 0.0)
-            && fabs(last[i] - first[i]) > 1e-12)
-            return 1;
-    return 0;
-}
-
-static int finish(const softcat_status *status, int reached, int sites, int extremes, int yielded)
+static int finish(const softcat_status *status, int reached, int sites)
 {
     const double numbers[STATUS] = {
         status->code, status->reached, (double)status->steps, (double)status->rejected,
-        status->worst_site, status->worst_slot, reached, sites, extremes, yielded};
+        status->worst_site, status->worst_slot, reached, sites};
     memcpy(known, numbers, sizeof known);
     return status->code;
 }
@@ -179,24 +155,17 @@ int EXPORTED(page_solve)(int cells, int fibres, int frames, double duration, dou
         status.code = SOFTCAT_MEMORY;
     if (status.code) {
         free(tables);
-        return finish(&status, 0, 0, 0, 0);
+        return finish(&status, 0, 0);
     }
     for (int j = 0; j < frames; j++) {
         times[j] = duration * j / (frames - 1);
         midpoint[j] = NAN;
     }
-    softcat_turns turns = {.capacity = TURNS, .rows = rows};
-    const softcat_results results = {
-        .midpoint = midpoint, .states = states, .work = work, .turns = &turns};
+    const softcat_results results = {.midpoint = midpoint, .states = states};
     softcat_structure_solve(structure, parameters, cells, times, frames, &settings, &results,
                             workspace, &status);
     while (reached < frames && isfinite(midpoint[reached])) reached++;
-    int yielded = 0;
-    if (reached) {
-        size_t size = (size_t)sites * (size_t)sized.model.slots;
-        yielded = has_yielded(&sized, sites, states, states + ((size_t)reached - 1) * size);
-        observe(&sized, cells, sites, grading, reached, times, states, places);
-    }
+    if (reached) observe(&sized, cells, sites, grading, reached, times, states, places);
     free(tables);
-    return finish(&status, reached, sites, reached ? turns.count + 1 : 0, yielded);
+    return finish(&status, reached, sites);
 }
