@@ -26,8 +26,7 @@ from softcat_sym.interrupts import check_time
 from softcat_sym.solvers.modal_tail import Conditions, Partition, Pieces, solved_with_tail
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import RODAS5P, Settings
-from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, is_torn, watched
-from softcat_sym.solvers.start import Start
+from softcat_sym.solvers.solution import Bounds, Extremes, Progress, Solution, Start, is_torn, watched
 from softcat_sym.store import version
 
 Doubles = ct.POINTER(ct.c_double)
@@ -501,7 +500,7 @@ class CompiledFilament:
 
 @dataclass(frozen=True)
 class CompiledNewton:
-    """Newton's method in C, a :data:`softcat_sym.solvers.start.Newton`."""
+    """Newton's method in C, a :data:`softcat_sym.solvers.solution.Newton`."""
 
     graph: Graph
     filament: CompiledFilament
