@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -75,18 +73,9 @@ def beam(*changes: str) -> Scene:
     return sc.load_scene("no-yield", [*SLOWLY, *changes])
 
 
-def study(folder: Path) -> TheoryEnd:
-    return where_theory_ends(beam(), THICK, beam, folder, along=8, through=4)
-
-
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("elements")
-
-
-@pytest.fixture(scope="module")
-def thick(folder: Path) -> TheoryEnd:
-    return study(folder)
+def thick() -> TheoryEnd:
+    return where_theory_ends(beam(), THICK, beam, along=8, through=4)
 
 
 @pytest.mark.slow

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.cache import cache_folder
 from softcat_sym.plotting.paper_figures import (
     BLACK_RATE,
     strip_at,
@@ -44,10 +43,8 @@ READABLE = 0.02
 
 @cache
 def filmed(name: str) -> FilmedScene:
-    folder = cache_folder() / "elements"
-    folder.mkdir(parents=True, exist_ok=True)
     of = next(each for each in SCENES if each.name == name)
-    return film_scene(of, folder, Silence(), mesh=Mesh(32, 2))
+    return film_scene(of, Silence(), mesh=Mesh(32, 2))
 
 
 def final(name: str, curve: str = "elements") -> float:
