@@ -2,26 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.plotting.terminal import IntegrationProgress
-from softcat_sym.reference import calculix
-from softcat_sym.reference.calculix import find_calculix
 from softcat_sym.reference.element_loop import Mesh
-from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.compare import (
-    Comparison,
     aligned,
     compare,
     discrepancy,
@@ -37,13 +26,6 @@ SHORT = (
     *sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "numerics.estimate=false", "run.effects=paper"),
     *("--mesh", "8x2"),
 )
-PUBLISHED = ["published, material closure", "published, printed closure"]
-needs_calculix = pytest.mark.skipif(find_calculix() is None, reason="no CalculiX: apt-get install calculix-ccx")
-
-
-@pytest.fixture(scope="module")
-def comparison() -> Comparison:
-    return compare(YIELDING, COARSE)
 
 
 def test_discrepancy_of_known_curves() -> None:
@@ -81,31 +63,6 @@ def test_shear_brings_the_filament_to_the_elements() -> None:
     assert strain is not None
     assert strain.mean[peak] == pytest.approx(found.elements.clamp_strain[peak], rel=0.05)
     assert strain.largest[peak] == pytest.approx(found.elements.clamp_strain_largest[peak], rel=0.12)
-
-
-def test_an_interrupted_run_resumes(comparison: Comparison, tmp_path: Path) -> None:
-    checkpoint, announced = tmp_path / "new" / "elements.npz", list[str]()
-
-    class Interrupted(Silence):
-        def update(self, simulated_time: float, step_size: float | None) -> None:
-            signal.raise_signal(signal.SIGINT)
-
-    @contextmanager
-    def stopping(what: str) -> Iterator[Silence]:
-        yield Interrupted() if what == "elements" else Silence()
-
-    @contextmanager
-    def listening(what: str) -> Iterator[Silence]:
-        announced.append(what)
-        yield Silence()
-
-    with pytest.raises(KeyboardInterrupt):
-        compare(YIELDING, COARSE, checkpoint=checkpoint, progress=stopping)
-    assert checkpoint.is_file()
-    resumed = compare(YIELDING, COARSE, checkpoint=checkpoint, progress=listening)
-    assert announced == ["elements", "filament", *PUBLISHED]
-    assert np.array_equal(resumed.elements.midpoint, comparison.elements.midpoint)
-    assert np.array_equal(resumed.elements.rate, comparison.elements.rate)
 
 
 def test_what_cannot_be_compared_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -157,49 +114,3 @@ def test_bad_input_is_one_message_and_leaves_nothing(
         *("scene.toml", "calculix/deck.inp")
     }
     assert "C3D20R" in (output / "calculix" / "deck.inp").read_text()
-
-
-@needs_calculix
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler: install gcc, or set CC")
-def test_calculix_filament_and_elements_side_by_side(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Ctrl-C while the elements run: the same command resumes, without CalculiX, and comes to the same numbers."""
-    runs: list[str] = []
-    own, execute = IntegrationProgress.update, calculix._execute
-
-    def executed(program: str, folder: Path, progress: object) -> None:
-        runs.append("begun")
-        execute(program, folder, progress)
-        runs[-1] = "finished"
-
-    def stop(self: IntegrationProgress, simulated_time: float, step_size: float | None) -> None:
-        own(self, simulated_time, step_size)
-        if runs == ["finished"]:
-            signal.raise_signal(signal.SIGINT)
-
-    monkeypatch.setattr(calculix, "_execute", executed)
-    whole, cut = tmp_path / "whole", tmp_path / "cut"
-    arguments = ("compare", "continual-descent", "--engine", "both", *SHORT, *sets("filament.width=60 um"))
-    done = softcat(*arguments, "-o", str(whole), "--fresh")
-    assert done.status == 0 and "CalculiX 8 × 2" in done.out
-    names = {"compare.json", "compare_midpoint.csv", "compare_midpoint.png", "compare_errors.csv", "scene.toml"}
-    names |= {"elements.npz", *(f"calculix/deck.{end}" for end in ("inp", "dat", "sta", "cvg"))}
-    assert {path.relative_to(whole).as_posix() for path in whole.rglob("*") if path.is_file()} == names
-    found = json.loads((whole / "compare.json").read_text())
-    assert found["warnings"] == []
-    rows = pd.read_csv(whole / "compare_midpoint.csv")
-    assert len(rows) == 11
-    for who in ("filament", "elements"):
-        final = found[who]["midpoint_final_m"]
-        apart = (final - found["calculix"]["midpoint_final_m"]) / abs(found["calculix"]["midpoint_final_m"])
-        assert [*rows[f"{who}_m"]][-1] == pytest.approx(final)
-        assert found["errors"][who]["at"][-1] == pytest.approx(apart)
-        assert abs(apart) < 0.05
-    runs.clear()
-    with monkeypatch.context() as patch:
-        patch.setattr(IntegrationProgress, "update", stop)
-        assert softcat(*arguments, "-o", str(cut), "--fresh").status == 130
-    assert softcat(*arguments, "-o", str(cut)).status == 0
-    assert runs == ["finished"]
-    assert (cut / "compare_midpoint.csv").read_bytes() == (whole / "compare_midpoint.csv").read_bytes()

@@ -103,16 +103,11 @@ CASES: Mapping[str, tuple[Any, str, str | None]] = {
         "solved",
         "arrested-underdamped",
     ),
-    "descends": (scene_of, "solved", "descending"),
     "holds": (lambda: scene_of(material={"yield_stress": "400 kPa"}), "solved", "no-yield"),
-    "flows": (lambda: scene_of("maxwell"), "solved", "viscous"),
-    "elastic": (lambda: scene_of("elastic", ends={"right": "pinned"}), "solved", "elastic"),
     "tears": (weak, "ruptured", None),
     "necks": (scene_of, "localised", None),
     "necks in one cell": (lambda: scene_of(run={"effects": UNLIMITED}), "localised", None),
-    "thread": (lambda: thread(0.5), "solved", "viscous"),
     "thread that is cut": (lambda: thread(0.7), "localised", None),
-    "gives up": (scene_of, "step_limit", None),
     "folds": (
         lambda: scene_of("elastic", run={"effects": STRING}, ends={"motion": SQUEEZED, "left": "pinned"}),
         "compressed",
@@ -123,20 +118,17 @@ CASES: Mapping[str, tuple[Any, str, str | None]] = {
 }
 
 
-SLOW = ("swings back", "necks in one cell", "thread", "thread that is cut", "breaks")
+SLOW = ("swings back", "necks in one cell", "thread that is cut", "breaks")
 
 
 @pytest.mark.parametrize("case", few(CASES, *(case for case in CASES if case not in SLOW)))
-def test_a_run_is_judged_in_the_words_of_the_program(case: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_run_is_judged_in_the_words_of_the_program(case: str) -> None:
     made, outcome, regime = CASES[case]
     scene = made()
     data = quick_page(scene, only_numbers=True)
     scene = scene.replace({"run.effects": list(data["effects"])})
     effects = choose_effects(scene)
     prepared = build(scene, effects)
-    if case == "gives up":
-        monkeypatch.setattr(compiled, "_MAX_STEPS", 40)
-        monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", 1)
     solution = prepared.solve(Silence())
     fields, nodes = whole_span_fields(scene, prepared, solution), node_positions(prepared.graph, rest_length(scene))[0]
     if case == "drifts":
