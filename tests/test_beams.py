@@ -28,15 +28,14 @@ CELLS_STRAIGHT = 20
 
 @pytest.mark.parametrize(
     ("G", "end", "closure"),
-    [
-        (0.01, "pinned", "material"),
+    few(
+        [(0.4, "clamped", "material"), (0.4, "pinned", "printed"), (1.9, "clamped", "printed")],
         (0.4, "clamped", "material"),
         (0.4, "pinned", "printed"),
-        (1.9, "clamped", "printed"),
-    ],
+    ),
 )
 def test_midpoint_and_shape_agree_with_the_straight_oracle(G: float, end: str, closure: str) -> None:
-    """No yield, an overdamped arrest and a descent."""
+    """Overdamped arrests and a descent."""
     V = 26.0
     expected = straight_oracle(
         PAPER["delta"], G, V, None, "bingham", closure, CELLS_STRAIGHT, 20.0, outputs=(5, 10, 15), ends=end

@@ -54,13 +54,12 @@ def stress_and_structure(structure: Thixotropy, time: Any) -> tuple[Any, Any]:
     return found.y[0], found.y[1]
 
 
-@pytest.mark.parametrize("backend", ["interpreted", "compiled"])
 @pytest.mark.parametrize(
-    "structure",
+    ("structure", "backend"),
     [
-        {},
-        {"destroyed_yield_stress": "100 Pa", "exponent": 0.5, "rest": "3 s"},
-        {"growth": "linear", "destroyed_yield_stress": "150 Pa", "breakdown_time": "60 s"},
+        ({}, "compiled"),
+        ({"destroyed_yield_stress": "100 Pa", "exponent": 0.5, "rest": "3 s"}, "interpreted"),
+        ({"growth": "linear", "destroyed_yield_stress": "150 Pa", "breakdown_time": "60 s"}, "compiled"),
     ],
 )
 def test_a_bar_that_is_pulled_follows_the_law_of_a_point(backend: str, structure: dict[str, Any]) -> None:
