@@ -20,10 +20,9 @@ from rich.text import Text
 
 from softcat_sym import drawing
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.drawing import Report
+from softcat_sym.drawing import Report, TextTable
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
-from softcat_sym.plotting.terminal import TextTable
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit, significant, time_unit
 from softcat_sym.reference.calculix import CalculixRun
@@ -324,8 +323,8 @@ def comparison_report(comparison: Comparison) -> Report:
     heads = [row.name.replace(", ", ",\n").replace(" closure", "\nclosure") for row in rows]
     header = ["", meshed.replace(" ", "\n", 1), *heads]
     caption = f"errors in %: ({ours} − {theirs})/max |{theirs}|, midpoint; t in L √(ρ/E)"
-    table = TextTable(header, lines, range(1, len(header)))
-    shown = table.printed(comparison.scene.title or "Filament", caption, whole=range(len(lines)), padding=(0, 1))
+    title, columns = comparison.scene.title or "Filament", range(len(header))
+    shown = TextTable(header, lines, columns[1:], title=title, caption=caption, whole=columns)
     runs = [(row.name, row.trajectory.outcome) for row in rows if row.name != "elements"]
     remarks = [f"{name}: {outcome.name}; {outcome.value}" for name, outcome in runs if not outcome.is_success]
     remarks += [f"warning: {text}" for text in comparison.warnings]
