@@ -26,7 +26,7 @@ from softcat_sym.estimates.scaling import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.run import Shape, Sheet, draw_shape, shapes_of
 from softcat_sym.plotting.section import Magnification, array, largest_sag, quads_outside, yielding_of
-from softcat_sym.plotting.style import printable, styled, titled_figure
+from softcat_sym.plotting.style import styled, titled_figure
 from softcat_sym.plotting.units import REGIMES, length_unit, regime_words, significant, stress_unit, time_unit
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -250,7 +250,7 @@ def card_report(card: Card, command: str = "") -> Report:
     }
     said = Text(sentence, style=f"bold {'green' if sound else 'red'}")
     known = TextTable(("", ""), facts(card), whole=[0])
-    captions = {"card": "final shape, descent with the predictions of the rules, exponents of the longest span"}
+    captions = {"card": "final shape, and descent with the predictions of the rules"}
     title = f"{card.scene.title or 'Filament'}: sag card"
     return Report(files, [said, known, rules], title, "card.html", captions, command)
 
@@ -272,7 +272,7 @@ _LINES = (
 @drawing.plot.register(Card)
 @styled()
 def card_figure(card: Card) -> Figure:
-    """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
+    """Draw the final shape, and the descent beside the rules."""
     sheet, filament = Sheet.of(card.run.fields, card.summary, card.scene), card.scene.filament
     larger = Magnification.of(largest_sag(array(sheet.data, "y")[-1:]), filament.thickness, filament.span)
     (shape,) = shapes_of(larger.drawn(sheet.data), card.scene, [len(sheet.time) - 1])
@@ -280,12 +280,9 @@ def card_figure(card: Card) -> Figure:
     tall = min(max(1.1 * float(high / wide) * larger.sag * _WIDE, _FLATTEST), _TALLEST)
     scaled = f", {larger}" if str(larger) else ""
     figure, body = titled_figure(card.scene, f"shape at the end{scaled}", sheet.summary, height=tall + _LOW + 1.1)
-    axes = body.subplot_mosaic(
-        [["shape", "shape"], ["descent", "span"]], height_ratios=[tall, _LOW], width_ratios=[3, 2]
-    )
-    _draw_end(axes["shape"], sheet, shape, larger)
-    _draw_descent(axes["descent"], sheet, card)
-    _draw_exponents(axes["span"], card)
+    above, below = body.subplots(2, 1, height_ratios=[tall, _LOW])
+    _draw_end(above, sheet, shape, larger)
+    _draw_descent(below, sheet, card)
     return figure
 
 
@@ -359,28 +356,3 @@ def _draw_descent(axes: Axes, sheet: Sheet, card: Card) -> None:
     axes.set_ylabel(f"sag of the midpoint [{unit.symbol}]")
     axes.set_title("descent, and what the rules predict" + (" (▼ deeper)" if arrows else ""), fontsize=8.5, loc="left")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=6.8, handlelength=1.8, labelspacing=0.4)
-
-
-def _draw_exponents(axes: Axes, card: Card) -> None:
-    """Exponents of the longest span, the strongest on top."""
-    found = exponents(card)
-    if not found:
-        axes.set_axis_off()
-        text = "longest span:\n" + ("not known" if card.span is None else "nothing moves it")
-        axes.text(0.5, 0.5, text, ha="center", va="center", fontsize=8.0, color=style.GREY, transform=axes.transAxes)
-        return
-    powers = [power for _, power in found]
-    colours = [style.BLUE if power > 0 else style.VERMILLION for power in powers]
-    axes.barh([printable(name, 18) for name, _ in found], powers, color=colours, height=0.62)
-    for row, power in enumerate(powers):
-        # To the right of every bar, where no name of a row stands.
-        place, value = (max(power, 0.0), row), significant(round(power, 3))
-        axes.annotate(value, place, (3, 0), textcoords="offset points", va="center", fontsize=7.0)
-    axes.invert_yaxis()
-    low, high = min(*powers, 0.0), max(*powers, 0.0)
-    axes.set_xlim(low - 0.05 * (high - low), high + 0.5 * (high - low))
-    axes.axvline(0.0, color=style.GREY, lw=0.6)
-    axes.xaxis.set_major_locator(MaxNLocator(3))
-    axes.tick_params(axis="y", length=0)
-    axes.set_xlabel("exponent")
-    axes.set_title(f"longest span for {printable(card.limit, 12)}", fontsize=8.5, loc="left")

@@ -114,8 +114,7 @@ drawing.plot.register(Fit, lambda fit, what="curves": drawing.figure_by_name(FIG
 _CAPTIONS = {
     "fit": ("curves", "data, model with its 95 % band, and residuals"),
     "profiles": ("profiles", "profile likelihoods with the 95 % threshold"),
-    "correlation": ("correlation", "joint 95 % regions and correlations"),
-    "starts": ("starts", "where every start began and ended"),
+    "correlation": ("correlation", "correlations of the estimates"),
 }
 
 
