@@ -24,9 +24,8 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.style import legend, plain_log, styled, titled_figure
 from softcat_sym.plotting.time_axis import TimeAxis
 from softcat_sym.plotting.units import length_unit, significant, time_unit
-from softcat_sym.reference.calculix import CalculixRun
-from softcat_sym.reference.elements import Snapshot, snapshot, strip_of
-from softcat_sym.studies.compare import SHARES, Comparison, moments
+from softcat_sym.reference.elements import ElementRun, Snapshot, snapshot, strip_of
+from softcat_sym.studies.compare import SHARES, Comparison, ComparisonRow, moments
 
 _REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 """The line of the reference: wide and pale, so that a filament that agrees is seen on it."""
@@ -35,34 +34,19 @@ _LINES: dict[str, dict[str, Any]] = {
     "filament": {"color": style.BLUE, "linewidth": 1.3},
     "published, material closure": {"color": style.ORANGE, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
     "published, printed closure": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": (0, (1.5, 1.2))},
-    "elements": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
 }
 
 _WORST, _TIMES_OWN, _ROOM = 5.0, 3.0, 1.15
 """A theory that runs away leaves the picture: beyond so many per cent, and so many times the filament's own error."""
 
-CALCULIX = "calculix"
-"""Folder of deck and print-outs, in the folder of a comparison."""
+
+def meshed(comparison: Comparison) -> str:
+    """The elements with their mesh: ``elements 64 × 4``."""
+    mesh = comparison.elements.mesh
+    return f"elements {mesh.along} × {mesh.through}"
 
 
-def names_of(comparison: Comparison) -> tuple[str, str, str]:
-    """What the filament and the reference are called, and the reference with its mesh: ``elements 64 × 4``."""
-    mesh = comparison.reference.mesh
-    ours, theirs = ("filament", "elements") if comparison.engine == "elements" else ("ours", "CalculiX")
-    return ours, theirs, f"{theirs} {mesh.along} × {mesh.through}"
-
-
-def _drawers(comparison: Comparison) -> dict[str, Callable[[Comparison], Figure]]:
-    """Names of the pictures that there are of a comparison, and what draws each."""
-    drawers: dict[str, Callable[[Comparison], Figure]] = {"compare_midpoint.png": midpoint_figure}
-    if comparison.engine == "elements":
-        drawers["compare_plastic_rate.png"] = rate_figure
-    return drawers
-
-
-drawing.plot.register(
-    Comparison, lambda of, what="compare_midpoint.png": drawing.figure_by_name(_drawers(of), what, of)
-)
+drawing.plot.register(Comparison, lambda of, what="compare_midpoint.png": drawing.figure_by_name(DRAWERS, what, of))
 
 
 def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
@@ -74,10 +58,9 @@ def _extent(reference: Floats, comparison: Comparison, own: Floats) -> float:
 
 @styled()
 def midpoint_figure(comparison: Comparison) -> Figure:
-    """Draw midpoints above, (ours - reference)/max |reference| below."""
-    run, rows, span = comparison.reference, comparison.rows, comparison.scene.filament.span
-    ours, theirs, meshed = names_of(comparison)
-    ruler, what = length_unit(float(np.abs(run.midpoint).max()), span), f"midpoint, {ours} against {theirs}"
+    """Draw midpoints above, (filament - elements)/max |elements| below."""
+    run, rows, span = comparison.elements, comparison.rows, comparison.scene.filament.span
+    ruler, what = length_unit(float(np.abs(run.midpoint).max()), span), "midpoint, filament against elements"
     figure, body = titled_figure(comparison.scene, what, comparison.filament.trajectory.summary, height=4.9)
     above, below = body.subplots(2, 1, height_ratios=[2, 1])
     axis = TimeAxis.of(run.time, run.midpoint)
@@ -87,7 +70,7 @@ def midpoint_figure(comparison: Comparison) -> Figure:
         axes.yaxis.set_major_formatter("{x:.3g}")
     above.tick_params(labelbottom=False)
     time = axis.unit.of(run.time)
-    above.plot(time, ruler.of(run.midpoint), label=meshed, **_REFERENCE)
+    above.plot(time, ruler.of(run.midpoint), label=meshed(comparison), **_REFERENCE)
     below.axhline(0.0, color=style.GREY, linewidth=0.6)
     for row in rows:
         above.plot(time, ruler.of(row.midpoint), label=row.name, **_LINES[row.name])
@@ -101,7 +84,7 @@ def midpoint_figure(comparison: Comparison) -> Figure:
     errors = np.nan_to_num([100 * row.discrepancy.largest for row in rows])
     shown = min(float(errors.max()), max(_TIMES_OWN * float(errors[0]), _WORST)) or 1.0
     below.set_ylim(-_ROOM * shown, _ROOM * shown)
-    below.set_ylabel(f"({ours} − {theirs})\n/ max |{theirs}| [%]", fontsize=8.0)
+    below.set_ylabel("(filament − elements)\n/ max |elements| [%]", fontsize=8.0)
     legend(body, "upper left", of=above, ncols=4)
     return figure
 
@@ -195,23 +178,27 @@ def rate_figure(comparison: Comparison) -> Figure:
     return figure
 
 
+DRAWERS: dict[str, Callable[[Comparison], Figure]] = {
+    "compare_midpoint.png": midpoint_figure,
+    "compare_plastic_rate.png": rate_figure,
+}
+"""Pictures of a comparison, and what draws each."""
+
+
 def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
     """Tables by their file names; what a run that ended early did not reach is empty."""
-    run, rows = comparison.reference, comparison.rows
-    midpoints = {"time_s": run.time, f"{comparison.engine}_m": run.midpoint}
+    run, rows = comparison.elements, comparison.rows
+    midpoints = {"time_s": run.time, "elements_m": run.midpoint}
     found = {
         "compare_errors.csv": comparison.to_frame(),
         "compare_midpoint.csv": pd.DataFrame(midpoints | {f"{row.key}_m": row.midpoint for row in rows}),
     }
-    if comparison.engine != "elements":
-        return found
-    elements = comparison.elements
-    strains = {"elements_mean": elements.clamp_strain, "elements_largest": elements.clamp_strain_largest}
+    strains = {"elements_mean": run.clamp_strain, "elements_largest": run.clamp_strain_largest}
     for row in rows:
         strains |= {f"{row.key}_{which}": getattr(row.clamp_strain, which) for which in ("mean", "largest")}
-    found["compare_clamp_strain.csv"] = pd.DataFrame({"time_s": elements.time, **strains})
+    found["compare_clamp_strain.csv"] = pd.DataFrame({"time_s": run.time, **strains})
     found["compare_shapes.csv"] = pd.concat(shape_tables(comparison))
-    X, Y = elements.point.reshape(-1, 2).T
+    X, Y = run.point.reshape(-1, 2).T
     order = np.lexsort((Y, np.round(X / comparison.scene.filament.span, 9)))
     points = {"X_m": X[order], "Y_m": Y[order]}
     found["compare_plastic_rate.csv"] = pd.concat(
@@ -224,14 +211,13 @@ def tables(comparison: Comparison) -> dict[str, pd.DataFrame]:
 @drawing.report.register(Comparison)
 def comparison_report(comparison: Comparison) -> Report:
     """The table of errors and costs, each run that is not to be trusted, and every warning."""
-    run, rows = comparison.reference, comparison.rows
-    ours, theirs, meshed = names_of(comparison)
+    run, rows = comparison.elements, comparison.rows
     times = [run.time[frame] / run.elastic_time for frame in moments(len(run.time))]
     names = [*(f"error at t = {time:.4g}" for time in times), "mean error", "largest error"]
     errors = [
         [percent(e) for e in (*row.discrepancy.at, row.discrepancy.mean, row.discrepancy.largest)] for row in rows
     ]
-    every = [run, *rows]
+    every: list[ElementRun | ComparisonRow] = [run, *rows]
     finals = [curve.midpoint[-1] / comparison.scene.filament.span for curve in every]
     lines = [
         ("final midpoint / L", *(f"{final:.5f}" if math.isfinite(final) else "–" for final in finals)),
@@ -241,18 +227,16 @@ def comparison_report(comparison: Comparison) -> Report:
         ("wall time [s]", *(significant(curve.wall) for curve in every)),
     ]
     heads = [row.name.replace(", ", ",\n").replace(" closure", "\nclosure") for row in rows]
-    header = ["", meshed.replace(" ", "\n", 1), *heads]
-    caption = f"errors in %: ({ours} − {theirs})/max |{theirs}|, midpoint; t in L √(ρ/E)"
+    header = ["", meshed(comparison).replace(" ", "\n", 1), *heads]
+    caption = "errors in %: (filament − elements)/max |elements|, midpoint; t in L √(ρ/E)"
     title, columns = comparison.scene.title or "Filament", range(len(header))
     shown = TextTable(header, lines, columns[1:], title=title, caption=caption, whole=columns)
-    runs = [(row.name, row.trajectory.outcome) for row in rows if row.name != "elements"]
+    runs = [(row.name, row.trajectory.outcome) for row in rows]
     remarks = [f"{name}: {outcome.name}; {outcome.value}" for name, outcome in runs if not outcome.is_success]
     remarks += [f"warning: {text}" for text in comparison.warnings]
     files: dict[str, object] = {"compare.json": comparison.to_dict, "scene.toml": comparison.scene.to_toml}
-    files |= {name: partial(draw, comparison) for name, draw in _drawers(comparison).items()}
+    files |= {name: partial(draw, comparison) for name, draw in DRAWERS.items()}
     files |= tables(comparison)
-    if isinstance(run, CalculixRun):
-        files |= {f"{CALCULIX}/{name}": content for name, content in run.files.items()}
     return Report(files, [shown, *map(Text, remarks)])
 
 
