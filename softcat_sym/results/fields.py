@@ -9,7 +9,14 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale, heat_unit
-from softcat_sym.discretization.unknowns import PLACES, TURN, WORK_OF_AGEING, Floats
+from softcat_sym.discretization.unknowns import (
+    LOST_AT_EXIT,
+    PLACES,
+    TURN,
+    WORK_OF_AGEING,
+    WORK_OF_NOZZLE,
+    Floats,
+)
 from softcat_sym.estimates.scaling import instant_modulus
 from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_held, rest_length, undeformed_area
@@ -72,6 +79,12 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "contact_length_blur": Variable(_FRAME, "m", "length over which either end of a contact is blurred"),
     "contact_force": Variable(_FRAME, "N", "sum of the contact pressure"),
     "penetration_max": Variable(_FRAME, "m", "largest depth to which the filament sinks into floor or pillars"),
+    "exposed": Variable(_CELL, "1", "share of the cell that has come out of the nozzle"),
+    "age": Variable(_CELL, "s", "time since the middle of the cell came out of the nozzle; 0 before, and in the stub that of the run"),
+    "extruded_length": Variable(_FRAME, "m", "rest length that has come out of the nozzle"),
+    "emplaced_length": Variable(_FRAME, "m", "length of the stub and of the path of the nozzle"),
+    "nozzle_force_x": Variable(_FRAME, "N", "force of the nozzle on the strand to the right", True),
+    "nozzle_force_y": Variable(_FRAME, "N", "force of the nozzle on the strand, upwards", True),
     "energy_kinetic": Variable(_FRAME, "J", "kinetic energy", True),
     "energy_elastic": Variable(_FRAME, "J", "elastic energy", True),
     "energy_surface": Variable(_FRAME, "J", "surface tension times the growth of the area since t = 0", True),
@@ -84,6 +97,8 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
     "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
+    WORK_OF_NOZZLE: Variable(_FRAME, "J", "work of the nozzle on the strand since t = 0", True),
+    LOST_AT_EXIT: Variable(_FRAME, "J", "energy lost where fresh material is loaded at the exit, since t = 0", True),
     WORK_OF_AGEING: Variable(
         _FRAME, "J", "what a changing material gives to the energy stored at a strain that is held, since t = 0", True
     ),
