@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import casadi as ca
@@ -11,35 +10,27 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import choose_theory
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid, half_span, whole_span
-from softcat_sym.discretization.parameters import TIME_SCALE, energy_scale, parameter_values, time_scale
+from softcat_sym.discretization.parameters import energy_scale, parameter_values
 from softcat_sym.discretization.unknowns import Floats
-from softcat_sym.effects.selection import choose_effects
-from softcat_sym.errors import SceneError
-from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.ends import CLAMPED, PINNED
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.continuation import sagging_guesses
 from softcat_sym.solvers.equilibrium import Equilibrium
 from tests.common.assembled import (
     GRIDS,
-    assemble,
     build,
     energy_of,
     parameters,
     place,
     random_state,
-    rhs,
     scene_of,
     value,
 )
 
 STORED = ("energy_kinetic", "energy_elastic", "energy_potential")
 GEOMETRY = ("bending", "finite-stretch", "thinning", "large-rotation")
-BEAM = ("inertia", "bending", "viscous-flow", "yielding", "gravity-ramp")
 SHEARS: dict[str, tuple[str, ...]] = {
     "fibres alone": (),
     "shear": ("shear",),
@@ -60,11 +51,6 @@ def resolved(scene: Scene, grid: Grid, more: tuple[str, ...] = (), **numerics: i
     """The scene's filament with inertia, fibres or amplitudes of its section, the flow of its law and these effects."""
     names = ("inertia", *GEOMETRY, "viscous-flow", "yielding", "gravity-ramp", "fibres", *more)
     return build(flowing(scene, *names).replace({f"numerics.{key}": n for key, n in numerics.items()}), grid)
-
-
-def beam(law: str = "bingham", section: str = "rectangle", grid: Grid = GRIDS["half"], *, axial: bool = False) -> Graph:
-    """The paper's filament without finite stretch, thinning and large rotation, and without extensibility."""
-    return build(flowing(scene_of(law, section=section), *BEAM, *(["extensibility"] if axial else [])), grid)
 
 
 def settled(graph: Graph, scene: Scene, seed: int, size: float = 0.01) -> tuple[Floats, Floats]:
@@ -178,14 +164,6 @@ def test_a_mirrored_filament_that_shears_moves_as_its_mirror_image() -> None:
         assert other == pytest.approx(signs * one[sides], rel=1e-9, abs=1e-9 * float(np.max(np.abs(one))))
 
 
-def test_a_filament_that_does_not_stretch_keeps_or_dissipates_its_energy() -> None:
-    for grid in GRIDS.values():
-        for law, section in [("bingham", "circle"), ("maxwell", "rectangle"), ("elastic", "circle")]:
-            graph = beam(law, section, grid)
-            assert graph.conserves_energy
-            assert imbalance(graph, scene_of(law, section=section)) <= 1e-12
-
-
 def test_flow_only_ever_dissipates() -> None:
     for section in ("rectangle", "circle"):
         scene = scene_of(section=section)
@@ -229,18 +207,6 @@ def rate(graph: Graph, scene: Scene, state: dict[str, float]) -> dict[str, float
     function = ca.Function("ode", [graph.t, graph.x, graph.p], [graph.ode])
     found = value(function, TIME, np.array([state[n] for n in graph.state_names]), parameters(scene, graph))[0]
     return dict(zip(graph.state_names, found.tolist(), strict=True))
-
-
-def test_without_inertia_the_same_forces_balance() -> None:
-    scene = scene_of()
-    moving, still = build(scene), build(scene, absent=("inertia",))
-    state = dict(zip(moving.state_names, random_state(moving, 6)[0], strict=True))
-    forces = rate(moving, scene, state)
-    x, z = (np.array([state[name] for name in names]) for names in (still.state_names, still.algebraic_names))
-    ode, alg, _ = value(rhs(still), TIME, x, z, parameters(scene, still))
-    np.testing.assert_allclose(ode, [forces[name] for name in still.state_names], rtol=1e-11, atol=1e-13)
-    wanted = np.array([forces[{"x": "u", "y": "v"}[name[0]] + name[1:]] for name in still.algebraic_names])
-    np.testing.assert_allclose(alg, wanted, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))
 
 
 def test_half_a_span_is_the_whole_at_a_symmetric_state() -> None:
@@ -302,50 +268,6 @@ def test_rigid_motion_strains_nothing() -> None:
             assert abs(observed["tension"][0]) > 1e-3 * modulus
 
 
-def elastic_sag(scene: Scene, cells: int, *, resolve: bool, shear: bool) -> float:
-    """Static sag of the elastic half span, in spans."""
-    effects = choose_effects(scene.replace({"run.effects": list(GEOMETRY)}))
-    equations = derive(
-        replace(effects.terms(), resolved=resolve, shear=shear), SECTIONS[scene.filament.section], "material"
-    )
-    graph = assemble(equations, half_span(cells, CLAMPED), effects.names, choose_theory(scene, equations.terms))
-    guesses = sagging_guesses(graph, graph.straight, 0.02)
-    z = Equilibrium(graph).search(1e3, np.zeros(0), parameters(scene, graph), guesses)
-    assert z is not None
-    (row,) = [k for k, name in enumerate(graph.algebraic_names) if name.startswith("y[0]")]
-    return -float(z[row])
-
-
-@pytest.mark.slow
-def test_rigid_in_shear_it_is_the_filament_of_the_paper() -> None:
-    """Two discretisations of one theory: their difference falls with the square of the cells."""
-    for section in ("rectangle", "circle"):
-        scene, sizes = scene_of("elastic", ramp="0 s", section=section), (10, 20, 40)
-        paper = np.array([elastic_sag(scene, cells, resolve=False, shear=False) for cells in sizes])
-        found = np.array([elastic_sag(scene, cells, resolve=True, shear=False) for cells in sizes])
-        gaps = found / paper - 1
-        assert abs(gaps[1]) < abs(gaps[0]) / 3.5 and abs(gaps[2]) < abs(gaps[1]) / 3.5, (section, gaps)
-        # what is left without a grid: the shear of a section a thousand times too stiff for it, (h/L)^2/1000, and N^-4
-        assert abs(4 * gaps[2] - gaps[1]) / 3 < 1e-5
-
-
-@pytest.mark.slow
-def test_a_stubby_beam_sags_by_shear_as_timoshenko_says() -> None:
-    """Small sag: q L^4/(384 E I) + q L^2/(8 kappa_s mu A) (Timoshenko 1921)."""
-    delta, weight = 0.1, 1e-5  # thickness over span, weight per area and span over E
-    for section, gyration, correction in [("rectangle", 1 / 12, 5 / 6), ("circle", 1 / 16, 0.9)]:
-        scene = scene_of("elastic", ramp="0 s", section=section).replace(
-            {"filament.thickness": f"{0.2 * delta} m", "load.gravity": f"{weight * 4e6 / (1900 * 0.2)!r} m/s^2"}
-        )
-        bending = weight / (384 * gyration * delta**2)
-        shearing = weight / (8 * correction / (2 * (1 + scene.material.poisson)))
-        coarse, fine = (elastic_sag(scene, cells, resolve=True, shear=True) for cells in (20, 40))
-        stiff = elastic_sag(scene, 40, resolve=True, shear=False)
-        assert (4 * fine - coarse) / 3 == pytest.approx(bending + shearing, rel=1e-4)
-        assert stiff == pytest.approx(bending, rel=2e-3)
-        assert shearing > 0.09 * bending
-
-
 def test_the_jacobian_is_banded_whatever_the_grid() -> None:
     """Unknowns are sorted along the filament: the bandwidth is that of a few neighbours, not of the span."""
     for law, per_cell in (("elastic", 4), ("bingham", 6)):
@@ -355,40 +277,6 @@ def test_the_jacobian_is_banded_whatever_the_grid() -> None:
         assert widths[0] == widths[1] and max(widths[0]) <= 4 * per_cell
 
 
-def test_the_unit_of_time_does_not_matter() -> None:
-    """Positions are per span, velocities span per unit of time: another unit scales the rates and nothing else."""
-    scene = scene_of()
-    graph = build(scene)
-    x, z = random_state(graph, 3)
-    moving = np.array([name.startswith(("u", "v")) for name in graph.state_names])
-    values = parameter_values(scene)
-    one = value(rhs(graph), 0.2, x, z, graph.vector(values))[0]
-    # half the unit: velocities half, rates of velocity a quarter
-    faster = graph.vector({**values, TIME_SCALE: values[TIME_SCALE] / 2})
-    two = value(rhs(graph), 0.4, np.where(moving, x / 2, x), z, faster)[0]
-    np.testing.assert_allclose(two, np.where(moving, one / 4, one / 2), rtol=1e-12, atol=1e-15)
-    assert time_scale(scene) == pytest.approx(np.sqrt(0.2 / 9.81))
-    weightless = scene.replace({"load.gravity": "0 m/s^2"})
-    assert time_scale(weightless) == pytest.approx(0.2 * np.sqrt(1900 / 4e6))
-
-
-def test_the_small_deflection_model_runs() -> None:
-    """Energy closes, supports stay, one tension for all cells; near the full filament, with other ends too."""
-    base = sc.load_scene(
-        "maxwell-fast", {"model": "small-deflection", "numerics.cells": 10, "numerics.estimate": False}
-    )
-    for ends in ({}, {"ends.left": "pinned", "ends.right": "pinned"}, {"ends.right": "pinned"}):
-        run, full = (sc.simulate(base.replace({"model": name, **ends})) for name in ("small-deflection", "filament"))
-        assert run.outcome is sc.Outcome.solved
-        assert run.summary["energy_residual"] < 1e-4
-        x = run.data.x.values
-        np.testing.assert_allclose(x[:, [0, -1]], np.array([[-0.1, 0.1]]).repeat(len(x), 0), atol=1e-15)
-        assert np.ptp(run.data.tension.values, axis=1).max() == 0
-        assert abs(run.summary["midpoint_final_m"] / full.summary["midpoint_final_m"] - 1) < 0.02
-    with pytest.raises(SceneError, match=r"material\.law"):
-        sc.simulate(sc.load_scene("arrested-overdamped", {"model": "small-deflection"}))
-
-
 def test_the_page_from_sympy_to_an_integrator_agrees_with_the_package(capsys: pytest.CaptureFixture[str]) -> None:
     page = Path(__file__).parents[1] / ".docs" / "manual" / "small-deflection.md"
     (text,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
@@ -396,20 +284,3 @@ def test_the_page_from_sympy_to_an_integrator_agrees_with_the_package(capsys: py
     changes = {"model": "small-deflection", "numerics.cells": 20, "numerics.estimate": False, "run.frames": 201}
     run = sc.simulate(sc.load_scene("maxwell-slow", changes))
     assert float(capsys.readouterr().out) == pytest.approx(run.summary["midpoint_final_m"] / 0.2, rel=0.01)
-
-
-def test_section_angles_are_determined() -> None:
-    """The stiffness against turning is symmetric and positive: the index of the algebraic equations is one."""
-    scene = scene_of()
-    for grid in GRIDS.values():
-        for variant in ["fibres alone", "shear", "shear, gradient"]:
-            graph = resolved(scene, grid, SHEARS[variant], fibres=4)
-            jacobian = ca.Function("j", [graph.t, graph.x, graph.z, graph.p], [ca.jacobian(graph.alg, graph.z)])
-            # the angles' equations are divided by the length of their nodes
-            lengths = graph.grid.node_length[[place(name)[1] for name in graph.algebraic_names]]
-            for seed in range(5):
-                found = np.array(jacobian(TIME, *settled(graph, scene, seed), parameters(scene, graph)))
-                stiffness = -lengths[:, None] * found
-                np.testing.assert_allclose(stiffness, stiffness.T, atol=1e-12 * np.abs(stiffness).max())
-                eigenvalues = np.linalg.eigvalsh(stiffness)
-                assert eigenvalues[0] > 1e-5 * eigenvalues[-1]

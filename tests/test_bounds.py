@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.scene.curve import SplineCurve
 from softcat_sym.scene.formula import parse_formula
 from softcat_sym.scene.history import read_formula
 
@@ -39,14 +38,6 @@ def test_bounds_hold_every_value_and_are_those_of_a_small_part(text: str, betwee
         assert width < 1e-4 * max(1.0, np.abs(values).max())
 
 
-def test_a_wave_that_goes_round_is_between_its_crests() -> None:
-    for begin in np.linspace(-7, 7, 29):
-        for width in (0.1, 1.0, 3.0, 7.0):
-            inside = np.sin(np.linspace(begin, begin + width, 2001))
-            low, high = parse_formula("sin(x)").bounds({"x": (begin, begin + width)})
-            assert (low, high) == pytest.approx((inside.min(), inside.max()), abs=1e-5)
-
-
 DIPS = {
     "60 Pa*s*(1 - 2*exp(-((t - 7.31 s)/1e-6 s)**2))": (7.31, -60.0),
     "60 Pa*s*(1 - 0.999*exp(-((t - 7.31 s)/1e-6 s)**2))": None,
@@ -72,12 +63,6 @@ def test_a_formula_is_refused_where_it_dips_below_zero_between_any_samples(text:
             found = str(error.value).partition(" is ")[2].split()
             assert (float(found[4]), float(found[0])) == pytest.approx(expected, rel=1e-3)
     assert process_time() - began < 1
-
-
-def test_extremes_of_a_formula_are_found_between_samples() -> None:
-    history = read_formula("60 Pa*s*(1 - 0.9*exp(-((t - 7.31 s)/1e-6 s)**2))", VISCOSITY)
-    assert history.extremes(10.0) == pytest.approx((6.0, 60.0), rel=2e-2)
-    assert history.extremes(7.0) == pytest.approx((60.0, 60.0))
 
 
 def test_a_flow_rule_is_refused_where_it_creates_energy_between_samples() -> None:
@@ -112,19 +97,3 @@ def test_what_would_take_long_to_read_is_one_clear_error(found: str) -> None:
         sc.Scene.from_dict(LONG[found])
     assert str(error.value).splitlines()[1].strip().startswith(found) and len(error.value.faults) == 1
     assert process_time() - began < 5
-
-
-def test_a_slinky_is_read() -> None:
-    """Eighty turns of 3 cm; the limit is a thousand."""
-    assert sc.Scene.from_dict(helix(curvature=66.6, twist=1.0)).filament.shape == "helix"
-
-
-def test_sections_along_a_long_polyline_are_carried_quickly_and_square_to_it() -> None:
-    """Without a turn about the curve: a plane one keeps the normal of its plane."""
-    angle = np.linspace(0, 3, 1000)
-    curve = SplineCurve(np.column_stack([np.sin(angle), 1 - np.cos(angle), 0 * angle]))
-    began, along = process_time(), np.linspace(0, curve.length, 50)
-    w, x, y, z = curve.quaternions(along).T
-    assert process_time() - began < 3
-    turned = np.unwrap(2 * np.arctan2(z, w))
-    assert np.abs([x, y]).max() < 1e-12 and turned == pytest.approx(along / curve.length * 3, abs=1e-6)

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import stat
-import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -15,9 +12,9 @@ import pytest
 from softcat_sym import cache, store
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.errors import SoftcatError
-from tests.common.compilers import ANSWER, Counter
+from tests.common.compilers import ANSWER
 from tests.common.in_process import Softcat
-from tests.common.tiny_disk import files_in, remount, tiny_disk
+from tests.common.tiny_disk import files_in
 
 ANOTHER = 12345
 """A user who is not there."""
@@ -84,59 +81,6 @@ def test_clearing_and_trimming_take_what_the_program_made_and_nothing_else(softc
     assert files_in(root.parent) == mine
 
 
-@pytest.mark.parametrize("kind", cache.KINDS)
-def test_a_folder_that_is_a_link_is_neither_used_nor_cleared(kind: str, softcat: Softcat, root: Path) -> None:
-    documents = root.parent / "documents"
-    documents.mkdir()
-    (documents / KEY).write_bytes(b"mine")
-    root.mkdir()
-    (root / kind).symlink_to(documents)
-    done = softcat("cache", "--clear")
-    assert (done.status, f"not cleared: {root / kind} is neither a file nor a folder itself" in done.err) == (2, True)
-    with pytest.warns(UserWarning, match="neither a file nor a folder itself; .* set SOFTCAT_CACHE"):
-        store.keep(OTHER, b"content", kind)
-    assert files_in(root.parent) == {f"documents/{KEY}": b"mine"}
-
-
-@of_root
-def test_what_others_put_there_is_not_deleted(root: Path) -> None:
-    for kind in cache.KINDS:
-        (root / kind).mkdir(parents=True, mode=0o700)
-        os.chown(fill(root, kind, KEY), ANOTHER, ANOTHER)
-        fill(root, kind, OTHER)
-    root.chmod(0o700)
-    assert all(len(found) == 1 for found in cache.clear(*cache.KINDS).values())
-    assert all((root / kind / KEY).exists() for kind in cache.KINDS)
-
-
-# What is taken from there.
-def planted(root: Path, path: Path, key: str) -> None:
-    """A library that gives another answer, with the digest that belongs to it."""
-    other = compile_library({"answer.c": "int answer(void) { return 666; }\n"})
-    content = other.read_bytes()
-    path.with_name("about.txt").write_text(f"{cache.digest(key, content)}\nanswer.c by gcc\n")
-    path.unlink()
-    path.write_bytes(content)
-
-
-@of_root
-@pytest.mark.parametrize("whose", ["library.so", "about.txt", ""], ids=["library", "digest", "folder"])
-def test_a_planted_library_is_not_loaded_whatever_was_mended_since(
-    whose: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    counter = Counter(tmp_path, monkeypatch)
-    path = compile_library(ANSWER)
-    planted(root, path, path.parent.name)
-    assert load(shutil.copy(path, tmp_path / "planted.so"), "answer").answer() == 666
-    os.chown(path.parent / whose, ANOTHER, ANOTHER)
-    (root / "native").chmod(0o700)  # as the warning had advised
-    before = counter.compilations
-    assert compile_library(ANSWER) == path and counter.compilations == before + 1
-    assert load(path, "answer").answer() == 42
-    assert path.parent.stat().st_uid == path.stat().st_uid == os.geteuid()
-    assert compile_library(ANSWER) == path and counter.compilations == before + 1
-
-
 @pytest.mark.parametrize(
     "whose",
     [*(pytest.param(f"the {name}'s", marks=of_root) for name in ("parent", "parent's parent", "cache")), "of all"],
@@ -191,35 +135,6 @@ def test_a_result_that_is_not_this_users_own_file_is_not_there(
     if what != "folder":
         store.keep(KEY, b"another")
         assert store.recall(KEY) == b"another", "and another takes its place"
-
-
-def test_what_can_only_be_read_serves_what_it_holds(root: Path, tmp_path: Path) -> None:
-    """Such as a cache that came with a container; what is new is this process's alone."""
-    with tiny_disk(tmp_path / "c", 400):
-        path = compile_library(ANSWER)
-        store.keep(KEY, b"content")
-        remount(root, "ro")
-        with pytest.warns(UserWarning, match="it cannot be written; .* set SOFTCAT_CACHE"):
-            assert compile_library(ANSWER) == path and store.recall(KEY) == b"content"
-            assert root not in compile_library({"other.c": "int other;\n"}).parents
-
-
-def test_without_the_usual_folder_every_process_keeps_its_own_and_is_told_once(tmp_path: Path) -> None:
-    program = f"""
-import os, stat
-from softcat_sym import store
-from softcat_sym.codegen.library import compile_library, load
-path = compile_library({ANSWER!r})
-assert load(path, "answer").answer() == 42 and compile_library({ANSWER!r}) == path
-store.keep({KEY!r}, b"content")
-assert store.recall({KEY!r}) == b"content"
-print(path.parents[2], stat.S_IMODE(os.stat(path.parents[2]).st_mode))
-"""
-    environment = {**os.environ, "SOFTCAT_CACHE": "/proc/nowhere", "TMPDIR": str(tmp_path)}
-    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True)
-    place, mode = done.stdout.split()
-    assert Path(place).parent == tmp_path and int(mode) == stat.S_IRWXU and not Path(place).exists()
-    assert done.stderr.count("nothing is kept in /proc/nowhere: ") == 1
 
 
 # The limit: what was used least recently goes.

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import re
-import signal
 import subprocess
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -14,13 +11,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.reference.calculix import (
     calculix_deck,
     find_calculix,
     material_lines,
-    read_displacements,
-    read_status,
     run_calculix,
 )
 from softcat_sym.reference.element_loop import Clamp, Mesh
@@ -63,15 +58,6 @@ def nodes_of(text: str) -> dict[int, np.ndarray]:
 def elements_of(text: str) -> np.ndarray:
     flat = [int(word) for row in rows_of(text, "*ELEMENT") for word in row if word]
     return np.array(flat).reshape(-1, 21)[:, 1:]
-
-
-def test_no_number_is_cut() -> None:
-    """CalculiX reads 20 characters of a number: of 7.225955632632416e-05 it makes 7.2."""
-    for card in cards(calculix_deck(SCENE, MESH).text):
-        assert len(card.name) <= 80
-        if card.name != "*HEADING":
-            assert all(len(word) <= 20 for row in card.rows for word in row)
-            assert all(len(row) <= 16 for row in card.rows)
 
 
 def test_bricks_fill_half_the_span_and_half_the_width() -> None:
@@ -134,138 +120,15 @@ def test_material_load_and_ramp() -> None:
     assert np.interp(between, *ramp.T) == pytest.approx(10 * u**3 - 15 * u**4 + 6 * u**5, abs=2e-5)
 
 
-def test_laws_and_sudden_load() -> None:
-    nothing_flows = {"material.law": "elastic", "material.viscosity": None, "material.yield_stress": None}
-    elastic = calculix_deck(SCENE.replace(nothing_flows), MESH).text
-    assert "*PLASTIC" not in elastic and "*CREEP" not in elastic
-    flowing = SCENE.replace({"material.law": "maxwell", "material.yield_stress": None})
-    assert "*PLASTIC" not in calculix_deck(flowing, MESH).text and "*CREEP" in calculix_deck(flowing, MESH).text
-    sudden = calculix_deck(SCENE.replace({"load.ramp": "0 s"}), MESH).text
-    assert "RAMP" not in sudden and "AMPLITUDE=STEP" in sudden
-
-
-def test_centreline_is_printed_at_every_frame() -> None:
-    deck = calculix_deck(SCENE, MESH)
-    place = nodes_of(deck.text)
-    found = np.array([place[int(number)] for number in deck.centreline])
-    assert found == pytest.approx(np.column_stack([1e3 * deck.X, 0 * deck.X, 0 * deck.X]), abs=1e-9)
-    assert [int(word) for row in rows_of(deck.text, "*NSET") for word in row] == list(deck.centreline)
-    times = [float(word) for row in rows_of(deck.text, "*TIME POINTS") for word in row]
-    assert times == pytest.approx(np.linspace(0, SCENE.run.duration, SCENE.run.frames)[1:])
-
-
-def test_a_title_is_one_line_and_no_keyword() -> None:
-    text = calculix_deck(SCENE.replace({"title": "*STEP\n*END Übung " + 200 * "x"}), MESH).text
-    assert [card.name for card in cards(text)].count("*STEP") == 0
-    assert text.isascii()
-
-
-def test_refusals() -> None:
-    with pytest.raises(SceneError, match="filament\\.section"):
-        calculix_deck(sc.load_scene("ink-bridge"), MESH)
-    with pytest.raises(SceneError, match=r"surroundings\.surface_tension: .*CalculiX does not know"):
-        calculix_deck(SCENE.replace({"surroundings.surface_tension": "0.07 N/m"}), MESH)
-    for step in (0.0, -1.0, float("nan"), float("inf")):
-        with pytest.raises(SoftcatError, match="positive number"):
-            calculix_deck(SCENE, MESH, step=step)
-
-
-BLOCK = """
- displacements (vx,vy,vz) for set CENTRE and time  {time}
-
-         3  0.000000E+00 -1.250000E-01  1.000000-101
-        17  2.500000E-03 -5.000000E-02  0.000000E+00
-"""
-NODES = np.array([17, 3], dtype=np.int32)
-STATUS = """SUMMARY OF JOB INFORMATION
-  STEP      INC     ATT  ITRS     TOT TIME     STEP TIME      INC TIME
-     1          1     1     2  0.217945E-04  0.217945E-04  0.217945E-04
-     1          2     1U    4  0.217945E-04  0.217945E-04  0.217945E-02
-     1          2     2     3  0.406467E-01  0.406467E-01  0.544862E-03
-     1          3     1     2  0.411916E-01  0.411916E-01  0.54"""
-
-
-def test_displacements_come_in_the_order_asked() -> None:
-    text = BLOCK.format(time="0.1000000E-01") + BLOCK.format(time="0.2000000E-01")
-    found = read_displacements(text, NODES, np.array([0.01, 0.02]))
-    assert found.shape == (2, 2, 3)
-    assert found[1] == pytest.approx(np.array([[2.5e-3, -0.05, 0.0], [0.0, -0.125, 1e-101]]), abs=1e-30)
-
-
-def test_what_is_missing_is_said() -> None:
-    text = BLOCK.format(time="0.1000000E-01")
-    with pytest.raises(SoftcatError, match=r"1 of 2 output times; the last is 0\.01 s of 0\.02 s"):
-        read_displacements(text, NODES, np.array([0.01, 0.02]))
-    with pytest.raises(SoftcatError, match="1 of 1 output times"):
-        read_displacements(text, NODES, np.array([0.011]))
-    with pytest.raises(SoftcatError, match="every node"):
-        read_displacements(text, np.array([3, 18], dtype=np.int32), np.array([0.01]))
-    with pytest.raises(SoftcatError, match="0 of 1 output times"):
-        read_displacements("", NODES, np.array([0.01]))
-
-
-def test_failed_and_unfinished_increments_do_not_count() -> None:
-    assert read_status(STATUS) == (2, 0.0406467, 5.44862e-4)
-    assert read_status("") == (0, 0.0, 0.0)
-
-
 SHORT = shortened(sc.load_scene("continual-descent", {"filament.width": "0.06 mm"}), 20.0, 5)
 SMALL = Mesh(6, 2)
 needs_calculix = pytest.mark.skipif(find_calculix() is None, reason="no CalculiX: apt-get install calculix-ccx")
-
-
-def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch, body: str) -> None:
-    """Put a program of the name ``ccx`` first on the path."""
-    program = folder / "bin" / "ccx"
-    program.parent.mkdir()
-    program.write_text(f"#!{sys.executable}\nimport os, pathlib, sys, time\n{body}\n")
-    program.chmod(0o755)
-    monkeypatch.setenv("PATH", f"{program.parent}{os.pathsep}{os.environ['PATH']}")
 
 
 def test_missing_program_is_named_with_its_package(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(SoftcatError, match=r"apt-get install calculix-ccx.*--write-input-only"):
         run_calculix(SHORT, SMALL)
-
-
-def test_what_it_complains_of_is_passed_on(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    body = """print(" *ERROR: too many cutbacks\\n        best solution is in the file\\n\\n more"); sys.exit(201)"""
-    stand_in(tmp_path, monkeypatch, body)
-    with pytest.raises(SoftcatError, match=r"too many cutbacks best solution is in the file \(after 0 s"):
-        run_calculix(SHORT, SMALL)
-
-
-def test_a_run_that_stops_short_is_no_answer(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    stand_in(tmp_path, monkeypatch, "pathlib.Path('deck.dat').write_text('')")
-    with pytest.raises(SoftcatError, match="0 of 4 output times"):
-        run_calculix(SHORT, SMALL)
-
-
-def test_ctrl_c_ends_it_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    row = "     1          1     1     2  0.100000E-01  0.100000E-01  0.100000E-02"
-    note = tmp_path / "note"
-    body = f"""pathlib.Path('deck.sta').write_text({row!r} + chr(10))
-pathlib.Path({str(note)!r}).write_text(f"{{os.getpid()}} {{os.getcwd()}}")
-time.sleep(60)"""
-    stand_in(tmp_path, monkeypatch, body)
-
-    heard: list[tuple[float, float | None]] = []
-
-    class Interrupting:
-        """Presses Ctrl-C as soon as it hears of the first increment."""
-
-        def update(self, simulated_time: float, step_size: float | None) -> None:
-            heard.append((simulated_time, step_size))
-            signal.raise_signal(signal.SIGINT)
-
-    with pytest.raises(KeyboardInterrupt):
-        run_calculix(SHORT, SMALL, progress=Interrupting())
-    assert heard == [(0.01, 0.001)]
-    number, folder = note.read_text().split(maxsplit=1)
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(number), 0)
-    assert not Path(folder).exists()
 
 
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
-import re
 from pathlib import Path
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
-import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.physics import beams, closed_forms
@@ -20,7 +15,7 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies.card import Card, scene_from_flags
+from softcat_sym.studies.card import Card
 from softcat_sym.studies.card_rules import (
     RULES,
     WORDS,
@@ -30,7 +25,6 @@ from softcat_sym.studies.card_rules import (
     blamed,
     certificate_of,
     descent_of,
-    percent,
     smay_modulus_needed,
     unusual,
 )
@@ -149,16 +143,6 @@ def test_what_makes_a_rule_fail() -> None:
     assert [each["cause"] for each in cable.blames] == [WORDS["bending"]]
 
 
-@pytest.mark.slow
-def test_a_bath_that_resists_is_blamed_for_what_it_slows_down() -> None:
-    """Without its drag the viscous string is as the rule has it."""
-    thread = filament({"law": "newtonian", "viscosity": "1 MPa*s"}, thickness="0.05 mm", **{"run.duration": "5 s"})
-    slowed = blame(run_of(thread.replace({"surroundings.viscosity": "10 Pa*s"})), "viscous-string")
-    assert slowed.error is not None and slowed.error > 0.2
-    assert slowed.bare == pytest.approx(0, abs=0.03)
-    assert [each["cause"] for each in slowed.blames] == [WORDS["bath"]]
-
-
 def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
     scene = filament(ELASTIC)
     assert unusual(scene) == ""
@@ -172,23 +156,6 @@ def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
         "load.gravity": "0 m/s^2",
     }.items():
         assert unusual(scene.replace({path: value})), path
-
-
-def test_descent_of_a_known_curve() -> None:
-    """An exponential approach is at 90 % after ln 10 and within 1 % after ln 100 times its time."""
-    time = np.linspace(0.0, 10.0, 2001)
-    data = xr.Dataset(
-        {"midpoint": ("time", 2e-3 * np.expm1(-time)), "stretch": (("time", "cell"), [[1.0, 1.3, 1.1]] * len(time))},
-        coords={"time": time, "X_cell": ("cell", [-0.04, 0.0, 0.04])},
-    )
-    seen = {"rebound": 0.0, "midpoint_lowest_m": -2e-3}
-    run = SimpleNamespace(data=data, scene=SimpleNamespace(filament=SimpleNamespace(span=0.1)), summary=seen)
-    found = descent_of(run)  # type: ignore[arg-type]
-    assert found is not None
-    assert found.to_90 == pytest.approx(math.log(10), rel=1e-3)
-    assert found.settled == pytest.approx(math.log(100), rel=2e-3)
-    assert (found.damping, found.stretch, found.stretch_at) == ("overdamped", 1.3, 0.0)
-    assert [percent(error) for error in (0.012, -0.5, 3.99, 14.0)] == ["+1.2 %", "−50 %", "+399 %", "× 15"]
 
 
 def test_what_surface_tension_holds_and_what_the_rules_say_that_ignore_it() -> None:
@@ -220,76 +187,10 @@ def test_what_surface_tension_holds_and_what_the_rules_say_that_ignore_it() -> N
     assert surface_hold(at_rest("10 MPa", **coarse), "5 %", None, lambda _: (None, ""), Silence()) is None
 
 
-def test_a_card_is_told_as_it_is_computed_and_kept_when_it_is_interrupted(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The first answers come before the longest span; what there is then is written, and says what is missing."""
-
-    def stopped(*given: object, **more: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("softcat_sym.studies.card.critical_span", stopped)
-    done = softcat("card", *OIL, *sets("numerics.cells=8", "numerics.estimate=false"), "-o", str(tmp_path))
-    assert done.status == 130
-    assert "marked as incomplete; the same command goes on from there" in " ".join(done.err.split())
-    starts = [line.split("  ")[0] for line in done.out.splitlines()]
-    told = ["newtonian, 1 mm across 10 cm", "expected", "expected sag", "regime", "final sag", "rule"]
-    assert [line for line in starts if line in told] == told
-    assert "longest span" not in starts and "viscous beam" in starts
-    found = json.loads((tmp_path / "card.json").read_text())
-    assert found["notes"][-1] == "Incomplete, as it was interrupted: without the longest span, what makes rules fail"
-    assert found["descent"]["final"] > 0 and {path.name for path in tmp_path.iterdir()} == FILES
-    assert "Incomplete, as it was interrupted" in (tmp_path / "card.html").read_text()
-
-
-FILES = {"card.html", "card.json", "card.csv", "card.png", "scene.toml"}
 BODY = ("--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm")
 OIL = (*BODY, "--law", "newtonian", "--viscosity", "1 GPa*s", "--duration", "1 s")
 INK = (*BODY, "--law", "bingham", "--youngs-modulus", "1 MPa", "--viscosity", "1 kPa*s", "--yield-stress", "3 kPa")
 CURVE = "shear_rate_1_s,shear_stress_Pa\n" + "".join(f"{rate},{200 + 10 * rate}\n" for rate in (0.1, 1, 3, 10, 30, 100))
-
-
-@pytest.mark.slow
-def test_flags_make_a_page(softcat: Softcat, tmp_path: Path) -> None:
-    done = softcat("card", *OIL, "--sag", "0.1 mm", *sets("numerics.cells=10"), "-o", str(tmp_path))
-    assert done.status == 0, done.err
-    # With a compiler for WebAssembly there is a live page, too.
-    assert {path.name for path in tmp_path.iterdir()} - {"live.html"} == FILES
-    assert "It flows for as long as it is loaded." in done.out
-    found = json.loads((tmp_path / "card.json").read_text())
-    assert found["outcome"] == "solved" and found["regime"] == "viscous"
-    rules = {each["key"]: each for each in found["rules"]}
-    # Sagging by less than a tenth of its thickness it is a viscous beam; the other rules say why they are not for it.
-    assert abs(rules["viscous-beam"]["error"]) < 0.05 and rules["viscous-beam"]["text"] == "holds"
-    assert rules["smay-pinned"]["predicted"] is None and "no modulus" in rules["smay-pinned"]["text"]
-    rows = list(csv.DictReader((tmp_path / "card.csv").read_text().splitlines()))
-    assert [row["rule"] for row in rows] == [each["name"] for each in found["rules"]]
-    assert float(rows[3]["predicted"]) == rules["viscous-beam"]["predicted"] and rows[0]["predicted"] == ""
-    # The span it names sags as much as it may, and no more.
-    span = found["longest_span"]["span_m"]
-    scene = sc.load_scene(str(tmp_path / "scene.toml"), {"filament.span": f"{span!r} m"})
-    assert -float(sc.simulate(scene).data.midpoint.values[-1]) == pytest.approx(1e-4, rel=0.02)
-    page = (tmp_path / "card.html").read_text()
-    assert not re.search(r"(src|href)=\"(?!data:)", page) and "http" not in page
-    assert "--viscosity &#39;1 GPa*s&#39;" in page
-
-
-def test_a_flow_curve_is_a_material_in_tension(tmp_path: Path) -> None:
-    curve = tmp_path / "curve.csv"
-    curve.write_text(CURVE)
-    flags = {"density": "1000 kg/m^3", "span": "10 cm", "diameter": "1 mm"}
-    flags |= {"flow-curve": str(curve), "youngs-modulus": "1 MPa"}
-    scene, notes = scene_from_flags(flags)
-    assert scene.material.law == "bingham" and scene.material.youngs_modulus == 1e6
-    assert scene.material.yield_stress == pytest.approx(200 * 3**0.5, rel=1e-3)
-    assert scene.material.viscosity == pytest.approx(30, rel=1e-3)
-    # Twenty swings of sqrt(L/g), and five times eta/sigma_Y.
-    assert scene.run.duration == pytest.approx(20 * (0.1 / 9.81) ** 0.5 + 5 * 30 / (200 * 3**0.5), rel=0.01)
-    assert len(notes) == 2
-    more = {"law": "herschel-bulkley", "duration": "3 s", "ends": "pinned", "surface-tension": "72 mN/m"}
-    forced, _ = scene_from_flags({**flags, **more})
-    assert forced.surroundings.surface_tension == 0.072
-    assert (forced.material.law, forced.run.duration, forced.ends.left) == ("herschel-bulkley", 3.0, "pinned")
 
 
 def without(name: str) -> tuple[str, ...]:
@@ -340,14 +241,3 @@ def test_bad_input_is_one_clear_error_and_nothing_is_written(softcat: Softcat, t
         assert done.status == 2 and known, flags
         assert named.lower() in " ".join(done.err.lower().split()), (flags, done.err)
         assert not (tmp_path / "out").exists(), flags
-
-
-def test_a_run_that_is_not_to_be_trusted_says_so_on_top(softcat: Softcat, tmp_path: Path) -> None:
-    rough = sets("numerics.cells=4", "run.accuracy=1e-9", "numerics.rtol=1e-3")
-    done = softcat("card", *OIL, *rough, "--no-span", "-o", str(tmp_path))
-    assert done.status == 1
-    said = [line.partition("  ")[0] for line in done.out.splitlines()]
-    assert said.index("expected sag") < said.index(next(line for line in said if line.startswith("Not to be trusted")))
-    assert "Not to be trusted: energy_drift" in done.out and "not sought" in done.out
-    assert 'class="verdict doubtful"' in (tmp_path / "card.html").read_text()
-    assert json.loads((tmp_path / "card.json").read_text())["outcome"] == "energy_drift"

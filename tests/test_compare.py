@@ -2,48 +2,32 @@
 
 from __future__ import annotations
 
-import io
 import json
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym import drawing
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.discretization.assembly import choose_grid, choose_theory
-from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.files import finite, json_bytes
-from softcat_sym.physics.section_equations import derive
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.plotting.compare import rate_snapshots, tables
-from softcat_sym.plotting.style import first_frames
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix
 from softcat_sym.reference.calculix import find_calculix
 from softcat_sym.reference.element_loop import Mesh
-from softcat_sym.reference.elements import ElementRun
-from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.compare import (
     Comparison,
-    ComparisonRow,
     aligned,
     compare,
     discrepancy,
     filament_clamp_strain,
 )
-from tests.common.assembled import assemble
 from tests.common.in_process import Softcat, sets
 
 COARSE = Mesh(8, 2)
@@ -55,9 +39,6 @@ SHORT = (
     *sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "numerics.estimate=false", "run.effects=paper"),
     *("--mesh", "8x2"),
 )
-PICTURES = {f"compare_{what}.png" for what in ("midpoint", "shapes", "plastic_rate", "clamp_strain")}
-TABLES = {f"compare_{what}.csv" for what in ("errors", "midpoint", "shapes", "plastic_rate", "clamp_strain")}
-FILES = {"compare.json", "scene.toml", "elements.npz", *PICTURES, *TABLES, *(["vtk"] if find_spec("meshio") else [])}
 PUBLISHED = ["published, material closure", "published, printed closure"]
 needs_calculix = pytest.mark.skipif(find_calculix() is None, reason="no CalculiX: apt-get install calculix-ccx")
 
@@ -123,35 +104,6 @@ def test_shear_brings_the_filament_to_the_elements() -> None:
     assert strain.largest[peak] == pytest.approx(found.elements.clamp_strain_largest[peak], rel=0.12)
 
 
-def test_which_theories_stand_beside_the_filament(comparison: Comparison) -> None:
-    assert [row.name for row in comparison.rows] == ["filament", *PUBLISHED]
-    assert [row.trajectory.scene.run.closure for row in comparison.rows] == ["material", "material", "printed"]
-    planar = YIELDING.replace({"run.dimensions": 2})
-    assert comparison.filament.trajectory.scene == planar and comparison.warnings == ()
-    published = comparison.rows[1].trajectory.summary["effects"]
-    assert not {"shear", "fibres", "necking-gradient"} & set(published)
-    # Named effects stand alone; the elements of unit width know nothing of the width that is warned of.
-    wide = compare(YIELDING.replace({"run.effects": "paper", "filament.width": None}), COARSE)
-    assert [row.name for row in wide.rows] == ["filament"]
-    assert len(wide.warnings) == 1 and "plane stress" in wide.warnings[0] and "0.3 mm" in wide.warnings[0]
-    assert np.array_equal(wide.elements.midpoint, comparison.elements.midpoint)
-    # A published theory is not run twice; overruled fibres do not reach it.
-    printed = compare(YIELDING.replace({"run.closure": "printed"}), COARSE)
-    assert [row.name for row in printed.rows] == ["filament", PUBLISHED[0]]
-    fibres = compare(YIELDING.replace({"numerics.fibres": 4}), COARSE)
-    assert ["fibres" in row.trajectory.summary["effects"] for row in fibres.rows] == [True, False, False]
-
-
-def test_unknowns_are_those_of_the_graph(comparison: Comparison) -> None:
-    for row in comparison.rows:
-        scene = row.trajectory.scene
-        effects = choose_effects(scene)
-        equations = derive(effects.terms(), SECTIONS["rectangle"], scene.run.closure)
-        graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene, equations.terms))
-        names = [name.split("[")[0] for name in (*graph.state_names, *graph.algebraic_names)]
-        assert row.dofs == sum(name in ("x", "y", "psi") for name in names)
-
-
 def test_an_interrupted_run_resumes(comparison: Comparison, tmp_path: Path) -> None:
     checkpoint, announced = tmp_path / "new" / "elements.npz", list[str]()
 
@@ -189,128 +141,6 @@ def test_what_cannot_be_compared_leaves_nothing(tmp_path: Path, monkeypatch: pyt
     with pytest.raises(SoftcatError, match="no C compiler"):
         compare(YIELDING, COARSE, checkpoint=tmp_path / "deep" / "er" / "elements.npz")
     assert not list(tmp_path.iterdir())
-
-
-def with_midpoint(row: ComparisonRow, time: np.ndarray, midpoint: np.ndarray, elements: np.ndarray) -> ComparisonRow:
-    return replace(row, midpoint=midpoint, discrepancy=discrepancy(time, midpoint, elements))
-
-
-def run_away(comparison: Comparison) -> Comparison:
-    """The printed closure leaves every picture; the filament's run ended half way, in failure."""
-    time, elements = comparison.elements.time, comparison.elements.midpoint
-    own, material, printed = comparison.rows
-    half = np.where(time <= time[-1] / 2, own.midpoint, np.nan)
-    fields = first_frames(own.trajectory.fields, 11)
-    failed = replace(own, run=replace(own.trajectory, fields=fields, outcome=Outcome.no_convergence))
-    failed = with_midpoint(failed, time, half, elements)
-    return replace(comparison, rows=(failed, material, with_midpoint(printed, time, 1e4 * elements, elements)))
-
-
-def at_rest(comparison: Comparison) -> Comparison:
-    run, zero = comparison.elements, np.zeros_like(comparison.elements.midpoint)
-    straight = replace(run, midpoint=zero, x=run.x[:1] + 0 * run.x, y=0 * run.y, rate=0 * run.rate)
-    rows = tuple(with_midpoint(row, run.time, zero, zero) for row in comparison.rows)
-    return replace(comparison, reference=straight, rows=rows)
-
-
-def alone(comparison: Comparison) -> Comparison:
-    return replace(comparison, rows=comparison.rows[:1])
-
-
-@pytest.mark.slow
-def test_pictures_documents_and_tables_of_whatever_happens(comparison: Comparison) -> None:
-    for case in (lambda c: c, run_away, at_rest, alone):
-        found = case(comparison)
-        assert {f"{name}.png" for name in found.figures()} == PICTURES and set(tables(found)) == TABLES
-        assert b"NaN" not in json_bytes(found.to_dict())
-    assert finite(run_away(comparison).to_dict())["filament"]["midpoint_final_m"] is None
-    assert finite(at_rest(comparison).to_dict())["errors"]["filament"]["mean"] is None
-    screen = Console(file=io.StringIO(), width=80, color_system=None)
-    drawing.report(run_away(comparison)).print(screen)
-    written = screen.file.getvalue()  # type: ignore[attr-defined]
-    assert "…" not in written and max(map(len, written.splitlines())) <= 80
-    assert "–" in written and "filament: no_convergence" in written
-
-
-def test_tables_read_back_exactly(comparison: Comparison, tmp_path: Path) -> None:
-    broken = run_away(comparison)
-    broken.write(tmp_path)
-    errors = pd.read_csv(tmp_path / "compare_errors.csv")
-    assert [*errors["what"]] == ["error"] * 4 + ["mean error", "largest error"]
-    assert np.isnan(errors["filament"][[3, 4]]).all()
-    assert errors["filament"][1] == pytest.approx(broken.filament.discrepancy.at[1], rel=1e-15)
-    assert [*errors["time_s"][:4]] == pytest.approx([broken.elements.time[k] for k in (2, 5, 10, 20)], rel=1e-15)
-    shapes = pd.read_csv(tmp_path / "compare_shapes.csv")
-    assert len(shapes) == 3 * len(broken.elements.X)
-    assert shapes["elements_y_m"][0] == pytest.approx(broken.elements.y[2, 0], rel=1e-15)
-    assert len(pd.read_csv(tmp_path / "compare_plastic_rate.csv")) >= 16 * 4
-
-
-def marked(run: ElementRun) -> ElementRun:
-    """An undeformed strip whose rate names the place where it was measured, and that stops flowing."""
-    place = 1.0 + 100 * run.point[..., 0] + 10 * run.point[..., 1]
-    share = np.linspace(1, 0, len(run.rate_time))
-    share[3:] = 0
-    return replace(run, rate=share[:, None, None] * place, displacement=np.zeros_like(run.displacement))
-
-
-def test_each_rate_is_drawn_where_it_was_measured(comparison: Comparison) -> None:
-    run, span = marked(comparison.elements), comparison.scene.filament.span
-    shots = rate_snapshots(replace(comparison, reference=run))
-    # Of the moments, that at 10 % flows still; the fastest is the first; the last is always there.
-    assert [shot.time for shot in shots] == [run.time[0], run.time[2], run.time[-1]]
-    place = span * shots[0].place
-    np.testing.assert_allclose(place, run.point.reshape(-1, 2), atol=1e-12 * span)
-    np.testing.assert_allclose(shots[0].rate, np.sqrt(3) * (1 + 100 * place[:, 0] + 10 * place[:, 1]))
-    # A quarter of an element surrounds its Gauss point.
-    corners = span * shots[0].quarter
-    assert np.all((corners.min(axis=1) < place) & (place < corners.max(axis=1)))
-
-
-@pytest.mark.slow
-def test_the_command_resumes_and_writes_the_same(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    straight, broken = tmp_path / "deep" / "out", tmp_path / "broken"
-    arguments = ("compare", "continual-descent", *SHORT)
-    done = softcat(*arguments, "-o", str(straight))
-    assert (done.status, done.err) == (0, "")
-    assert {path.name for path in straight.iterdir()} == FILES
-    assert "8 × 2" in done.out and "error at t = 10" in done.out and "plane stress" in done.out
-    found = json.loads((straight / "compare.json").read_text())
-    elements, filament = found["elements"], found["filament"]
-    assert found["outcome"] == "solved" and len(found["warnings"]) == 1
-    assert all(who["midpoint_final_m"] < 0 and who["wall_s"] > 0 and who["dofs"] > 0 for who in (elements, filament))
-    assert (elements["along"], elements["through"]) == (8, 2)
-    final = (filament["midpoint_final_m"] - elements["midpoint_final_m"]) / abs(elements["midpoint_final_m"])
-    assert found["errors"]["filament"]["at"][-1] == pytest.approx(final)
-    assert found["errors"]["time_elastic"] == pytest.approx([1, 2, 5, 10])
-
-    def stop(self: IntegrationProgress, simulated_time: float, step_size: float | None) -> None:
-        signal.raise_signal(signal.SIGINT)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(IntegrationProgress, "update", stop)
-        done = softcat(*arguments, "-o", str(broken))
-    assert done.status == 130 and "interrupted; the same command resumes" in done.err
-    assert [path.name for path in broken.iterdir()] == ["elements.npz"]
-    assert "resume from" in softcat(*arguments, "-o", str(broken)).out
-    for name in ("compare_midpoint.csv", "compare_clamp_strain.csv", "compare_plastic_rate.csv"):
-        assert (straight / name).read_bytes() == (broken / name).read_bytes()
-    # A checkpoint of something else is refused, and stays.
-    files = {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()}
-    done = softcat(*arguments, "--fixed-face", "-o", str(broken))
-    assert done.status == 2 and "another problem" in done.err
-    assert {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()} == files
-
-
-@pytest.mark.slow
-def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp_path: Path) -> None:
-    changes = sets("run.effects=paper", "run.frames=11", "numerics.cells=20")
-    done = softcat("compare", "edge-of-rupture", "-o", str(tmp_path), "-q", *changes, "--mesh", "4x2")
-    assert done.status == 1 and done.out == "" and done.err.startswith("softcat: localised")
-    assert {path.name for path in tmp_path.iterdir()} == FILES
-    assert json.loads((tmp_path / "compare.json").read_text())["outcome"] == "localised"
 
 
 def test_bad_input_is_one_message_and_leaves_nothing(

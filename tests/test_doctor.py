@@ -77,17 +77,6 @@ def test_what_is_named_and_does_not_work_is_a_fault_with_its_remedy(
     assert re.match(f"softcat: {said}", line), line
 
 
-def test_a_missing_package_and_one_that_is_too_old_are_named(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
-    required = ["casadi>=3.7", "no-such-package>=2", "numpy>=1000", "dask>=3000; extra == 'sweep'"]
-    monkeypatch.setattr(metadata, "requires", lambda name: required)
-    done = softcat("doctor")
-    assert done.status == 1
-    assert "no-such-package missing, numpy" in done.out and "(>=1000)" in done.out
-    assert "remedy: pip install 'no-such-package>=2' 'numpy>=1000'" in done.out
-    assert "to have it: pip install 'softcat_sym[sweep]'" in done.out
-    assert "not run" in done.out.splitlines()[-2]
-
-
 def test_a_sag_that_is_not_the_exact_one_is_a_fault(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
     exact = doctor.exact_sag(load_scene("beam-viscometer"))
     monkeypatch.setattr(doctor, "exact_sag", lambda scene: exact / 1.01)

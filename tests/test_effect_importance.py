@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import json
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +12,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.effect_importance import (
-    EVERYTHING,
     Pricing,
     PricingRow,
     dependants,
@@ -24,7 +21,7 @@ from softcat_sym.studies.effect_importance import (
     with_effects,
 )
 from tests.common.closed_forms import von_karman_sag
-from tests.common.in_process import Softcat, sets
+from tests.common.in_process import Softcat
 from tests.common.scenes import scene_of
 
 QUICK = ["run.frames=11", "numerics.cells=4"]
@@ -152,64 +149,10 @@ def test_what_cannot_be_run_is_a_row_with_its_reason() -> None:
         price_effects(HONEY, only=["inertai"])
 
 
-FILES = {"effects.json", "effects.csv", "effects.png", "scene.toml"}
-SHORT = ("numerics.cells=4", "run.frames=4", "run.duration=0.02 s")
-BASE = ("inertia", "bending", "viscous-stress")
-BARE = (*SHORT, f"run.effects={json.dumps(BASE)}")
-
-
 @pytest.fixture
 def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
     monkeypatch.setenv("COLUMNS", "160")
     return Softcat(monkeypatch, capsys)
-
-
-@pytest.mark.slow
-def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
-    output = tmp_path / "deep" / "out"
-    done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
-    assert (done.status, done.err) == (0, "")
-    assert {path.name for path in output.iterdir()} == FILES
-    assert all(name in done.out for name in (*NAMES, EVERYTHING))
-    found = json.loads((output / "effects.json").read_text())
-    assert (found["scene"], found["cells"], found["base"]["effects"]) == ("cold-honey", 4, list(BASE))
-    assert [row["effect"] for row in found["effects"] if row["in_force"]] == list(BASE)
-    rows = [*found["effects"], found["everything"]]
-    assert all((row["run"] is None) == bool(row["reason"]) for row in rows)
-    table = list(csv.DictReader((output / "effects.csv").read_text().splitlines()))
-    assert [line["effect"] for line in table] == [*NAMES, EVERYTHING]
-    for line, row in zip(table, rows, strict=True):
-        for key in ("change", "own_change", "estimate", "time_ratio"):
-            assert (float(line[key]) if line[key] else None) == row[key]
-    # The changes are those of the runs themselves.
-    grid = (*SHORT, f"numerics.grading={found['grading']!r}")
-    base, still = (
-        sc.simulate(sc.load_scene("cold-honey", [*grid, f"run.effects={json.dumps(names)}"])).data.midpoint.values
-        for names in (BASE, BASE[1:])
-    )
-    assert found["base"]["midpoint_largest_m"] == pytest.approx(abs(base).max(), rel=1e-12)
-    assert rows[0]["change"] == pytest.approx(abs(still - base).max() / abs(base).max(), rel=1e-9)
-
-
-@pytest.mark.slow
-def test_a_base_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp_path: Path) -> None:
-    # Straight, without weight at first, and without inertia: a string that has no shape.
-    changes = ("load.ramp=0.01 s", 'run.effects=["extensibility", "viscous-stress"]')
-    done = softcat("effects", "cold-honey", "-q", "-o", str(tmp_path), *sets(*SHORT, *changes))
-    assert (done.status, done.out) == (1, "")
-    assert done.err.startswith("softcat: no_equilibrium")
-    assert {path.name for path in tmp_path.iterdir()} == FILES
-    assert json.loads((tmp_path / "effects.json").read_text())["base"]["outcome"] == "no_equilibrium"
-
-
-@pytest.mark.slow
-def test_all_bundled_scenes_in_one_table(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    names = ("cold-honey", "gelatin-strand")
-    monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: names)
-    assert softcat("effects", "--bundled", "-q", "-o", str(tmp_path), *sets(*BARE)).status == 0
-    files = {f"effects_{name}.{kind}" for name in names for kind in ("json", "png")}
-    assert {path.name for path in tmp_path.iterdir()} == {*files, "pricing.md"}
-    assert "not priced" not in (tmp_path / "pricing.md").read_text()
 
 
 BAD: list[tuple[tuple[str, ...], str]] = [

@@ -2,46 +2,22 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import threading
-import time
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
 
 import softcat_sym as sc
 from softcat_sym.batch.ensemble import Ensemble
-from softcat_sym.batch.members import Choosing, Row, constants_of, members_of, rows_of, written
-from softcat_sym.batch.worker import tolerances
+from softcat_sym.batch.members import Choosing, Row, constants_of, members_of, rows_of
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CModel
-from softcat_sym.solvers.settings import settings_for
 
 SHORT = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 11, "numerics.estimate": False}
 SCENE = sc.load_scene("arrested-overdamped", SHORT)
 TABLE = {"groups.G": [0.6, 0.3, 0.45, 0.5], "groups.V": [10.0, 30.0, 20.0, 25.0]}
-# Minutes of steps that may not be longer than a hair.
-LONG = sc.load_scene(
-    "arrested-underdamped",
-    {"run.effects": "paper", "numerics.cells": 20, "numerics.rtol": 1e-13, "run.frames": 4, "run.duration": "1000 s"},
-)
-COLUMNS = {"filament.span": [0.2, 0.3], "material.law": ["bingham", "elastic"]}
-ROWS = [{"filament.span": 0.2, "material.law": "bingham"}, {"filament.span": 0.3, "material.law": "elastic"}]
-
-
-class Frame:
-    """What a data frame and this table have in common."""
-
-    def keys(self) -> list[str]:
-        return list(COLUMNS)
-
-    def __getitem__(self, key: str) -> np.ndarray[Any, Any]:
-        return np.array(COLUMNS[key])
 
 
 class Listener:
@@ -79,14 +55,6 @@ def same_as_single_runs(ensemble: Ensemble) -> None:
         assert float(row.energy_residual) <= 1.1 * single.summary["energy_residual"] + 1e-15
 
 
-def test_every_form_of_a_table_gives_the_same_rows_of_plain_values() -> None:
-    structured = np.array([(0.2, "bingham"), (0.3, "elastic")], [("filament.span", float), ("material.law", "U9")])
-    for table in (COLUMNS, ROWS, tuple(ROWS), structured, Frame()):
-        rows = rows_of(table)
-        assert rows == ROWS
-        assert {type(value) for row in rows for value in row.values()} == {float, str}
-
-
 def test_what_is_no_table_is_refused() -> None:
     for table, message in (
         ({"filament.span": [1, 2], "load.gravity": [1]}, "unequal lengths: filament.span has 2, load.gravity has 1"),
@@ -104,17 +72,6 @@ def test_what_is_no_table_is_refused() -> None:
     ):
         with pytest.raises(SceneError, match=message):
             rows_of(table)
-
-
-def test_plain_numbers_get_the_unit_of_their_key() -> None:
-    row: Row = {"filament.span": 0.25, "ends.drop": 1, "material.viscosity": 3.0, "material.index": 0.5}
-    row |= {"numerics.cells": 8, "load.gravity": "9 m/s^2"}
-    units = {"filament.span": "0.25 m", "ends.drop": "1.0 m", "material.viscosity": "3.0 Pa*s^0.5"}
-    assert written(sc.load_scene("oobleck"), row) == row | units
-    scene = sc.load_scene("transient-gel")
-    for parameter in scene.material.parameters:
-        key, value = f"material.parameters.{parameter.name}", parameter.value
-        assert scene.replace(written(scene, {key: 2 * value})).replace(written(scene, {key: value})) == scene
 
 
 def test_groups_give_the_scene_that_a_file_with_them_gives() -> None:
@@ -164,17 +121,6 @@ def test_groups_that_make_no_sense_are_refused() -> None:
             constants_of(base, row)
 
 
-def test_each_row_is_the_scene_with_its_values_replaced() -> None:
-    table = {"material.yield_stress": ["5 kPa", 6e3], "filament.span": ["25 cm", 0.3], "ends.right": ["pinned"] * 2}
-    asked = [
-        {"material.yield_stress": f"{k} kPa", "filament.span": f"{s} m", "ends.right": "pinned"}
-        for k, s in ((5, 0.25), (6, 0.3))
-    ]
-    assert [member.scene for member in members_of(SCENE, rows_of(table), "once")] == [
-        SCENE.replace(changes) for changes in asked
-    ]
-
-
 def test_faults_name_row_and_key_and_those_that_rows_share_are_listed_once() -> None:
     message = fault_of([{"material.yield_stress": value} for value in (5e3, -1.0, "5 kg", 4e3, float("inf"))])
     assert "3 faults" in message
@@ -212,13 +158,6 @@ def test_once_chooses_for_the_base_and_anew_only_where_equations_differ() -> Non
     assert len({member.pattern for member in members}) == 3
 
 
-def test_tolerances_are_those_of_a_single_run() -> None:
-    for name in ("no-yield", "cold-honey", "glass-rod", "ink-bridge", "printed-lintel", "slack-taffy", "coil-spring"):
-        scene = sc.load_scene(name, {"run.frames": 41})
-        member = members_of(scene, [{"title": name}], "each")[0]
-        assert tolerances(member) == settings_for(scene, member.effects, compiled=member.backend.compiled), name
-
-
 def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
     listener = Listener()
     single = sc.simulate_many(SCENE, TABLE, workers=1)
@@ -239,32 +178,6 @@ def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
     assert listener.updates[-1][2] == 0.0 < listener.updates[0][2]
 
 
-@pytest.mark.slow
-def test_other_grids_starts_laws_and_durations_in_one_table() -> None:
-    changes = {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.2 s", "numerics.estimate": False}
-    scene = sc.load_scene("slack-taffy", changes)
-    span = scene.filament.span
-    rows: list[Row] = [
-        {"filament.span": span, "numerics.cells": 6, "run.duration": 0.1},
-        {"filament.span": 0.98 * span, "numerics.cells": 6, "run.duration": 0.2},
-        {"filament.span": span, "numerics.cells": 8, "run.duration": "50 ms"},
-    ]
-    ensemble = sc.simulate_many(scene, rows)
-    same_as_single_runs(ensemble)
-    assert ensemble.data.time.attrs["units"] == "1"
-    assert ensemble.data.duration.values.tolist() == [0.1, 0.2, 0.05]
-    assert ensemble.data["run.duration"].values.tolist() == [0.1, 0.2, 0.05]
-    laws: list[Row] = [
-        {"material.law": "bingham", "material.yield_stress": 4e3},
-        {"material.law": "maxwell", "material.yield_stress": None},
-    ]
-    ensemble = sc.simulate_many(SCENE, laws)
-    same_as_single_runs(ensemble)
-    assert ensemble.data["material.law"].values.tolist() == ["bingham", "maxwell"]
-    np.testing.assert_array_equal(ensemble.data["material.yield_stress"].values, [4e3, np.nan])
-    assert ensemble.data.time.attrs["units"] == "s"
-
-
 def test_rows_of_other_kinds_of_filament() -> None:
     """A shearing whole span with effects for each row, equilibria, a string without a start."""
     brief = {"numerics.cells": 6, "run.frames": 4, "numerics.estimate": False}
@@ -274,13 +187,6 @@ def test_rows_of_other_kinds_of_filament() -> None:
     same_as_single_runs(sc.simulate_many(resting, {"load.ramp": [1.0, 0.5]}))
     string = sc.load_scene("no-yield", brief | {"run.effects": ["extensibility"]}).replace({"load.ramp": "0 s"})
     same_as_single_runs(sc.simulate_many(string, {"load.gravity": [9.81, 0.0]}))
-
-
-def test_without_a_compiler_members_run_one_by_one() -> None:
-    scene = SCENE.replace({"numerics.backend": "interpreted", "run.duration": "0.1 s"})
-    ensemble = sc.simulate_many(scene, {"groups.G": [0.5, 0.4]}, workers=2)
-    assert ensemble.data.attrs["workers"] == "1" and ensemble.data.attrs["backend"].startswith("interpreted")
-    same_as_single_runs(ensemble)
 
 
 def test_failures_are_rows_and_the_others_continue(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -312,21 +218,3 @@ def test_refusals_come_before_any_run(monkeypatch: pytest.MonkeyPatch) -> None:
     elastic = SCENE.replace({"run.effects": ["bending", "extensibility"], "material.law": "elastic"} | no_flow)
     with pytest.raises(SceneError, match=r"row 1: numerics.backend: 'compiled', but without inertia"):
         sc.simulate_many(elastic, {"numerics.backend": ["auto", "compiled"]})
-
-
-def test_ctrl_c_between_members_and_within_one() -> None:
-    before = threading.active_count()
-    listener = Listener(lambda: os.kill(os.getpid(), signal.SIGINT))
-    sc.simulate_many(LONG, {"run.duration": ["1 ms"]})
-    press = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
-    for durations, progress_listener in ((["1 ms", *["1000 s"] * 20], listener), (["1000 s"] * 20, None)):
-        if progress_listener is None:
-            press.start()
-        begun = time.monotonic()
-        with pytest.raises(KeyboardInterrupt):
-            sc.simulate_many(LONG, {"run.duration": durations}, workers=2, progress=progress_listener)
-        assert time.monotonic() - begun < 60, "all of them would take some ten minutes"
-    press.join()
-    assert threading.active_count() == before
-    # And the next one runs as if nothing had been.
-    assert sc.simulate_many(LONG, {"run.duration": ["1 ms"] * 3}).outcomes == (sc.Outcome.solved,) * 3

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
-from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 
@@ -14,10 +12,9 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.design.critical_span import critical_span, polished
-from softcat_sym.design.experiment import Experiment, design_experiment, least_in_box
-from softcat_sym.design.information import ReadingNoise, exact_film, films_of, relative_errors
-from softcat_sym.estimates.span import Limit
+from softcat_sym.design.critical_span import critical_span
+from softcat_sym.design.experiment import design_experiment
+from softcat_sym.design.information import ReadingNoise, exact_film, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from tests.common.in_process import Softcat, sets
 
@@ -110,27 +107,6 @@ def test_equilibria_have_no_forward_model() -> None:
 
 
 @pytest.mark.slow
-def test_the_gradient_agrees_with_finite_differences() -> None:
-    """A Maxwell filament that rings: critical spans of scenes with another viscosity, everything chosen anew."""
-    scene = sc.load_scene("maxwell-fast", {"run.effects": "paper", "groups.duration": 4, "numerics.cells": 16})
-    within = ("0.2 m", "0.5 m")
-    found = critical_span(scene, 0.03, within=within)
-    step, viscosity = 0.02, scene.material.viscosity
-    assert viscosity is not None
-    spans = [
-        critical_span(
-            scene.replace({"material.viscosity": f"{viscosity * math.exp(sign * step)!r} Pa*s"}), 0.03, within=within
-        ).span
-        for sign in (-1, 1)
-    ]
-    slope = math.log(spans[1] / spans[0]) / (2 * step)
-    assert found.gradient["material.viscosity"] == pytest.approx(slope, abs=2e-3)
-    # Only these have mass in their dimension: scaled alike, nothing moves.
-    massive = ("material.viscosity", "material.youngs_modulus", "filament.density")
-    assert sum(found.gradient[path] for path in massive) == pytest.approx(0.0, abs=1e-4)
-
-
-@pytest.mark.slow
 def test_a_yield_stress_string_is_arrested() -> None:
     """A stiff string stops as a catenary whose largest stress is the yield stress: G cosh u = 2 u [3.13, exact]."""
     scene = sc.load_scene("arrested-overdamped", {"groups.delta": 0.005, "groups.eps_Y": 2e-4})
@@ -161,27 +137,6 @@ def test_critical_spans_that_are_refused() -> None:
         critical_span(beam, "1 m", within=("20 mm", "40 mm"))
 
 
-@dataclass
-class _Scattered:
-    """Sag L^2 with one slope that is wild at one span only."""
-
-    wild: float
-
-    def sag(self, span: float) -> float:
-        return span**2
-
-    def slopes(self, span: float) -> tuple[float, dict[str, float]]:
-        return 2.0, {"p": 40.0 if abs(span - self.wild) < 1e-4 * span else -1.0}
-
-
-def test_a_wild_slope_is_outvoted() -> None:
-    """At a fibre that yields just then differences are no derivatives: the median of the neighbours is taken."""
-    root = polished(_Scattered(2.0), Limit(4.0, of_span=False), 2.001)
-    assert root.span == pytest.approx(2.0, rel=1e-9)
-    assert root.gradient == pytest.approx({"p": 0.5})
-    assert polished(_Scattered(9.0), Limit(0.5, of_span=True), 0.5).gradient == pytest.approx({"p": 1.0})
-
-
 _NOISE = 1e-5
 
 
@@ -201,18 +156,6 @@ def test_errors_go_as_noise_and_as_the_root_of_frames() -> None:
     few, many, noisy = (_errors(scene, both, n, s) for n, s in ((201, _NOISE), (801, _NOISE), (201, 2 * _NOISE)))
     assert few / many == pytest.approx(2.0, rel=0.02)
     assert noisy / few == pytest.approx(2.0, rel=1e-9)
-
-
-def test_one_run_serves_all_its_films() -> None:
-    """The integral over time agrees with the frames themselves, at every duration."""
-    scene = _maxwell()
-    free = free_parameters(scene, ["youngs_modulus", "viscosity"])
-    films = films_of(scene, free, 0.1, scene.run.duration)
-    for number in (0, 150, 400, -1):
-        short = scene.replace({"run.duration": f"{float(films.durations[number])!r} s"})
-        by_frames = _errors(short, ["youngs_modulus", "viscosity"], 501)
-        information = films.information(np.full(len(films.durations), 501.0), _NOISE)[number]
-        assert relative_errors(information, free) == pytest.approx(by_frames, rel=0.03)
 
 
 @pytest.mark.slow
@@ -267,28 +210,6 @@ def test_the_optimum_beats_a_grid() -> None:
     assert "Film a span of 300 mm" in found.text[0]
 
 
-def _filmed(**changes: object) -> Experiment:
-    scene = _maxwell()
-    asked: dict[str, object] = {"duration": ("0.2 s", "0.8 s"), "frame_rate": ("10 Hz", "200 Hz")}
-    return design_experiment(scene, ["viscosity"], _NOISE, asked, **changes)  # type: ignore[arg-type]
-
-
-@pytest.mark.slow
-def test_nuisance_costs_and_roughness_is_the_worst_corner() -> None:
-    """An unknown more makes every error larger; corners make the worst larger; the camera's highest rate is taken."""
-    plain = _filmed()
-    assert plain.best == _filmed().best
-    assert plain.best.frame_rate == pytest.approx(200, rel=0.01)
-    assert plain.at_bounds.keys() >= {"frame_rate"}
-    more = _filmed(nuisance=["time_offset", "initial_sag"])
-    assert more.best.worst > plain.best.worst
-    assert more.counted == ("material.viscosity",)
-    assert more.best.worst == more.best.errors["material.viscosity"]
-    corners = _filmed(rough=3.0)
-    assert corners.best.worst > plain.best.worst
-    assert any("factor of 3" in sentence for sentence in corners.text)
-
-
 def test_what_cannot_be_told_apart_is_named() -> None:
     """Modulus, viscosity and density all scaled alike move nothing: only their ratios show."""
     scene = _maxwell()
@@ -313,21 +234,6 @@ def test_refusals() -> None:
         design_experiment(scene, [], "1 um", {})
 
 
-def test_the_search_finds_a_minimum_behind_a_jump() -> None:
-    """A tilted quadratic with a step and a forbidden corner, to the fineness that is promised; bounds are reached."""
-
-    def value(point: tuple[float, ...]) -> float:
-        x, y = point
-        if x + y > 3:
-            return math.inf
-        return (x - 0.7) ** 2 + (x - 0.7) * (y - 1.1) + (y - 1.1) ** 2 + (1.0 if x < 0.2 else 0.0)
-
-    best = least_in_box(value, np.array([0.0, 0.0]), np.array([2.0, 2.0]), 200)
-    assert best == pytest.approx((0.7, 1.1), abs=0.05)
-    assert least_in_box(lambda point: point[0], np.array([1.0]), np.array([3.0]), 60) == (1.0,)
-    assert least_in_box(lambda point: math.inf, np.array([1.0]), np.array([3.0]), 60) is None
-
-
 def test_errors_of_a_known_information() -> None:
     """The inverse where there is one; infinite for what takes part in a direction that is not seen."""
     free = free_parameters(_maxwell(), ["youngs_modulus", "viscosity"])
@@ -341,24 +247,6 @@ def test_errors_of_a_known_information() -> None:
 SCENE = ("maxwell-fast", *sets("run.effects=paper", "groups.duration=6", "numerics.cells=10"))
 FILM = ("--free", "viscosity", "--noise", "10 um", "--duration", "0.2:0.8 s", "--frame-rate", "10:200 Hz")
 FILES = {"experiment.json", "scene.toml", "experiment.csv", "experiment.png"}
-
-
-def test_files_and_what_is_said(softcat: Softcat, tmp_path: Path) -> None:
-    (tmp_path / "critical_span.png").write_bytes(b"of an earlier design")
-    done = softcat("experiment", *SCENE, *FILM, "-o", str(tmp_path))
-    assert done.status == 0, done.err
-    assert {path.name for path in tmp_path.iterdir()} == FILES
-    found = json.loads((tmp_path / "experiment.json").read_text())
-    best = found["best"]
-    assert found["text"][0] in done.out and "Film a span of 200 mm" in done.out
-    assert best["worst"] == best["errors"]["material.viscosity"]
-    assert found["gain"] == pytest.approx(found["as_given"]["worst"] / best["worst"])
-    scene = sc.load_scene(str(tmp_path / "scene.toml"))
-    assert (scene.run.duration, scene.run.frames) == (pytest.approx(best["duration_s"]), best["frames"])
-    rows = list(csv.DictReader((tmp_path / "experiment.csv").read_text().splitlines()))
-    assert float(rows[0]["worst"]) == best["worst"]
-    # The sag that is told is that of a run.
-    assert best["sag_m"] == pytest.approx(float(abs(sc.simulate(scene).data.midpoint.values).max()), rel=0.01)
 
 
 @pytest.mark.slow

@@ -5,9 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import re
-import sys
 from collections.abc import Callable
-from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
 
@@ -23,15 +21,13 @@ from softcat_sym.plotting import animation
 from softcat_sym.plotting.animation import Animation, film_order, moments_of, write_film
 from softcat_sym.plotting.gallery import contact_sheet
 from softcat_sym.plotting.section import Floats
-from softcat_sym.plotting.style import first_frames, new_figure, png
+from softcat_sym.plotting.style import new_figure, png
 from softcat_sym.results.run import Run
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from tests.common.catenary import descent, make_run, make_scene, scene, summary
 from tests.common.in_process import Softcat
 
 __all__ = ["descent", "make_run", "make_scene", "scene", "summary"]
-
-KINDS = ["gif", pytest.param("mp4", marks=pytest.mark.skipif(find_spec("av") is None, reason="needs PyAV"))]
 
 
 def pulled(scene, stretch: float, stress: float = 5e3) -> dict[str, Floats]:
@@ -107,35 +103,6 @@ def test_pictures_stand_at_equal_times_between_frames_and_leave_no_trace(descent
         assert differs[len(differs) // 3 : 2 * len(differs) // 3].mean() > 0.02, "every moment is stamped"
 
 
-def test_the_curve_has_every_frame_of_the_run_and_a_film_that_cannot_show_the_ringing_says_so(
-    descent, summary, scene, make_run
-):
-    """Twenty pictures of a run that rings 108 times: the curve is the run's, not the pictures'."""
-    times = np.linspace(0, 2, 2001)
-    run = make_run(scene, 0.02 - 0.01 * np.cos(2 * np.pi * 53.75 * times), times, cells=20)
-    animation = Animation(run, summary | {"frames_a_period": 1000 / 53.75}, scene, 20, width=640)
-    (panel,) = (axes for axes in animation.figure.axes if axes.get_ylabel().startswith("midpoint"))
-    np.testing.assert_allclose(np.interp(times, *panel.lines[0].get_data()), 1e3 * run["midpoint"])
-    animation.picture(10)
-    past = animation._past.get_xdata()
-    assert len(past) > 1000 and past[-1] == pytest.approx(animation.times[10])
-    for per_period, moments, text in (
-        (1000 / 53.75, 100, "rings at 53.8 Hz: pictures 20.2 ms apart do not show that, the curve does; a film 4.3"),
-        (1000 / 53.75, 500, ""),
-        (3.0, 100, "rings at 333 Hz: the 2001 frames of the run are too few"),
-        (None, 100, ""),
-    ):
-        animation = Animation(run, summary | {"frames_a_period": per_period}, scene, moments, width=640)
-        assert text in animation.note and bool(text) == bool(animation.note)
-        assert not text or animation.note in [shown.get_text() for shown in animation.figure.texts]
-    flat = Animation(make_run(scene, 1e-4 * times[::200], times[::200]), summary, scene, 3)
-    assert "(sag × 100, thickness × 2)" in flat.axes.get_xlabel()
-    assert "scale" not in Animation(descent, summary, scene, 3).axes.get_xlabel()
-    runaway = make_run(scene, 0.01 + 4.905 * np.maximum(times - 0.5, 0.0) ** 2, times, cells=40)
-    short = Animation(runaway, summary | {"outcome": "localised"}, scene, 5, width=640)
-    assert short.times[-1] < 0.8 and short.axes.get_ylim()[0] > -300
-
-
 @pytest.mark.slow
 def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, make_run, make_scene, tmp_path):
     steps: list[str] = []
@@ -158,32 +125,6 @@ def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, make_ru
     run = make_run(plain, np.array([0.02]), np.array([0.0]))
     path, _ = write_film(film_order("gif", 0.5), tmp_path, (run, summary, plain), width=320)
     assert Image.open(BytesIO(path.read_bytes())).format == "GIF"
-
-
-def test_an_mp4_holds_every_picture(descent, summary, scene, tmp_path):
-    av = pytest.importorskip("av")
-    path, _ = write_film(film_order("mp4", 1.0), tmp_path, (descent, summary, scene), width=320)
-    with av.open(str(path)) as film:
-        assert film.streams.video[0].average_rate == 25
-        pictures = [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
-    animation = Animation(descent, summary, scene, 25, width=320)
-    assert len(pictures) == 25
-    for number in (0, 12, 24):
-        assert np.abs(pictures[number].astype(int) - animation.picture(number)).mean() < 4
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_interrupted_it_leaves_the_old_film_and_nothing_else(descent, summary, scene, tmp_path, kind):
-    order = film_order(kind, 1.0)
-    (tmp_path / order.name).write_bytes(b"old")
-
-    def stop(what: str) -> None:
-        if "picture 3 " in what:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        write_film(order, tmp_path, (first_frames(descent, 50), summary, scene), stop, width=320)
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(order.name, b"old")]
 
 
 def test_what_is_no_film_is_refused(monkeypatch):
@@ -335,19 +276,3 @@ def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> N
     assert np.array_equal(imread(output / "gallery.png")[..., :3], np.concatenate(tiles, axis=1))
     high, wide, _ = imread(BytesIO(contact_sheet([png(new_figure(0.2, 0.1))] * 7, columns=3)), format="png").shape
     assert (high, wide) == (3 * 15, 3 * 30)
-
-
-def test_finished_scenes_are_not_run_again_and_faults_write_nothing(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    command = ("scenes", "-o", str(tmp_path), "--only", "cold-honey", *QUICK)
-    assert softcat(*command).status == 0
-    first = (tmp_path / "gallery.json").read_text()
-    with monkeypatch.context() as patch:
-        patch.setattr(sys.modules["softcat_sym.simulate"], "simulated", None)
-        assert softcat(*command).status == 0
-    assert (tmp_path / "gallery.json").read_text() == first
-    for arguments in (("--only", "cold-hony"), ("--set", "filament.spam=1 m")):
-        done = softcat("scenes", "-o", str(tmp_path / "out"), *arguments)
-        assert done.status == 2 and done.err and not (tmp_path / "out").exists()
-    assert softcat("scenes", "--set", "run.frames=5").status == 2

@@ -15,8 +15,6 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.fitting import fit as filament_fit
-from softcat_sym.fitting.result import FitOutcome
 from tests.common.filmed import CHEAP, TRUTH, write_film
 from tests.common.in_process import Softcat, sets
 
@@ -60,68 +58,6 @@ def test_files_table_and_page(softcat: Softcat, tmp_path: Path) -> None:
     assert "film & co.csv" in words and "--free yield_stress" in words and "identified" in words
     # The page repeats what the terminal says.
     assert all(cell in words for cell in re.findall(r"[\d.]+ ± [\d.]+", done.out))
-
-
-def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Softcat, tmp_path: Path) -> None:
-    film = write_film(tmp_path / "film.csv", std=True)
-    (tmp_path / "out").mkdir()
-    for name in ("profiles.png", "starts.png", "features_2.png", "mine.png"):
-        (tmp_path / "out" / name).write_bytes(b"old")
-    words = (
-        "--starts",
-        "0",
-        "--no-profile-likelihood",
-        "-q",
-        "--bounds",
-        "viscosity=5:50 kPa*s",
-        "--loss",
-        "soft-l1",
-        "--method",
-        "ipopt",
-    )
-    done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
-    assert (done.status, done.out, done.err) == (0, "", "")
-    left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png"}
-    found = json.loads((tmp_path / "out" / "fit.json").read_text())
-    assert found["profiles"] == {} and found["noise_known"] is True
-    assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([5e3, 50e3])
-
-
-@pytest.mark.slow
-def test_a_fit_that_does_not_converge_is_not_trusted(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    outcome = FitOutcome.not_converged
-    monkeypatch.setattr(filament_fit, "_outcome", lambda *_, **__: outcome)
-    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    words = (
-        "fit",
-        str(film),
-        *SCENE,
-        "--free",
-        "viscosity",
-        "-o",
-        str(output),
-        "--starts",
-        "0",
-        "--no-profile-likelihood",
-    )
-    done = softcat(*words, "-q")
-    assert done.status == 1 and "not converged" in done.err
-    assert json.loads((output / "fit.json").read_text())["outcome"] == "not converged"
-    assert softcat(*words).status == 1
-
-
-def test_an_interrupted_fit_writes_nothing(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def stopped(*_: object, **__: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(filament_fit, "multi_start", stopped)
-    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
-    assert done.status == 130 and "the same command resumes" in done.err
-    assert not output.exists()
 
 
 # What is wrong with films and with names stands in test_measurements.py and test_free_parameters.py.
@@ -168,14 +104,6 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     assert not output.exists()
 
 
-def test_a_file_where_the_folder_should_be_is_refused_before_the_fit(softcat: Softcat, tmp_path: Path) -> None:
-    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    output.write_text("mine")
-    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
-    assert done.status == 2 and "is not a directory" in done.err
-    assert output.read_text() == "mine"
-
-
 OF_LAWS = ("--scene", "continual-descent", *sets(*CHEAP))
 QUICK = ("--starts", "0", "--no-profile-likelihood")
 
@@ -213,17 +141,3 @@ def test_several_laws_are_ranked_and_the_best_is_the_fit(softcat: Softcat, tmp_p
     page = (output / "fit.html").read_text(encoding="utf-8")
     assert "Which law" in page and "The films speak for bingham." in page and 'id="laws"' in page
     assert (output / "laws.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_one_law_is_one_fit_of_all_its_constants(softcat: Softcat, tmp_path: Path) -> None:
-    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    output.mkdir()
-    for name in ("laws.png", "laws.csv"):
-        (output / name).write_bytes(b"of an earlier comparison")
-    words = ("--law", "newtonian", "--free", "time_offset", "--bounds", "viscosity=1:1e3 kPa*s", *QUICK, "-q")
-    done = softcat("fit", str(film), *OF_LAWS, *words, "-o", str(output))
-    assert (done.status, done.out, done.err) == (0, "", "")
-    found = json.loads((output / "fit.json").read_text())
-    assert [*found["parameters"]] == ["viscosity", "time_offset"] and "laws" not in found
-    assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([1e3, 1e6])
-    assert not {"laws.png", "laws.csv"} & {path.name for path in output.iterdir()}

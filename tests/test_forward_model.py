@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import _thread
 import math
-import threading
-import time
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -19,7 +15,6 @@ from softcat_sym.scene.reading import load_scene
 from tests.marks import few
 
 BACKENDS = ("compiled", "interpreted")
-PAPER = {"run.effects": "paper", "numerics.cells": 8}
 
 
 @lru_cache(maxsize=32)
@@ -120,102 +115,6 @@ def test_clock_and_zero_of_the_camera(backend: str) -> None:
     np.testing.assert_array_equal(model.with_derivatives(early)[0], 0.0)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_only_the_camera_is_free(backend: str) -> None:
-    model = _model(_scene("continual-descent"), "time_offset", backend=backend)
-    midpoint, derivatives = model.with_derivatives(model.typical)
-    assert derivatives.shape == (len(midpoint), 1)
-    assert np.isfinite(derivatives).all()
-
-
-def test_absurd_values_have_no_answer() -> None:
-    """A thousandth of the viscosity: it falls into thin air, NaN after that, soon; the next values are answered."""
-    model = _model(_scene("continual-descent"), "viscosity")
-    sound = model.midpoints(np.zeros(1))
-    begun = time.process_time()
-    midpoint, derivatives = model.with_derivatives(np.array([-6.5]))
-    assert time.process_time() - begun < 25
-    assert "steps" in model.message
-    assert np.isfinite(midpoint[1])
-    assert np.isfinite(derivatives[1]).all()
-    assert np.isnan(midpoint[-1])
-    assert np.isnan(derivatives[-1]).all()
-    np.testing.assert_array_equal(model.midpoints(np.zeros(1)), sound)
-    assert not model.message
-
-
-@pytest.mark.slow
-def test_neighbours_that_are_lost_are_found_again() -> None:
-    """So loosely that a neighbour in lock-step falls apart where the run does not."""
-    scene = sc.load_scene("arrested-underdamped", {"numerics.cells": 16})
-    model = _model(scene, "viscosity", "yield_stress", times=np.linspace(0, 0.5, 9) * scene.run.duration, rtol=1e-4)
-    midpoint = model.midpoints(np.zeros(2))
-    again, derivatives = model.with_derivatives(np.zeros(2))
-    assert not model.message
-    assert np.isfinite(derivatives).all()
-    np.testing.assert_allclose(again, midpoint, atol=1e-3 * np.max(np.abs(midpoint)))
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_what_fails_is_no_number(backend: str, capfd: pytest.CaptureFixture[str]) -> None:
-    """Whichever solver gives up, and none writes to the terminal."""
-    model = _model(_scene("continual-descent"), "viscosity", backend=backend)
-    model.__dict__["_max_steps"] = 10
-    midpoint, derivatives = model.with_derivatives(np.zeros(1))
-    assert model.message
-    assert np.isnan(midpoint[-1])
-    assert np.isnan(derivatives[-1]).all()
-    point = model._filament.point(np.zeros(1), slopes=True)
-    assert point is not None
-    lost = replace(point, parameters=point.parameters * math.nan)
-    assert model._filament.integrator.run_with_slopes(lost, np.array([1.0]), (0,), 1000).message
-    assert capfd.readouterr() == ("", "")
-
-
-def test_a_filament_that_would_be_slack_has_no_answer() -> None:
-    """Bounds keep it from there; beyond them it is no error either."""
-    scene = _scene("stretched-rubber-band", "inertia", "bending", "extensibility", "finite-stretch", "large-rotation")
-    model = _model(scene, "stretch")
-    assert np.isfinite(model.midpoints(np.array([0.0]))).all()
-    below = model.free[0].scaled(0.9)
-    assert below < model.lower[0]
-    assert np.isnan(model.midpoints(np.array([below]))).all()
-    assert "slack" in model.message
-
-
-def test_what_does_nothing_is_refused() -> None:
-    """Without shear nothing asks for Poisson's ratio."""
-    with pytest.raises(sc.SceneError, match="free poisson: makes no difference with the effects in force") as error:
-        _model(_scene("continual-descent"), "poisson", "viscosity")
-    assert len(error.value.faults) == 1
-
-
-def test_no_motion_is_refused() -> None:
-    names = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "gravity-ramp"]
-    with pytest.raises(sc.SceneError, match="the motion does not depend on time"):
-        _model(_scene("no-yield", *names), "youngs_modulus")
-
-
-@pytest.mark.parametrize("times", [np.array([0.0, np.nan]), np.zeros((2, 2))])
-def test_times_that_are_none(times: np.ndarray) -> None:
-    with pytest.raises(sc.SoftcatError, match="times"):
-        _model(_scene("continual-descent"), "viscosity", times=times)
-
-
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_ctrl_c_is_heard(backend: str) -> None:
-    """While it integrates, tightly and for long."""
-    scene = sc.load_scene("arrested-underdamped", {"run.effects": "paper", "numerics.cells": 60})
-    model = _model(scene, "youngs_modulus", backend=backend, times=np.linspace(0, 20, 5), rtol=1e-10)
-    model.__dict__["_max_steps"] = 1_000_000
-    timer = threading.Timer(0.5, _thread.interrupt_main)
-    timer.start()
-    begun = time.process_time()
-    with pytest.raises(KeyboardInterrupt):
-        model.with_derivatives(model.typical)
-    assert time.process_time() - begun < 50
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["continual-descent", "slime-slope"])
 def test_shapes(name: str) -> None:
@@ -260,16 +159,3 @@ def test_derivatives_are_those_of_wide_differences() -> None:
     found = model.with_derivatives(q)[1]
     wide = [(model.midpoints(q + h) - model.midpoints(q - h)) / (2 * step) for h in step * np.eye(len(_FREE))]
     np.testing.assert_allclose(found, np.stack(wide, axis=1), rtol=0.02, atol=0.01 * float(np.max(np.abs(wide))))
-
-
-def test_an_unknown_that_hardly_moves_the_filament_has_its_derivative() -> None:
-    """The modulus of a filament that flows, at a loose tolerance, against wide differences at a tight one."""
-    scene = load_scene("continual-descent", {"numerics.cells": 20})
-    times = np.linspace(0.0, scene.run.duration, 101)[1:]
-    free = free_parameters(scene, ("youngs_modulus",))
-    loose, tight = (ForwardModel(scene, free, times, rtol=rtol) for rtol in (1e-3, 1e-5))
-    assert "fibres" in loose.effects
-    q, step = loose.typical, 0.2
-    wide = (tight.midpoints(q + step) - tight.midpoints(q - step)) / (2 * step)
-    found = loose.with_derivatives(q)[1][:, 0]
-    assert np.linalg.norm(found - wide) < 0.1 * np.linalg.norm(wide)

@@ -83,37 +83,6 @@ def _same(one: object, other: object) -> bool:
     return one == other
 
 
-def test_an_index_takes_shear_data_with_it() -> None:
-    """K = 3^((n+1)/2) k, whichever of the two is free."""
-    scene = sc.load_scene(
-        "toothpaste",
-        {
-            "material.viscosity": None,
-            "material.yield_stress": None,
-            "material.shear_consistency": "50 Pa*s^0.5",
-            "material.shear_yield_stress": "100 Pa",
-            "material.index": 0.5,
-        },
-    )
-    free = free_parameters(scene, ["index", "shear_consistency", "shear_yield_stress"])
-    assert [one.typical for one in free] == pytest.approx([0.5, 50.0, 100.0])
-    changed = with_values(scene, free, [0.4, 60.0, 110.0])
-    assert changed.material.viscosity == pytest.approx(3**0.7 * 60.0, rel=1e-14)
-    assert changed.material.yield_stress == pytest.approx(math.sqrt(3) * 110.0, rel=1e-14)
-    only_index = with_values(scene, free[:1], [0.4])
-    assert only_index.material.viscosity == pytest.approx(3**0.7 * 50.0, rel=1e-14)
-    assert sc.Scene.model_validate(changed.given()) == changed
-
-
-def test_shear_viscosity_is_a_third() -> None:
-    scene = sc.load_scene("continual-descent")
-    (free,) = free_parameters(scene, ["shear_viscosity"])
-    assert free.typical == pytest.approx(scene.material.viscosity / 3, rel=1e-14)
-    changed = with_values(scene, [free], [1000.0])
-    assert changed.material.viscosity == pytest.approx(3000.0, rel=1e-14)
-    assert changed.replace({}) == changed
-
-
 @pytest.mark.parametrize(
     ("scene", "names", "said"),
     [
@@ -137,24 +106,6 @@ def test_what_cannot_be_free_is_said(scene: str, names: list[str], said: str) ->
         free_parameters(sc.load_scene(scene), names)
     assert said in str(error.value)
     assert len(error.value.faults) == 1
-
-
-@pytest.mark.parametrize(
-    ("bounds", "said"),
-    [
-        ({"viscosity": ("1 kPa", "1 MPa*s")}, "not in Pa*s"),
-        ({"viscosity": (2e4, 1e4)}, "not below"),
-        ({"viscosity": (0.0, 1e5)}, "is positive"),
-        ({"viscosity": (1.0, 2.0)}, "does not hold the scene's own"),
-        ({"viscosity": (float("nan"), 2.0)}, "not finite"),
-        ({"density": (1.0, 2.0)}, "not free"),
-        ({"thickness": ("1 mm", "30 cm")}, "within"),
-    ],
-)
-def test_bounds_that_make_no_sense_are_said(bounds: dict[str, tuple[object, object]], said: str) -> None:
-    with pytest.raises(sc.SceneError, match=r"bounds of") as error:
-        free_parameters(sc.load_scene("continual-descent"), ["viscosity", "thickness"], bounds)
-    assert said in str(error.value)
 
 
 def test_bounds_are_read_with_units() -> None:

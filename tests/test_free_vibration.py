@@ -141,17 +141,6 @@ def test_of_a_sheet_it_is_the_loss_tangent_of_its_fibres() -> None:
     assert solid_retardation(scene) == pytest.approx(ratio)
 
 
-def test_what_has_no_spring_has_none() -> None:
-    material = {"law": "newtonian", "viscosity": "1 Pa*s"}
-    assert first_vibration(Scene.model_validate({**strand().given(), "material": material})) is None
-
-
-def test_bent_and_pulled_it_is_between_beam_and_string() -> None:
-    both = [frequency(strand("1 mm", "45 kPa", load__gravity="0 m/s^2", filament__rest_length=f"{length} mm"))
-            for length in (20, 19.9, 19, 15)]  # fmt: skip
-    assert np.all(np.diff(both) > 0)
-
-
 PINNED = {"ends__left": "pinned", "ends__right": "pinned"}
 STILL = {"load__gravity": "0 m/s^2"}
 # Thin and stiff: it neither bends nor stretches by as much as is compared.
@@ -189,17 +178,6 @@ def test_what_hangs_by_one_end_swings_or_stretches_as_its_weight_moves_it() -> N
     # It need not hang: at once its weight takes it far from where it begins, and it swings as a chain about its rest.
     soft = strand("0.01 mm", "45 MPa", filament__span="1 m", **clamp)
     assert frequency(soft) == pytest.approx(first_zero / 2 * math.sqrt(GRAVITY), rel=0.03)
-
-
-def test_a_mass_at_the_tip_counts() -> None:
-    """Equal to that of the beam: 1 + cos b cosh b + b (cos b sinh b - sin b cosh b) = 0."""
-    b = brentq(lambda b: 1 + math.cos(b) * math.cosh(b) + b * (math.cos(b) * math.sinh(b) - math.sin(b) * math.cosh(b)),
-               1, 1.8)  # fmt: skip
-    mass = 1050 * math.pi * 1e-6 / 4 * 0.02
-    scene = strand(load__tip_mass=f"{mass} kg", ends__right="free", **STILL).replace({"filament.thickness": "1 mm"})
-    slow = math.sqrt(45e9 * 1e-6 / 16 / 1050) * (b / 0.02) ** 2
-    # In space it shears, by some thousandths of its deflection.
-    assert frequency(scene) == pytest.approx(slow, rel=5e-3)
 
 
 def test_thrust_softens_a_beam_until_it_buckles_and_a_buckled_one_is_stiff_again() -> None:
@@ -253,9 +231,3 @@ def test_a_surface_stronger_than_its_spring_leaves_no_shape_to_vibrate_about() -
     assert ringing(scene).frequency == math.inf
     with pytest.raises(sc.SceneError, match=r"material\.loss_tangent: 0\.1, but no stable elastic shape"):
         solid_viscosity(scene)
-
-
-def test_without_bending_it_is_a_chain() -> None:
-    chain = {"filament__rest_length": "30 mm", "run__effects": ["inertia", "extensibility", "large-rotation"]}
-    scene = strand("1 mm", "45 GPa", **chain)
-    assert frequency(scene) == pytest.approx(links(0.03, 0.02), rel=2e-3)

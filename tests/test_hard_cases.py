@@ -12,7 +12,6 @@ from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import undeformed_area
-from softcat_sym.simulate import without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from tests.common.hard_cases import CASES, Case, asked
@@ -168,24 +167,6 @@ SCENES = {
 }
 
 
-@pytest.mark.slow
-def test_left_is_right_of_a_slack_filament() -> None:
-    """A support that moves by nothing takes the symmetry from the solver, but not from the answer; others: beams."""
-    half = without_estimate(SCENES["slack"])
-    effects = list(sc.simulate(half).summary["effects"])
-    half = half.replace({"run.effects": effects})
-    whole = half.replace({"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0 m", "0 m"]]})
-    one, two = sc.simulate(half), sc.simulate(whole)
-    assert one.outcome.is_success
-    assert two.outcome.is_success
-    y, x = np.asarray(two.data["y"]), np.asarray(two.data["x"])
-    deep = np.max(np.abs(y))
-    lopsided = max(np.max(np.abs(y - y[:, ::-1])), np.max(np.abs(x + x[:, ::-1])))
-    apart = np.max(np.abs(np.asarray(one.data["midpoint"] - two.data["midpoint"])))
-    assert lopsided < 1e-7 * deep
-    assert apart < 1e-5 * deep
-
-
 @pytest.mark.parametrize("name", ["maxwell", pytest.param("bingham", marks=pytest.mark.slow), "slack"])
 def test_every_cell_dissipates_at_every_moment(name: str) -> None:
     """The power that flow takes, cell by cell and not only in all, is never negative."""
@@ -204,52 +185,3 @@ def test_every_cell_dissipates_at_every_moment(name: str) -> None:
     assert cells.size >= 10 * 20
     assert cells.max() > 0
     assert cells.min() >= 0
-
-
-_HELD = {
-    "model": "filament",
-    "filament": {
-        "span": "1.11190141824571 mm",
-        "thickness": "28.079849475522107 um",
-        "section": "rectangle",
-        "density": "1078.8636207580566 kg/m^3",
-    },
-    "material": {
-        "law": "herschel-bulkley",
-        "youngs_modulus": "12.13043358084902 Pa",
-        "yield_stress": "58.35638266760707 Pa",
-        "viscosity": "6.521413200232844 Pa*s**0.5526208877563477",
-        "index": 0.5526208877563477,
-        "poisson": 0.41681327819824215,
-    },
-    "ends": {"left": "pinned", "right": "pinned", "drop": "-0.26118214130795454 mm"},
-    "load": {"gravity": "1.0030146277762089 m/s^2", "point_mass": "4.627682334030259e-10 kg"},
-    "initial": {"C": [-0.002525351667895527, -0.0025003043102372973, -0.002496007725039001, -0.002524797735947316]},
-    "run": {"duration": "33.79127320727897 ms", "frames": 7, "accuracy": 0.03},
-    "numerics": {"backend": "interpreted", "estimate": False, "cells": 11},
-}
-"""Drawn by Hypothesis: a soft filament with a point mass that stretches far beyond its length."""
-
-
-@pytest.mark.slow
-def test_a_run_with_an_undefined_stage_is_repeated_with_shorter_steps() -> None:
-    scene = sc.Scene.model_validate(_HELD)
-    repeated = sc.simulate(scene)
-    # A tolerance that is named is kept: what fails with it is given rotary inertia instead, where angles have a rate.
-    first = sc.simulate(scene.replace({"numerics.rtol": 3.6e-4}))
-    other = sc.simulate(scene.replace({"numerics.solver": "idas", "numerics.rtol": 1e-6}))
-    assert first.summary["repeats"] == ["rotary-inertia: the run without it failed"]
-    assert repeated.summary["repeats"] == []
-    assert repeated.outcome is sc.Outcome.solved
-    assert other.outcome is sc.Outcome.solved
-    ours, theirs = (float(run.data["midpoint"][-1]) for run in (repeated, other))
-    assert abs(ours - theirs) < 1e-3 * abs(theirs)
-
-
-def test_a_string_without_bending_that_is_pushed_is_refused_with_the_reason() -> None:
-    inwards = {"motion": [(0, 0, 0), (10, -0.2, 0)]}
-    string = ("inertia", "finite-stretch", "thinning", "large-rotation")
-    scene = asked("elastic", E=100, T=2, frames=21, effects=string, ends=inwards, numerics={"estimate": False})
-    run = sc.simulate(scene)
-    assert run.outcome is sc.Outcome.compressed
-    assert "without bending" in run.summary["message"]

@@ -2,33 +2,25 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq, curve_fit, minimize_scalar
 from scipy.signal import lfilter
-from scipy.stats import chi2
 from scipy.stats import f as fisher
 
-from softcat_sym.design.critical_span import percent
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.fitting.identifiability import (
     Information,
     check_residuals,
-    estimate,
     information,
-    is_identified,
     standard_errors,
 )
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, infer, profile, verdicts
 from softcat_sym.fitting.least_squares import Fixed, minimise, multi_start
-from softcat_sym.fitting.result import fitted_parameter
 from tests.common.draws import draws, errors_away, shares
-from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
-from tests.common.runs import scene_of
+from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation
 
 
 def informed(p: Problem, *, noise_known: bool, logarithmic: tuple[bool, ...] | None = None) -> Information:
@@ -90,41 +82,6 @@ def test_a_quotient_is_identified_where_its_parts_are_not(seed: int | None, nois
     assert low < value < high
     # An unknown that is not identified has an error no larger than the box.
     assert np.all(found.standard_errors < 12)
-
-
-@pytest.mark.parametrize(("power", "text"), [(2.0, "a^1 * b^(1/2)"), (3.0, "a^1 * b^(1/3)"), (0.5, "a^(1/2) * b^1")])
-def test_exponents_are_simple_numbers(power: float, text: str) -> None:
-    def powers(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        values, columns = decay(np.array([0.3, (power * q[0] + q[1]) / 3]))
-        return values, columns[:, 1:] * [power / 3, 1 / 3]
-
-    (one,) = informed(problem("a b", powers, [0.1, 0.2], 0.01), noise_known=True).combinations
-    assert one.text == text
-
-
-def test_linear_unknowns_are_added_and_not_multiplied() -> None:
-    def sums(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return (q[0] - 0.5 * q[1]) * X, np.stack([X, -0.5 * X], axis=1)
-
-    p = problem("drift shift", sums, [0.1, 0.2], 0.01)
-    (one,) = informed(p, noise_known=True, logarithmic=(False, False)).combinations
-    assert one.text == "1 * drift - 1/2 * shift"
-    (one,) = informed(p, noise_known=True, logarithmic=(True, False)).combinations
-    assert one.text == "1 * log(drift) - 1/2 * shift"
-
-
-def test_an_unused_unknown_is_in_no_combination() -> None:
-    found = informed(problem("A k unused", unused, [0.5, 0.2, 0.1], 0.01), noise_known=True)
-    assert found.identified.tolist() == [True, True, False]
-    assert found.combinations == ()
-    assert found.standard_errors[2] == pytest.approx(6.0)
-
-
-def test_noise_that_hides_an_unknown_closes_the_gate() -> None:
-    assert informed(problem("A k", decay, [0.5, -3.0], 0.05), noise_known=True).identified.tolist() == [True, True]
-    hidden = informed(problem("A k", decay, [0.5, -5.0], 1.0), noise_known=True)
-    assert hidden.identified.tolist() == [True, False]
-    assert hidden.determined.sum() == 1
 
 
 def test_no_more_data_than_unknowns_leave_no_noise() -> None:
@@ -203,27 +160,6 @@ def test_a_rate_too_fast_to_see_is_bounded_on_one_side() -> None:
     assert 2 * (held.value - minimise(p, np.zeros(2)).value) == pytest.approx(rate.threshold, rel=0.02)
 
 
-def test_a_flat_profile_reaches_the_bounds_or_is_held_back_by_another_unknown() -> None:
-    _, a, b = profiles(problem("A a b", product, [0.5, 0.2, 0.8], 0.01), noise_known=True)
-    assert np.abs(a.increase[np.abs(a.q) < 5]).max() < 1e-3
-    assert (a.lower.flag, b.upper.flag) == ("reaches the bound", "reaches the bound") or a.lower.held_back == ("b",)
-    assert a.upper.held_back in ((), ("b",))
-    assert (a.upper.crossing is None) == (a.upper.held_back == ())
-
-
-def test_the_edge_of_the_model_is_said() -> None:
-    def partly(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        values, derivatives = decay(q)
-        return (values if q[1] < 0.3 else values * np.nan), derivatives
-
-    exact = problem("A k", decay, [0.5, 0.2], 0.3)
-    p = Problem(exact.names, exact.lower, exact.upper, partly, exact.data, exact.std)
-    one = profile(p, minimise(p, np.zeros(2)).q, 1, noise_known=True)
-    assert one.upper.flag == "the model has no answer beyond"
-    assert one.q.max() > 0.25
-    assert one.lower.flag == "crosses"
-
-
 def waves(seed: int) -> Problem:
     """A sin(w x) in so much noise that other w fit nearly as well: sets that were chosen for it, drawn once for all."""
 
@@ -235,67 +171,6 @@ def waves(seed: int) -> Problem:
     p.data = p.data + p.std * np.random.default_rng(seed).standard_normal(p.data.size)
     p.lower, p.upper = np.array([0.1, 3.0]), np.array([3.0, 9.0])
     return p
-
-
-def test_a_better_optimum_on_the_way_is_said() -> None:
-    p = waves(seed=1)
-    local = minimise(p, np.array([0.5, 8.0]))
-    best = minimise(p, np.array([1.0, 5.0]))
-    assert local.value > best.value + 0.1
-    one = profile(p, local.q, 1, noise_known=True)
-    assert one.better is not None
-    assert minimise(p, one.better).value == pytest.approx(best.value, rel=1e-6)
-
-
-class Counted(Problem):
-    """Counts evaluations of either kind."""
-
-    spent = 0
-
-    def residuals(self, q: np.ndarray) -> np.ndarray:
-        self.spent += 1
-        return super().residuals(q)
-
-    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        self.spent += 1
-        return super().linearised(q)
-
-
-def counted(p: Problem) -> Counted:
-    return Counted(p.names, p.lower, p.upper, p.model, p.data, p.std)
-
-
-def traced(p: Counted, max_evaluations: int | None) -> tuple[list[Profile], int]:
-    best = minimise(p, np.zeros(len(p.names)))
-    p.spent = 0
-    return [
-        profile(p, best.q, k, noise_known=True, max_evaluations=max_evaluations) for k in range(len(p.names))
-    ], p.spent
-
-
-def test_what_is_not_identified_is_found_so_for_a_fraction() -> None:
-    p = counted(problem("A a b", product, [0.5, 0.2, 0.8], 0.01))
-    full, spent = traced(p, None)
-    quick, less = traced(p, 200)
-    assert less < spent < 200
-    best = minimise(p, np.zeros(3))
-    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=True)
-    words = [[one.word for one in verdicts(p, best, known, found)] for found in (full, quick)]
-    assert words[0] == words[1] == ["identified", "not identified", "not identified"]
-    assert quick[0].lower.crossing == pytest.approx(full[0].lower.crossing, abs=1e-4)
-    assert quick[0].upper.crossing == pytest.approx(full[0].upper.crossing, abs=1e-4)
-
-
-def test_a_spent_budget_is_said() -> None:
-    p = counted(problem("A a b", product, [0.5, 0.2, 0.8], 0.01))
-    found, spent = traced(p, 6)
-    assert spent < 3 * 12
-    assert "too many steps" in (found[1].lower.flag, found[1].upper.flag)
-    best = minimise(p, np.zeros(3))
-    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=True)
-    one = verdicts(p, best, known, found)[1]
-    assert (one.word, one.value) == ("not identified", None)
-    assert "not followed to its end" in one.reason
 
 
 @dataclass
@@ -352,36 +227,6 @@ def test_an_interval_reaches_over_all_optima_that_are_nearly_as_good() -> None:
     np.testing.assert_allclose(found.profiles[1].increase, shown, atol=0.02)
 
 
-def test_a_good_optimum_stays_and_progress_is_told() -> None:
-    p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
-    starts = multi_start(p, [np.zeros(2)])
-    heard: list[tuple[int, int]] = []
-    found = infer(p, starts, on_progress=lambda done, total: heard.append((done, total)))
-    assert found.starts is starts and found.restarts == 0
-    assert heard == [(0, 2), (1, 2)]
-    assert [one.word for one in found.verdicts] == ["identified", "identified"]
-
-
-def test_without_profiles_the_interval_is_that_of_the_curvature() -> None:
-    p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
-    starts = multi_start(p, [np.zeros(2)])
-    found = infer(p, starts, profiles=False)
-    assert found.profiles == ()
-    half = 1.959964 * found.information.standard_errors
-    for one, q, h in zip(found.verdicts, starts.best.q, half, strict=True):
-        assert (one.lower, one.upper) == pytest.approx((q - h, q + h))
-
-
-def test_combinations_are_named_where_a_direction_is_unknown_though_no_single_error_is_large() -> None:
-    """The box ends a direction at 1.2, so that each single error is below one; the profiles know better."""
-    p = posed(problem("A a b", product, [0.0, 0.0, 0.0], 0.01, half=0.8))
-    found = infer(p, multi_start(p, [np.zeros(3)]))
-    assert np.all(found.information.standard_errors < 1)
-    assert [one.word for one in found.verdicts] == ["identified", "not identified", "not identified"]
-    assert [one.text for one in found.information.combinations] == ["a^1 * b^-1"]
-    assert "a^1 * b^-1" in found.verdicts[1].reason
-
-
 def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> tuple[ParameterVerdict, ...]:
     best = minimise(p, np.zeros(len(p.names)))
     known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=noise_known)
@@ -428,16 +273,6 @@ def test_one_sided(seed: int) -> None:
     assert "only its lower limit" in rate.reason
 
 
-@pytest.mark.parametrize("profiled", [True, False])
-def test_at_a_bound_that_the_data_pull_against(profiled: bool) -> None:
-    p = problem("A k", decay, [0.5, 0.2], 0.01)
-    p.upper = np.array([6.0, 0.0])
-    A, k = judged(p, profiled=profiled, noise_known=True)
-    assert k.word == "at a bound"
-    assert "widen the bound" in k.reason
-    assert A.word == "identified"
-
-
 def test_an_interval_of_more_than_a_factor_of_two_is_poor_and_one_of_more_than_e_says_next_to_nothing() -> None:
     def faint(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return X * q[0], X[:, None]
@@ -452,20 +287,6 @@ def test_an_interval_of_more_than_a_factor_of_two_is_poor_and_one_of_more_than_e
         assert one.word == word
         assert one.upper - one.lower == pytest.approx(2 * 1.96 * std / spread, rel=1e-3)
         assert (one.value is None) == (word == "not identified")
-
-
-def test_fit_flow_curve_and_experiment_have_one_criterion() -> None:
-    """A 95 % interval of less than a factor of two, or of +- 50 % of the scale where an unknown may be negative."""
-    for error, sure in ((0.17, True), (0.18, False)):
-        assert (percent(error) == f"{100 * error:.2g} %") is sure
-    for half, word in ((0.33, "determined"), (0.34, "poorly determined"), (1.1, "undetermined")):
-        assert estimate(1.0, half / 2, 2.0, (0.0, math.inf)).verdict == word
-    free = free_parameters(scene_of(), ["yield_stress"])[0]
-    known = ParameterVerdict("yield_stress", "identified", 0.0, 0.0, 0.1, -0.3, 0.3, "")
-    for shift, word in ((0.04, "identified"), (0.05, "poorly determined")):
-        assert fitted_parameter(free, known, shift, widened=True).verdict == word
-    for half, sure in ((0.49, True), (0.51, False)):
-        assert is_identified(-half, half, logarithmic=False) is sure
 
 
 def noise(sets: int, points: int, correlation: float = 0.0) -> np.ndarray:
@@ -494,15 +315,6 @@ def test_correlated_residuals_are_found(filaments: int) -> None:
     assert share_not_white(noise(300, 200, -0.5), filaments) > 0.99
 
 
-@pytest.mark.statistical
-def test_a_systematic_misfit_is_found() -> None:
-    x = np.linspace(0, 1, 100)
-    # Ten correlations near 0.5 make a Ljung-Box of about 250, which accuses from 26 on.
-    assert share_not_white(noise(300, 100) + 1.5 * np.sin(2 * np.pi * x)) > 0.99
-    check = check_residuals([noise(1, 100)[0] + 5], 2, noise_known=False)
-    assert check.verdict == "not white"
-
-
 def test_the_end_of_one_filament_is_no_neighbour_of_the_next() -> None:
     series = noise(40, 25)
     series[:, -1] = series[:, 0] = 5.0
@@ -512,42 +324,3 @@ def test_the_end_of_one_filament_is_no_neighbour_of_the_next() -> None:
     # Ends beside each other would add 25 to each sum of squares of some 73.
     whole = series.ravel()
     assert whole[1:] @ whole[:-1] / (whole @ whole) > joined.autocorrelation + 0.2
-
-
-def test_statistics_by_hand() -> None:
-    one = noise(1, 40)[0]
-    runs, neighbours, box = check_residuals([one], 2, noise_known=False).tests
-    count = 1 + int(np.sum(np.sign(one[1:]) != np.sign(one[:-1])))
-    above = int(np.sum(one > 0))
-    mean = 2 * above * (40 - above) / 40 + 1
-    variance = (mean - 1) * (mean - 2) / 39
-    assert runs.value == pytest.approx(np.sign(count - mean) * max(abs(count - mean) - 0.5, 0) / np.sqrt(variance))
-    lags = [np.sum(one[k:] * one[:-k]) / np.sum(one**2) for k in range(1, 9)]
-    assert neighbours.value == pytest.approx(np.sqrt(40) * lags[0])
-    assert box.value == pytest.approx(40 * 42 * sum(r**2 / (39 - k) for k, r in enumerate(lags)))
-    assert box.p_value == pytest.approx(chi2.sf(box.value, 8))
-
-
-def test_size_is_chi_square() -> None:
-    one = noise(1, 100)[0]
-    check = check_residuals([one], 3, noise_known=True)
-    assert check.size.value == pytest.approx(float(one @ one))
-    assert check.size.p_value == pytest.approx(chi2.sf(one @ one, 97), rel=1e-9)
-    assert check_residuals([2 * one], 3, noise_known=True).size.p_value < 1e-6
-    assert check_residuals([one], 3, noise_known=False).size is None
-
-
-def test_few_or_exact_residuals_cannot_tell() -> None:
-    assert check_residuals([np.ones(5)], 2, noise_known=False).verdict == "cannot tell"
-    assert check_residuals([np.zeros(100)], 2, noise_known=True).verdict == "cannot tell"
-
-
-def test_an_error_of_the_stiffness_adds_to_that_of_the_modulus_alone() -> None:
-    """In quadrature, at both ends and in the standard error."""
-    known = ParameterVerdict("", "identified", 0.0, 0.0, 0.03, -0.06, 0.06, "")
-    modulus, viscosity = free_parameters(scene_of(), ["youngs_modulus", "viscosity"])
-    for free, error in ((modulus, 0.05), (viscosity, 0.03)):
-        found = fitted_parameter(free, known, stiffness_error=0.04, quantile=2.0)
-        low, high = (free.scaled(end) for end in found.ci95 if end is not None)
-        assert (-low, high) == pytest.approx((2 * error, 2 * error))
-        assert found.std == pytest.approx(error * found.best)

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from collections.abc import Sequence
-from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,14 +12,8 @@ import softcat_sym as sc
 from softcat_sym.batch import executor, lane_pool
 from softcat_sym.batch.members import members_of, rows_of
 from softcat_sym.batch.worker import StructureCache
-from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.compiled import (
-    BEYOND,
-    NON_FINITE,
     SOLVED,
-    STEP_LIMIT,
-    STOPPED,
     Answer,
     CModel,
     RunInput,
@@ -74,17 +65,6 @@ def alone(model: CModel, run: RunInput) -> Answer:
     return model.integrate(run, Status())
 
 
-@pytest.mark.slow
-def test_a_lane_ends_where_its_filament_falls_for_ever() -> None:
-    """At the time of the scalar code; five share four lanes, so that one begins where another has ended."""
-    model, runs = runs_of({**PAPER, "run.duration": "60 s"}, [0.1, 0.11, 0.12, 0.13, 0.14])
-    for run, found in zip(runs, in_lanes(lanes_of(model), model, runs), strict=True):
-        exact = alone(model, run)
-        assert found.status.code == exact.status.code == BEYOND
-        assert found.status.reached == pytest.approx(exact.status.reached, rel=0.01)
-        assert found.status.reached < run.times[-1]
-
-
 @pytest.mark.parametrize(
     "settings", [pytest.param(PAPER, marks=pytest.mark.slow, id="paper"), pytest.param(FIBRES, id="fibres")]
 )
@@ -120,25 +100,6 @@ def test_a_lane_depends_on_no_neighbour() -> None:
         np.testing.assert_array_equal(found.rows, single.rows)
 
 
-def test_any_lane_may_fail_alone() -> None:
-    """A start that is no number, and too few steps: the verdict of the scalar code, and neighbours that are right."""
-    model, runs = runs_of(PAPER, [0.5, 0.7, 0.9, 1.1, 1.3, 0.6])
-    lanes, spoilt = lanes_of(model), runs[1].state.copy()
-    spoilt[3, 1] = np.nan
-    mixed = [*runs]
-    mixed[1], mixed[4] = replace(runs[1], state=spoilt), replace(runs[4], max_steps=5)
-    right, found = in_lanes(lanes, model, runs), in_lanes(lanes, model, mixed)
-    assert [one.status.code for one in found] == [SOLVED, NON_FINITE, SOLVED, SOLVED, STEP_LIMIT, SOLVED]
-    for k in (1, 4):
-        exact = alone(model, mixed[k])
-        np.testing.assert_array_equal(found[k].states, exact.states)
-        assert (found[k].status.reached, found[k].status.steps) == (exact.status.reached, exact.status.steps)
-    for k in (0, 2, 3, 5):
-        np.testing.assert_array_equal(found[k].states, right[k].states)
-    stopped = in_lanes(lanes, model, runs, ctypes.c_int(1))
-    assert {one.status.code for one in stopped} == {STOPPED}
-
-
 def test_an_ensemble_in_lanes_does_not_depend_on_its_threads(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bits do not; the scalar code gives the same midpoints to a tenth of the time tolerance."""
     calls: list[int] = []
@@ -158,32 +119,3 @@ def test_an_ensemble_in_lanes_does_not_depend_on_its_threads(monkeypatch: pytest
     few = sc.simulate_many(scene, {"groups.G": table["groups.G"][:3]}).data.midpoint.values
     assert sum(calls) == 2 * members, "few are not worth it"
     np.testing.assert_allclose(one.data.midpoint.values[:3], few, atol=0.1 * RTOL * np.abs(few).max())
-
-
-def test_what_cannot_be_compiled_is_said_and_integrated_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused(model: CModel) -> LanesModel:
-        raise SoftcatError("no vectors here")
-
-    monkeypatch.setattr(lane_pool, "lanes_of", refused)
-    monkeypatch.setattr(executor, "WORTHWHILE", lane_pool.AT_ONCE)
-    table = {"groups.G": np.linspace(0.3, 0.6, lane_pool.AT_ONCE)}
-    with pytest.warns(UserWarning, match="one by one, not in lanes: no vectors here"):
-        found = sc.simulate_many(sc.load_scene("arrested-overdamped", PAPER), table, workers=2)
-    assert {outcome.name for outcome in found.outcomes} == {"solved"}
-
-
-def test_c_of_the_lanes_is_strict_but_for_vectors() -> None:
-    compiler = find_compiler()
-    assert compiler is not None
-    folder = Path(sc.__file__).parent / "codegen"
-    flags = ["-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-pedantic", "-Werror", "-Wno-psabi"]
-    for machine in ([], ["-march=native"]):
-        command = [
-            *compiler.command,
-            *flags,
-            *machine,
-            f"-I{folder / 'runtime'}",
-            *map(str, (folder / "lanes").glob("*.c")),
-        ]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr

@@ -3,31 +3,26 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.fitting.criterion import charge
 from softcat_sym.fitting.free_parameters import free_parameters
-from softcat_sym.fitting.likelihood import Loss
-from softcat_sym.fitting.measurements import Measurements, Series, Shapes
+from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import (
     FITTED,
     FittedLaw,
-    ModelChoice,
     choose_model,
-    fit_law,
     fit_laws,
     rough_constants,
     scene_of_law,
     widened,
 )
 from softcat_sym.scene.laws import LAWS
-from tests.common.draws import draws, gain
+from tests.common.draws import draws
 from tests.marks import few
 
 
@@ -44,13 +39,6 @@ def test_criteria_by_hand_with_known_noise() -> None:
     assert choice.verdict == "three"
 
 
-def test_estimated_noise_is_one_constant_more_of_aic() -> None:
-    (one,) = choose_model([FittedLaw("law", 2, 0.5)], 50, noise_known=False).table
-    assert one.aic == pytest.approx(50 * math.log(0.01) + 6)
-    assert one.bic == pytest.approx(50 * math.log(0.01) + 3 * math.log(50))
-    assert one.criterion == pytest.approx(50 * math.log(0.01) + charge(50, 1) + charge(50, 2))
-
-
 def test_close_laws_cannot_be_told_apart() -> None:
     def verdict(squares: float, independent: float = 1.0) -> str:
         laws = [FittedLaw("a", 2, 50.0), FittedLaw("b", 2, squares)]
@@ -59,45 +47,6 @@ def test_close_laws_cannot_be_told_apart() -> None:
     assert (verdict(59.9), verdict(60.1)) == ("cannot tell", "a")
     # Readings that go with their neighbours say less.
     assert (verdict(60.1, 0.5), verdict(69.9, 0.5), verdict(70.1, 0.5)) == ("cannot tell", "cannot tell", "a")
-
-
-def test_a_wider_law_that_gains_nothing_is_no_rival() -> None:
-    newtonian, solid = FittedLaw("newtonian", 1, 50.0), FittedLaw("kelvin-voigt", 2, 49.5)
-    choice = choose_model([newtonian, solid], 50, noise_known=True)
-    assert (choice.verdict, choice.close, choice.wider) == ("newtonian", ("newtonian",), ("kelvin-voigt",))
-    half = choose_model([newtonian, replace(solid, squares=48.5)], 50, noise_known=True)
-    assert (half.verdict, half.close, half.wider) == ("cannot tell", ("newtonian", "kelvin-voigt"), ())
-    # By way of Maxwell's.
-    wider = FittedLaw("standard-linear", 3, 49.5)
-    assert choose_model([newtonian, wider], 50, noise_known=True).wider == ("standard-linear",)
-    # Laws that do not contain each other.
-    assert choose_model([newtonian, FittedLaw("elastic", 1, 50.5)], 50, noise_known=True).verdict == "cannot tell"
-
-
-def test_failures_come_last_and_leave_it_open() -> None:
-    laws = [FittedLaw("broken", 1, math.nan, "no optimum was found"), FittedLaw("poor", 2, 1e6)]
-    choice = choose_model(laws, 50, noise_known=True)
-    assert [row.law.name for row in choice.table] == ["poor", "broken"]
-    assert choice.table[-1].law.failure == "no optimum was found"
-    assert choice.table[-1].weight == 0.0
-    assert (choice.verdict, choice.reason) == ("cannot tell", "poor ranks first, but no fit of broken")
-    none = choose_model(laws[:1], 50, noise_known=True)
-    assert (none.verdict, none.close) == ("cannot tell", ())
-    with pytest.raises(SoftcatError, match="one or more"):
-        choose_model([], 50, noise_known=True)
-
-
-def test_few_data_rank_by_what_chance_gains() -> None:
-    """Five data: AICc of three constants and the noise is infinite, whatever their fit."""
-    laws = [FittedLaw("poor", 1, 300.0), FittedLaw("good", 3, 1.0)]
-    choice = choose_model(laws, 5, noise_known=False)
-    assert [row.law.name for row in choice.table] == ["good", "poor"]
-    assert choice.table[1].difference == pytest.approx(5 * math.log(300) - charge(5, 2) - charge(5, 3))
-    assert choice.reason == "good ranks first, but poor not ruled out"
-    assert choose_model(laws, 50, noise_known=False).verdict == "good"
-    crowded = choose_model(laws, 3, noise_known=False)
-    assert crowded.reason == "poor ranks first, but 3 data are too few for good"
-    assert [row.weight for row in crowded.table] == [1.0, 0.0]
 
 
 def test_exact_data_rank_the_fewest_constants_first() -> None:
@@ -163,15 +112,6 @@ def test_every_law_can_take_the_place_of_every_other(former: str, law: str) -> N
             assert getattr(after.material, name) == pytest.approx(own)
 
 
-@pytest.mark.parametrize("law", FITTED)
-def test_shear_data_modes_and_formulas_go(law: str) -> None:
-    for name in ("polyethylene-melt", "transient-gel", "cold-honey", "toothpaste"):
-        after = scene_of_law(sc.load_scene(name), law, FILM)
-        assert after.material.law == law
-        assert after.material.modes == ()
-        assert after.material.flow == ""
-
-
 def test_rough_constants_are_of_the_right_order() -> None:
     """Of scenes whose constants are known, from what their own runs show: within the factor of the default bounds."""
     for name, law in (("maxwell-slow", "maxwell"), ("maxwell-fast", "maxwell"), ("continual-descent", "bingham")):
@@ -185,61 +125,6 @@ def test_rough_constants_are_of_the_right_order() -> None:
     assert 0.5 < rough_constants(scene, film, "newtonian")["viscosity"] / scene.material.viscosity < 2
 
 
-def test_rough_constants_of_a_string_and_of_a_beam() -> None:
-    """Both limits by hand."""
-    slender, stout = _scene("newtonian", **{"filament.thickness": "1 um"}), _scene("newtonian")
-    film = Measurements.of(TIME, -1e-3 * TIME)
-    span, weight = 0.2, 1900 * 9.81 * 0.2
-    string = 3 / 64 * weight * (span / 2e-3) ** 3
-    beam = weight * span**3 / (32 * 0.006**2 * 2e-3)
-    assert rough_constants(slender, film, "elastic")["youngs_modulus"] == pytest.approx(string, rel=1e-3)
-    both = rough_constants(stout, film, "elastic")["youngs_modulus"]
-    assert both == pytest.approx(1 / (1 / string + 1 / beam), rel=1e-3)
-    assert rough_constants(stout, film, "newtonian")["viscosity"] == pytest.approx(2 * both, rel=1e-12)
-
-
-def test_without_weight_or_midpoints_there_are_rough_constants_too() -> None:
-    shapes = Shapes(TIME, np.linspace(-0.1, 0.1, 40), -0.01 * TIME)
-    only_shapes = Measurements((Series(np.empty(0), np.empty(0), None, shapes, {}),))
-    weightless = _scene("maxwell", **{"load.gravity": "0 m/s^2"})
-    for law in FITTED:
-        assert all(0 < value < math.inf for value in rough_constants(weightless, only_shapes, law).values())
-    midpoints = Measurements.of(TIME, -0.01 * TIME)
-    assert rough_constants(weightless, only_shapes, "bingham") == rough_constants(weightless, midpoints, "bingham")
-
-
-@pytest.mark.parametrize(
-    ("laws", "said"),
-    [
-        ([], "nothing to compare"),
-        (["maxwell"], "nothing to compare"),
-        (["maxwell", "maxwell"], "one is named twice"),
-        (["maxwell", "maxwel"], "law maxwel: cannot be fitted.*did you mean 'maxwell'"),
-        (["maxwell", "custom"], "law custom: cannot be fitted"),
-        (["maxwell", "multimode-maxwell"], "law multimode-maxwell: cannot be fitted"),
-        (["Bingham"], "(?s)2 faults.*law Bingham.*nothing to compare"),
-    ],
-)
-def test_laws_that_cannot_be_compared(laws: list[str], said: str) -> None:
-    with pytest.raises(SceneError, match=said):
-        fit_laws(FILM, _scene("bingham"), laws)
-
-
-def test_what_also_is_free_must_be_a_name() -> None:
-    with pytest.raises(SoftcatError, match=r"(?s)none of the laws.*newtonian: .*free tmie_offset: unknown.*maxwell: "):
-        fit_laws(FILM, _scene("bingham"), ["newtonian", "maxwell"], also_free=["tmie_offset"])
-
-
-@pytest.mark.parametrize("law", FITTED)
-@pytest.mark.parametrize("former", FITTED)
-def test_a_list_of_effects_follows_the_law(former: str, law: str) -> None:
-    """Of published theory without inertia: what the one law has of its own goes, what the other has comes."""
-    effects = [name for name in choose_effects(_scene(former)).names if name != "inertia"]
-    listed = _scene(former, **{"run.effects": effects})
-    found = choose_effects(scene_of_law(listed, law, FILM)).names
-    assert {*found} == {*choose_effects(_scene(law)).names} - {"inertia"}
-
-
 def _fallen(law: str, noise: float, outliers: int = 0) -> tuple[sc.Scene, Measurements]:
     scene = _scene(law, **{"run.frames": 61})
     # The overdamped limit is quick to follow.
@@ -250,12 +135,6 @@ def _fallen(law: str, noise: float, outliers: int = 0) -> tuple[sc.Scene, Measur
     height = height + noise * np.max(np.abs(height)) * random.standard_normal(height.size)
     height[random.choice(height.size, outliers, replace=False)] *= 0.6
     return scene, Measurements.of(run.time.values[1:], height)
-
-
-def _gained(choice: ModelChoice, readings: int) -> float:
-    """What the film of a Newtonian filament has gained in N ln(RSS) by a spring."""
-    squares = {row.law.name: row.law.squares for row in choice.table}
-    return readings * math.log(squares["newtonian"] / squares["kelvin-voigt"])
 
 
 @pytest.mark.slow
@@ -275,27 +154,6 @@ def test_a_film_of_a_bingham_filament() -> None:
     assert ranked["newtonian"].aic - ranked["bingham"].aic == pytest.approx(gained - 4, rel=1e-3)
     charged = charge(60, 2) + charge(60, 3)
     assert ranked["newtonian"].criterion - ranked["bingham"].criterion == pytest.approx(gained - charged, rel=1e-3)
-
-
-@pytest.mark.slow
-def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
-    """With five readings nearly anything is chance."""
-    scene, film = _fallen("newtonian", 0.001)
-    few = Measurements.of(film.series[0].time[::14], film.series[0].midpoint[::14])
-    found = fit_laws(few, scene, ["newtonian", "kelvin-voigt"], also_free=["initial_sag"], starts=0)
-    assert not found.failures
-    assert {*found.choice.close, *found.choice.wider} == {"newtonian", "kelvin-voigt"}
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_a_robust_comparison_does_not_follow_outliers() -> None:
-    scene, film = _fallen("newtonian", 0.01, outliers=6)
-    robust = fit_laws(film, scene, ["newtonian", "kelvin-voigt"], starts=0, loss=Loss("cauchy", 2.0))
-    assert _gained(robust.choice, 60) < gain(60, 2)
-    plain = robust.fits["newtonian"]
-    # Charged alike: by the least of the scales, and not by the squares that the outliers make.
-    assert robust.choice.table[0].law.squares < 0.5 * plain.squares
 
 
 PAIRS = [(wider, narrower) for wider in FITTED for narrower in LAWS[wider].limits]
@@ -329,28 +187,3 @@ def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> Non
     late = time > 0.2 * time[-1]
     scale = float(np.abs(height).max())
     assert np.abs(np.interp(time, after, found) - height)[late].max() < 0.02 * scale
-
-
-@pytest.mark.slow
-@pytest.mark.statistical
-def test_a_wider_law_starts_again_from_the_one_inside() -> None:
-    """A solid's modulus that is far too large cannot be left behind by its own starts, whose bounds lie about it."""
-    scene = _oil("newtonian")
-    time, height = _film_of(scene)
-    film = Measurements.of(time, height + 1e-4 * draws(4).standard_normal(height.size))
-    stiff = scene.replace(
-        {"material.law": "kelvin-voigt", "material.youngs_modulus": "300 MPa", "run.effects": "paper"}
-    ).replace({"run.effects": [name for name in choose_effects(_oil("kelvin-voigt")).names if name != "inertia"]})
-    alone = fit_law(film, stiff, "kelvin-voigt", starts=0, profiles=False)
-    found = fit_laws(film, stiff, ["kelvin-voigt", "newtonian"], starts=0)
-    assert found.restarted == {"kelvin-voigt": "newtonian"}
-    assert alone.squares > 10 * found.fits["kelvin-voigt"].squares
-    # What has one constant more is no worse, but for how little its modulus may be made.
-    assert found.fits["kelvin-voigt"].squares < 1.01 * found.fits["newtonian"].squares
-    assert _gained(found.choice, 40) < gain(40, 2)
-
-
-def test_the_narrower_comes_first() -> None:
-    """Laws are fitted in the order of how many others they contain."""
-    for law in FITTED:
-        assert all(len(LAWS[inside].limits) < len(LAWS[law].limits) for inside in LAWS[law].limits)

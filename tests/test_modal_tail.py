@@ -19,8 +19,7 @@ from softcat_sym.solvers import modal_tail
 from softcat_sym.solvers.compiled import CompiledIntegration
 from softcat_sym.solvers.modal_tail import Conditions, Modes, Partition, Pieces, solved_with_tail, tail_of
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run_cost import run_cost
-from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.solvers.solution import Solution
 from softcat_sym.solvers.start import Start
 
 FREE = (False, False)
@@ -205,30 +204,6 @@ def test_what_the_modes_do_not_describe_is_integrated_after_two_tries(load: floa
     assert len(calls) == tries + (tries > 1)
 
 
-def test_what_yields_again_is_not_left_to_its_modes() -> None:
-    one = chain(3)
-    most = 2.2 * np.max(np.abs(np.linalg.solve(one.stiffness, np.full(3, one.load))))
-    both = [Chain(one.stiffness, one.load, yields_at=share * most) for share in (1.0, 0.8)]
-    ended = [solved(each, conditions_of(each, yield_strain=1e-3), 26, []).tail_from for each in both]
-    assert ended[0] is not None and ended[1] is None
-
-
-def test_other_unknowns_and_damping_are_refused() -> None:
-    warm = (*SLOTS, Slot("warming", "node", FREE, True, "", False))
-    assert Partition.of(warm, Sites((1, 5), np.array([0, 1, 3, 4]), np.array([2]))) is None
-
-    class Damped(Chain):
-        def jacobian(self, state: np.ndarray, of: np.ndarray) -> np.ndarray:
-            whole = super().jacobian(state, np.arange(len(state)))
-            whole[1, 1] = -0.01
-            return whole[np.ix_(of, of)]
-
-    one = chain()
-    assert Modes.of(Damped(one.stiffness, one.load), one.partition, one.state(np.zeros(6))) is None
-    unstable = Chain(-np.eye(1), 0.0)
-    assert Modes.of(unstable, unstable.partition, unstable.state(np.zeros(1))) is None
-
-
 STRAND = {
     "filament": {"span": "4 mm", "thickness": "0.6 mm", "section": "circle", "density": "1050 kg/m^3"},
     "material": {"law": "elastic", "youngs_modulus": "20 kPa"},
@@ -264,18 +239,3 @@ def test_what_moves_by_itself_or_dies_down_has_no_tail(changes: dict[str, object
     scene = sc.Scene.from_dict(STRAND).replace(changes)
     integration = build(scene, choose_effects(scene)).integration
     assert not isinstance(integration, CompiledIntegration) or integration.conditions is None
-
-
-def test_the_price_of_a_run_counts_the_periods_that_are_integrated() -> None:
-    long = sc.Scene.from_dict(STRAND).replace({"run.duration": "5 s"})
-    whole = long.replace({"numerics.tail": "integrate"})
-    prices = [run_cost(scene, choose_effects(scene)) for scene in (long, whole)]
-    assert "modes of vibration" in prices[0].text and "modes" not in prices[1].text
-    assert prices[0].seconds < prices[1].seconds / 20
-
-
-def test_a_tail_begins_after_the_ramp() -> None:
-    scene = sc.Scene.from_dict(STRAND).replace({"load.ramp": "0.002 s"})
-    prepared = build(scene, choose_effects(scene))
-    solution = prepared.solve(Silence())
-    assert solution.tail_from is not None and solution.tail_from * prepared.scale > 0.002

@@ -11,22 +11,13 @@ import pytest
 
 from softcat_sym import simulate
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.error_control.estimate import Judge
 from softcat_sym.estimates.expected_motion import Motion
 from softcat_sym.estimates.forecast import compliant_sag, lagging
 from softcat_sym.results.fields import displacements
 from softcat_sym.results.motion import (
-    STRIDE,
-    Ringing,
     creep_of,
-    frames_a_period,
     observed_motion,
-    period_of,
-    ringing_of,
-    still_to_move,
-    too_few_frames,
 )
-from softcat_sym.results.observed import DISPLACEMENT
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.solution import Extremes
@@ -193,25 +184,6 @@ def test_compliance_is_timoshenkos() -> None:
     assert lagging(time, force, 0.0) is force
 
 
-@pytest.mark.slow
-def test_a_mass_on_a_viscoelastic_string_shears_it() -> None:
-    """Beside the mass, where the string bends, its transverse force shears it; the check sees what shear makes."""
-    scene = Scene.model_validate(
-        {
-            "filament": {"span": "0.2 m", "thickness": "4 mm", "density": "1000 kg/m^3"},
-            "material": {"law": "kelvin-voigt", "youngs_modulus": "28 kPa", "viscosity": "29 kPa*s"},
-            "ends": {"left": "pinned", "right": "pinned"},
-            "load": {"ramp": "0.75 s", "point_mass": "1.5 g"},
-            "run": {"duration": "12 s", "accuracy": 1e-3},
-        }
-    )
-    chosen = simulate(scene)
-    assert [text.split(":")[0] for text in chosen.summary["repeats"]] == ["shear"]
-    less = simulate(scene.replace({"run.effects": [name for name in chosen.summary["effects"] if name != "shear"]}))
-    made = abs(less.data.midpoint.values[-1] / chosen.data.midpoint.values[-1] - 1)
-    assert 1 < motion_of_run(less).sheared / made < 4
-
-
 def test_a_run_without_inertia_misses_its_free_fall_and_shows_its_share_within_the_ramp() -> None:
     """A viscous descent H = c t: late by what it falls while it catches up, c^2/g."""
     speed, duration = 0.05, 3.0
@@ -240,12 +212,6 @@ def swing(frequency: float, amplitude: float = 0.5, decay: float = 0.0) -> Calla
     return lambda time: -1 + amplitude * np.exp(-decay * time) * np.cos(2 * math.pi * frequency * time)
 
 
-def ringing(extremes: Extremes) -> Ringing:
-    found = ringing_of(extremes)
-    assert found is not None
-    return found
-
-
 def test_extremes_are_the_turning_points_between_both_ends() -> None:
     found = path(swing(2.0))
     np.testing.assert_allclose(found.time, np.arange(0, 2.01, 0.25), atol=2e-4)
@@ -254,23 +220,6 @@ def test_extremes_are_the_turning_points_between_both_ends() -> None:
     # A ripple of a hundredth is none where swings count from two hundredths on, whichever way it all goes meanwhile.
     assert len(path(lambda t: swing(2.0)(t) + 0.01 * np.cos(300 * t)).beyond(0.021).time) == 9
     assert len(path(lambda t: -t + 0.01 * np.cos(300 * t)).beyond(0.021).time) == 2
-
-
-def test_frames_too_far_apart_for_the_period_of_the_swing_are_told() -> None:
-    """53.75 Hz in a hundred frames a second are seen as 46.25 Hz, in fifty as 3.75 Hz."""
-    found = path(swing(53.75))
-    per_period = frames_a_period(found, 101)
-    assert per_period == pytest.approx(50 / 53.75, rel=1e-3)
-    (warning,) = too_few_frames(2.0, 101, per_period)
-    assert "rings at about 53.7 Hz" in warning or "rings at about 53.8 Hz" in warning
-    enough = int(warning.rpartition("run.frames = ")[2].split()[0])
-    assert (frames_a_period(found, enough) or 0) > 4 and too_few_frames(
-        2.0, enough, frames_a_period(found, enough)
-    ) == []
-    # A swing of 0.4 % is not seen, a drift is no swing.
-    for height in (swing(5.0, 0.004), lambda t: -1 + np.exp(-t), lambda t: -0.5 * t):
-        assert frames_a_period(path(height), 11) is None
-    assert too_few_frames(2.0, 101, None) == []
 
 
 ACCURACY = 0.01
@@ -285,82 +234,6 @@ def strand(*, backend: str = "compiled", run: dict[str, Any] | None = None, **ma
             "numerics": {"estimate": False, "cells": 16, "backend": backend},
         }
     )
-
-
-@pytest.mark.slow
-def test_a_damped_strand_ends_early_at_its_static_sag() -> None:
-    rests = float(simulate(strand(run={"until": "duration"})).data.midpoint[-1])
-    for backend in ("interpreted", "compiled"):
-        run = simulate(strand(backend=backend))
-        settled = run.summary["settled_s"]
-        assert settled is not None and settled < 1
-        assert run.summary["time_final_s"] == pytest.approx(settled)
-        times = run.fields["time"]
-        np.testing.assert_allclose(np.diff(times), times[-1] / 40)
-        largest = float(np.max(np.abs(run.fields["midpoint"])))
-        assert abs(float(run.fields["midpoint"][-1]) - rests) < ACCURACY * largest
-        assert run.summary["midpoint_settled_m"]["mean"] == pytest.approx(rests, abs=1e-3 * largest)
-        assert run.summary["midpoint_settled_m"]["amplitude"] < ACCURACY * largest
-        # What was asked stays, and it is a scene.
-        assert run.scene.run.until == "settled" and 'until = "settled"' in run.scene.to_toml()
-    estimated = simulate(strand().replace({"numerics.estimate": True, "numerics.cells": None}))
-    assert estimated.outcome.is_success
-    assert estimated.summary["error_estimate"]["total"] < ACCURACY
-    assert estimated.summary["time_final_s"] == pytest.approx(estimated.summary["settled_s"])
-
-
-@pytest.mark.slow
-def test_an_undamped_strand_runs_on_and_tells_its_mean_and_amplitude() -> None:
-    dense, sparse = (
-        simulate(strand(loss_tangent=0.0, run={"duration": "0.8 s", "frames": frames})).summary
-        for frames in (1601, 77)
-    )  # fmt: skip
-    for summary in (dense, sparse):
-        assert summary["settled_s"] is None
-        assert summary["time_final_s"] == pytest.approx(0.8)
-    # 77 frames over 38 periods would show an amplitude and a mean of their own.
-    full, thin = dense["midpoint_settled_m"], sparse["midpoint_settled_m"]
-    assert thin["mean"] == pytest.approx(full["mean"], rel=0.01)
-    assert thin["amplitude"] == pytest.approx(full["amplitude"], rel=0.02)
-    rests = float(simulate(strand()).summary["midpoint_settled_m"]["mean"])
-    assert full["mean"] == pytest.approx(rests, rel=0.1)
-    assert full["amplitude"] == pytest.approx(abs(rests), rel=0.2)
-
-
-@pytest.mark.slow
-def test_a_creeping_strand_does_not_end_early_and_one_that_hardly_creeps_does() -> None:
-    """In 20 s it flows by three times its elastic sag, but hardly at all in the time in which its ringing ends."""
-    for backend in ("interpreted", "compiled"):
-        run = simulate(strand(backend=backend, law="maxwell", viscosity="4500 kPa*s", run={"duration": "20 s"}))
-        assert run.summary["settled_s"] is None
-        assert run.summary["time_final_s"] == pytest.approx(20)
-    scene = strand(law="maxwell", viscosity="4500 MPa*s", run={"duration": "5 s"})
-    geometry = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation"]
-    run = simulate(scene.replace({"run.effects": ["inertia", *geometry, "solid-damping", "viscous-flow"]}))
-    assert run.summary["settled_s"] is not None and run.summary["settled_s"] < 1
-    # Without inertia it has settled when the load is there.
-    scene = strand(run={"effects": [*geometry, "gravity-ramp"]})
-    run = simulate(scene.replace({"load.ramp": "0.5 s", "numerics.backend": None}))
-    assert run.summary["settled_s"] == pytest.approx(0.5)
-    assert run.summary["midpoint_settled_m"] == {"mean": run.summary["midpoint_final_m"], "amplitude": 0.0}
-    brief = simulate(strand(run={"duration": "5 ms", "until": "duration"})).summary
-    assert brief["midpoint_settled_m"] is None
-    assert "shorter than one period" in brief["midpoint_settled_why"]
-
-
-def test_the_mean_is_that_of_whole_periods_and_what_does_not_turn_back_does_not_swing() -> None:
-    for cycles in (5.0, 4.3, 17.71):
-        for phase in (0.0, 1.0, 2.5):
-            height = lambda t, w=math.pi * cycles, p=phase: -2.0 + 0.7 * np.cos(w * t + p) - 0.01 * t  # noqa: E731
-            found = ringing(path(height, samples=80001))
-            assert found.mean == pytest.approx(-2.0, abs=0.025)
-            assert found.amplitude == pytest.approx(0.7, rel=0.01)
-            assert found.period == pytest.approx(2 / cycles, rel=0.01)
-            assert found.drift == pytest.approx(-0.01, rel=0.05)
-    for height in (lambda t: -t, lambda t: np.exp(-t), lambda t: -1 + np.exp(-9 * t) * np.cos(9 * t), lambda t: 0 * t):
-        assert ringing_of(path(height).beyond(1e-4)) is None
-    # It has swung, and swings no more.
-    assert ringing_of(path(swing(9.0, decay=9.0)).beyond(0.01)) is None
 
 
 def creep(move: Callable[[Array], Array], law: str = "standard-linear", duration: float = 8.0) -> Any:
@@ -384,54 +257,3 @@ def test_a_creep_has_a_rate_and_a_solid_a_height_to_which_it_tends() -> None:
     # Beside a ripple the rate is that of the mean.
     slow = creep(lambda t: -0.1 * t + 0.004 * np.cos(60 * t))
     assert slow["rate_m_per_s"] == pytest.approx(-0.1, rel=0.01)
-
-
-CREEP: dict[str, Callable[[float], float]] = {
-    "logarithm": lambda t: 0.01 * math.log(t),
-    "cube root": lambda t: 0.02 * t ** (1 / 3),
-    "exponential": lambda t: 1 - math.exp(-t / 2),
-    "late stop": lambda t: 1 - 1 / t,
-    "constant rate": lambda t: 1e-3 * t,
-}
-
-
-def test_what_is_foreseen_is_no_less_than_what_comes() -> None:
-    for name, move in CREEP.items():
-        for end in (30.0, 1e3, 1e5):
-            longest = 0
-            for n in range(60):
-                t = 1.5 * STRIDE**n
-                if t > end:
-                    break
-                means = [move(t / STRIDE**2), move(t / STRIDE), move(t)]
-                expected = still_to_move(means, end / t, 1e-6, flows=True)
-                assert expected >= 0.98 * abs(move(end) - move(t)), (name, end, t)
-                longest = n if expected > 0.01 else longest
-            if name == "exponential":
-                # It is not called moving for much longer than it moves, 2 log(100) = 9.2, or than noise could hide.
-                assert 1.5 * STRIDE**longest < max(20, 6e-4 * end)
-    # What cannot flow is not expected to go on.
-    assert still_to_move([1.0, 1.0, 1.0], 1e6, 1e-3, flows=False) == 1e-3
-    assert still_to_move([1.0, 1.0, 1.0], 1e6, 1e-3, flows=True) > 1e2
-
-
-def test_of_a_long_ringing_the_phase_that_rotary_inertia_shifts_is_not_told() -> None:
-    """It slows the swing by half a per cent: a quarter of the swing after forty periods, hardly any of its height."""
-    effects = ["inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear"]
-    scene = Scene.model_validate(
-        {
-            "filament": {"span": "3 mm", "thickness": "0.25 mm", "section": "circle", "density": "1100 kg/m^3"},
-            "material": {"law": "elastic", "youngs_modulus": "30 kPa"},
-            "run": {"duration": "0.3 s", "frames": 2001, "effects": effects},
-            "numerics": {"estimate": False, "cells": 20},
-        }
-    )
-    without, turning = (simulate(s) for s in (scene, scene.replace({"run.effects": [*effects, "rotary-inertia"]})))
-    first, second = without.series, turning.series
-    judge = Judge.of(first, without.watched, scene.run.duration / period_of(scene), scene.run.accuracy)
-    apart = first[DISPLACEMENT] - second[DISPLACEMENT]
-    assert float(np.max(np.abs(apart))) > 0.2 * float(np.max(np.abs(first[DISPLACEMENT])))
-    assert judge.windows
-    assert judge.between(first, second).size < without.summary["checked"]["rotary-inertia"] < 1e-3
-    brief = simulate(scene.replace({"run.duration": "0.06 s"}))
-    assert brief.summary["checked"]["rotary-inertia"] > scene.run.accuracy

@@ -14,7 +14,6 @@ import softcat_sym as sc
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.errors import SceneError
-from softcat_sym.estimates.free_vibration import first_vibration
 from softcat_sym.scene.natural_curve import natural_curve
 from tests.common.spatial_statics import Statics
 
@@ -74,22 +73,6 @@ def test_nodes_are_on_the_curve_but_for_the_square_of_a_cell() -> None:
             assert places[-1] * curve.length == pytest.approx([SPAN, 0, 0], abs=1e-13)
             missed.append(np.abs(places * curve.length - curve.places((nodes + 0.5) * curve.length)).max())
         assert missed[0] / missed[1] == pytest.approx(4, rel=0.15)
-
-
-def test_a_polyline_may_begin_backwards() -> None:
-    points = [[0, 0, 0], [-0.01, 0, 0], [-0.02, 0.01, 0], [0.04, 0.03, 0], [SPAN, 0, 0]]
-    scene = scene_of(points, ends={"right": "free"})
-    assert natural_curve(scene).length > 0.15
-    _, turns, _ = shaped(scene, np.linspace(-0.5, 0.5, 101))
-    assert np.isfinite(turns).all()
-
-
-def test_a_straight_rod_that_is_twisted_by_nature_resists_being_held_untwisted() -> None:
-    twist = 5.0
-    held = Statics(scene_of("straight", filament={"twist": twist}, load={"gravity": 0.0}, numerics={"cells": 4}))
-    torque = held.fields(0.0, held.start, held.p())["torque"]
-    poisson = held.scene.material.poisson
-    assert torque == pytest.approx(-MODULUS / (2 * (1 + poisson)) * THIN**2 / 8 * twist, rel=1e-4)
 
 
 def test_lengths_are_those_of_circles_helices_and_sums_over_points() -> None:
@@ -177,28 +160,6 @@ def test_an_arch_sags_as_the_elastica_does() -> None:
     assert sags[1] + (sags[1] - sags[0]) / 3 == pytest.approx(known, rel=4e-3)
 
 
-def test_a_polyline_is_read_from_a_file_beside_its_scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = "x [mm], y_mm, z (mm)\n" + "".join(",".join(str(1000 * one) for one in row) + "\n" for row in CURVED)
-    (tmp_path / "curve.csv").write_text(text)
-    (tmp_path / "own.toml").write_text(
-        '[filament]\nspan = "0.1 m"\nthickness = "1 mm"\nsection = "circle"\ndensity = "1000 kg/m^3"\n'
-        'shape = "curve.csv"\n[material]\nlaw = "elastic"\nyoungs_modulus = "10 MPa"\n[run]\nduration = "0.1 s"\n'
-    )
-    read = sc.load_scene(tmp_path / "own.toml")
-    assert np.asarray(read.filament.shape) == pytest.approx(np.array(CURVED), abs=1e-17)
-    (tmp_path / "again.toml").write_text(read.to_toml())
-    assert sc.load_scene(tmp_path / "again.toml") == read
-    monkeypatch.chdir(tmp_path)
-    assert scene_of("curve.csv").filament.shape == read.filament.shape
-
-
-def test_a_filament_with_a_shape_vibrates_without_weight_too() -> None:
-    for shape, filament in SHAPES.values():
-        for gravity in (0.0, 9.81):
-            found = first_vibration(scene_of(shape, filament=filament, load={"gravity": gravity}))
-            assert found is not None and math.isfinite(found.frequency) and found.frequency > 0
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -241,9 +202,3 @@ def test_what_is_no_shape_is_refused(what: str) -> None:
         tables = {"material": {**tables["material"], "youngs_modulus": None}}
     with pytest.raises(SceneError, match=said):
         scene_of(shape, **tables)
-
-
-def test_cells_that_turn_too_far_are_refused() -> None:
-    scene = scene_of("helix", filament={"curvature": 110.0, "twist": 20.0}, numerics={"cells": 10})
-    with pytest.raises(SceneError, match=r"numerics.cells: 10: a cell turns by .* rad; accepted: \d+ or more"):
-        sc.simulate(scene)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import signal
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,14 +12,10 @@ import xarray as xr
 import softcat_sym as sc
 from softcat_sym.plotting.compare import boundary
 from softcat_sym.plotting.paper_figures import strip_at
-from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference.element_loop import Mesh
-from softcat_sym.reference.elements import run_elements
 from softcat_sym.scene.scene import Scene, elastic_time
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies import paper_figures
 from softcat_sym.studies.paper_figures import PAPER, ElementFilm, film_elements, stopping_depth
-from tests.common.in_process import Softcat
 
 MESH = Mesh(8, 2)
 INSTANTS = (6.0, 12.0, 24.0)
@@ -42,12 +36,6 @@ def areas(polygons: np.ndarray) -> np.ndarray:
     """Signed areas by the shoelace formula; shape (polygons,)."""
     x, y = polygons[..., 0], polygons[..., 1]
     return np.sum(x * np.roll(y, -1, axis=1) - np.roll(x, -1, axis=1) * y, axis=1) / 2
-
-
-def test_run_is_that_of_the_elements_alone(film: ElementFilm) -> None:
-    alone = run_elements(falling(), MESH)
-    assert np.array_equal(film.run.midpoint, alone.midpoint)
-    assert np.array_equal(film.run.rate[-1], alone.rate[-1])
 
 
 def test_snapshots_stand_where_the_run_does(film: ElementFilm) -> None:
@@ -77,32 +65,6 @@ def test_quarters_and_outline_cover_the_strip_once(film: ElementFilm) -> None:
         middles = shot.quarter.mean(axis=1)
         nearest = np.argmin(np.linalg.norm(shot.place[:, None] - middles[None], axis=2), axis=1)
         assert np.array_equal(nearest, np.arange(len(shot.place)))
-
-
-class Stops(Silence):
-    """Interrupts a run, as Ctrl-C does, once it has come so far."""
-
-    def __init__(self, after: float) -> None:
-        self.after = after
-
-    def update(self, simulated_time: float, step_size: float | None) -> None:
-        if simulated_time > self.after:
-            signal.raise_signal(signal.SIGINT)
-
-
-def test_interrupted_run_goes_on_to_the_same_numbers(film: ElementFilm, tmp_path: Path) -> None:
-    scene = falling()
-    with pytest.raises(KeyboardInterrupt):
-        film_elements(scene, MESH, INSTANTS, tmp_path, "falling", Stops(14 * elastic_time(scene)))
-    (kept,) = tmp_path.glob("elements-falling-*.npz")
-    with np.load(kept) as state:
-        taken = np.isfinite(state["record_rate"][:, 0, 0])
-    assert taken.tolist() == [True, True, False]
-    again = film_elements(scene, MESH, INSTANTS, tmp_path, "falling", Silence())
-    assert np.array_equal(again.run.midpoint, film.run.midpoint)
-    for shot, whole in zip(again.snapshots, film.snapshots, strict=True):
-        assert np.array_equal(shot.outline, whole.outline)
-        assert np.array_equal(shot.rate, whole.rate)
 
 
 SPAN, LIMIT = 2.0, 5.0
@@ -153,19 +115,3 @@ def test_stopping_depths() -> None:
     between, beyond = stopping_depth(1.4), stopping_depth(1.9)
     assert between["paper"] is not None and between["exact"] is None
     assert beyond == {"paper": None, "exact": None}
-
-
-def test_a_figure_that_there_is_none_of_is_refused_and_an_interruption_says_how_to_go_on(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    softcat, output = Softcat(monkeypatch, capsys), tmp_path / "out"
-    for number in ("3", "0", "two"):
-        done = softcat("figures", "--only", number, "-o", str(output))
-        assert done.status == 2 and "--only" in done.err and "2, 3a, 3b, 4" in done.err
-        assert not output.exists()
-    whole = paper_figures.film_scene
-    monkeypatch.setattr(paper_figures, "film_scene", lambda *given: whole(*given, mesh=Mesh(12, 2)))
-    monkeypatch.setattr(IntegrationProgress, "update", lambda *given: signal.raise_signal(signal.SIGINT))
-    done = softcat("figures", "--only", "4", "-o", str(output))
-    assert done.status == 130 and "the same command resumes" in done.err
-    assert [path.name.split("-")[0] for path in output.iterdir()] == ["elements"]

@@ -6,7 +6,7 @@ import csv
 import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,17 +15,11 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.batch.executor import RunPool, Where
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.estimates.forecast import overshoot, rebound
 from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
 from softcat_sym.studies.phase_runs import (
-    CLAMPS_ONLY,
-    PASSED,
     PLANES,
-    Node,
     Place,
-    coarse_width,
     duration_at,
-    refined,
     refuse_scene,
     run_places,
 )
@@ -34,8 +28,6 @@ from tests.common.in_process import Softcat
 LAPLACE = 0.6627434193491816
 """Laplace limit constant, max of u/cosh u; no catenary carries itself beyond G = 2 of it."""
 SCENE = sc.load_scene("arrested-overdamped", list(SETTINGS))
-MODULUS = 4e6 / (1900 * 9.81 * 0.2)
-Rule = Callable[[int, int], str]
 
 
 def lines_of(scene: sc.Scene, plane: str = "G-delta") -> dict[str, PhaseLine]:
@@ -59,34 +51,6 @@ def test_what_the_groups_do_not_decide_is_refused() -> None:
         refuse_scene(SCENE.replace({path: value, "run.effects": "paper"}))
 
 
-def test_tension_matters_for_thin_and_soft_filaments_only() -> None:
-    slow = "slow load, bending and tension"
-    soft, stiff = (lines_of(SCENE.replace({"material.youngs_modulus": E}))[slow] for E in ("4 MPa", "4e5 MPa"))
-    # A stiff filament yields before it sags: the linear beam's 2 delta.
-    np.testing.assert_allclose(stiff.G[stiff.other > 0.02], 2 * stiff.other[stiff.other > 0.02], rtol=0.02)
-    assert soft.G[0] > 1.5 * 2 * soft.other[0]
-    # A taut string with sharply bent ends: G ~ eps_Y^(1/2) and eps_Y = 1/(G E*), so G ~ E*^(-1/3), whatever delta.
-    thin = {"filament.thickness": "0.2 mm"}
-    softer = lines_of(SCENE.replace({"material.youngs_modulus": "4 MPa"} | thin), "G-V")[slow]
-    # Stress over rho g L of that string, (E*/24)^(1/3), and of its bent end, sqrt(3 E*/tension)/2, by hand.
-    tension = (MODULUS / 24) ** (1 / 3)
-    assert softer.G[0] == pytest.approx(1 / (tension + np.sqrt(3 * MODULUS / tension) / 2), rel=0.02)
-    softest = lines_of(SCENE.replace({"material.youngs_modulus": "0.5 MPa"} | thin), "G-V")
-    assert softest[slow].G[0] / softer.G[0] == pytest.approx(2.0, rel=0.02)
-
-
-def test_estimates_have_their_limits() -> None:
-    """A ramp lies between sudden and slow; spring-back is the share that counts as underdamped."""
-    sudden, slow = (lines_of(SCENE.replace({"load.ramp": f"{ramp} s"}), "G-V") for ramp in (1e-6, 1e3))
-    ramped = "this ramp, first mode"
-    assert sudden[ramped].G[0] == pytest.approx(0.03, rel=1e-3)
-    assert slow[ramped].G[0] == pytest.approx(slow["slow load, bending and tension"].G[0], rel=1e-3)
-    line, ramp = lines_of(SCENE, "G-V")["spring-back of 5 %"], SCENE.load.ramp * np.sqrt(9.81 / 0.2)
-    for V, G in zip(line.other, line.G, strict=True):
-        past = overshoot(float(G), float(V), float(ramp))
-        assert rebound(float(G), 1 / (MODULUS * float(G)), past) == pytest.approx(0.05, rel=0.01)
-
-
 def test_crossings_and_distances_of_a_known_lattice() -> None:
     G, V = np.geomspace(0.01, 3, 41), np.geomspace(0.1, 100, 5)
     marks = np.empty((41, 5), dtype="<U24")
@@ -105,39 +69,6 @@ def test_crossings_and_distances_of_a_known_lattice() -> None:
     [distance] = distances([line], found)
     assert distance.rows == 5
     assert distance.median == pytest.approx(rows["first yield"][0].G / 0.03 - 1)
-
-
-def wedge(i: int, j: int) -> str:
-    """Three regimes that meet in a point, as no yield, arrest and descent do."""
-    return "c" if i >= 27 else "a" if i < 0.6 * j + 3 else "b"
-
-
-def disc(i: int, j: int) -> str:
-    return "in" if (i - 17) ** 2 + (j - 21) ** 2 < 81 else "out"
-
-
-def bump(i: int, j: int) -> str:
-    """Reaches a coarse edge between its corners: the finer neighbour's nodes show it."""
-    return "b" if i >= 20 or (i >= 15 and 20 < j < 24) else "a"
-
-
-def test_refinement_labels_as_without_it_each_node_once() -> None:
-    for rule in (wedge, disc, bump):
-        nodes: list[Node] = []
-
-        def label(missing: Sequence[Node], rule: Rule = rule, nodes: list[Node] = nodes) -> list[str]:
-            nodes.extend(missing)
-            return [rule(*node) for node in missing]
-
-        lattice = refined(40, label)
-        assert len(nodes) == len(set(nodes)) == len(lattice.known)
-        np.testing.assert_array_equal(lattice.labels, [[rule(i, j) for j in range(41)] for i in range(41)])
-        assert lattice.saved == 41**2 - len(nodes)
-        # Ten squares to begin with are 121 nodes; a boundary of 40 to 80 steps takes a few nodes a step.
-        assert len(nodes) < 0.45 * 41**2
-    for cells, width in ((40, 4), (20, 2), (80, 8), (16, 2), (37, 1), (4, 1)):
-        assert coarse_width(cells) == width
-        assert refined(cells, lambda nodes: ["same"] * len(nodes)).labels.shape == (cells + 1, cells + 1)
 
 
 @pytest.fixture(scope="module")
@@ -182,19 +113,6 @@ def test_runs_are_those_of_simulate(pool: RunPool) -> None:
             assert getattr(run, f"{place}_strain") == pytest.approx(
                 np.log(float(at.stretch)) + bending, rel=5e-3, abs=1e-4
             )
-
-
-def test_a_run_that_is_no_answer_has_no_regime(pool: RunPool) -> None:
-    """The paper's ringing filament at G = 0.4, whose clamps are drawn out; and one that falls as a whole before."""
-    places = [Place(0.4, 0.3, 0.03), Place(3.0, 1.0, 0.03), Place(1.0, 26.0, 0.03)]
-    necked, fallen, creeping = run_places(SCENE, places, pool)
-    assert (necked.regime, necked.mark, necked.runs) == ("", "localised", 1)
-    assert necked.message
-    assert (fallen.regime, fallen.runs) == ("descending", 2)
-    assert fallen.drawn_out == duration_at(SCENE, fallen.place) > fallen.duration
-    assert fallen.sag == pytest.approx(PASSED, abs=0.05)
-    assert (creeping.regime, creeping.mark, creeping.runs) == ("descending", CLAMPS_ONLY, 1)
-    assert creeping.rate > 0.5 > creeping.span_rate
 
 
 def test_papers_continual_descent(pool: RunPool) -> None:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import json
-import os
 import subprocess
 import sys
 import tomllib
@@ -15,7 +13,6 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.lazy import lazy_imports
 from softcat_sym.scene.reading import as_scene
 
 TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
@@ -62,18 +59,6 @@ def test_each_use_loads_no_more_than_it_needs(code: str, heavy: tuple[str, ...])
     assert done.returncode == 0, done.stderr
 
 
-def test_a_lazy_import_is_done_at_its_first_use_and_fails_there() -> None:
-    with lazy_imports():
-        from xml.etree import ElementTree
-
-        import no_such_package
-    for _ in range(2):
-        with pytest.raises(ModuleNotFoundError, match="no_such_package"):
-            _ = no_such_package.name
-    assert ElementTree.fromstring("<a/>").tag == "a"
-    assert inspect.ismodule(sys.modules["xml.etree.ElementTree"])
-
-
 def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path: Path) -> None:
     scene = sc.load_scene("cold-honey", TINY)
     path = tmp_path / "mine.toml"
@@ -107,39 +92,6 @@ def test_whatever_takes_a_scene_takes_changes(tmp_path: Path) -> None:
     takers = [one for one in takers if "scene" in inspect.signature(one).parameters]
     assert len(takers) >= 12
     assert all("changes" in inspect.signature(one).parameters for one in takers)
-
-
-NOTEBOOK = """
-import sys, json, nbformat, nbclient
-cells = {cells!r}
-notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
-nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
-print(json.dumps([[sorted(one.get("data", dict())) for one in cell.outputs] for cell in notebook.cells]))
-"""
-
-
-@pytest.mark.tooling
-def test_a_notebook_shows_pictures_once_and_results_in_short() -> None:
-    """The last line of a cell, before and after pyplot has taken over the figures of the notebook."""
-    run = f"run = sc.simulate('cold-honey', {list(TINY)!r})"
-    cells = ["import softcat_sym as sc\n" + run, "run.plot('shapes')", "run", "sc.explain('cold-honey')"]
-    cells += ["sc.simulate_many('cold-honey', {'filament.span': [0.05, 0.06]}, changes=" + f"{list(TINY)!r})"]
-    cells += ["import matplotlib.pyplot as plt\nrun.plot('midpoint')"]
-    done = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", NOTEBOOK.format(cells=cells)],
-        capture_output=True, text=True, check=False, env={**os.environ, "MPLBACKEND": ""},
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr[-2000:]
-    none, shapes, *results, midpoint = json.loads(done.stdout)
-    assert none == [] and shapes == midpoint == [["image/png", "text/plain"]]
-    assert results == [[["text/html", "text/plain"]]] * 3
-
-
-def test_results_print_in_a_few_lines() -> None:
-    curve = Path(sc.__file__).parent / "samples" / "my-curve.csv"
-    many = sc.simulate_many("cold-honey", {"filament.span": [0.05, 0.06]}, changes=TINY)
-    for one in (sc.explain("cold-honey"), many, sc.fit_flow_curve(curve)):
-        assert len(repr(one)) < 1000 and repr(one).startswith(type(one).__name__)
 
 
 def test_warnings_of_a_run_are_pythons_too_once_each(monkeypatch: pytest.MonkeyPatch) -> None:

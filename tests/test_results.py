@@ -6,10 +6,8 @@ import errno
 import json
 import math
 import os
-import re
-import shutil
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 import pint
@@ -17,15 +15,14 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym import cache, store
+from softcat_sym import store
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.results.fields import VARIABLES, mirrored
 from softcat_sym.results.run import open_run, run_form
-from softcat_sym.scene.scene import Scene, undeformed_area
-from softcat_sym.simulate import identity_of, recalled
+from softcat_sym.scene.scene import undeformed_area
+from softcat_sym.simulate import recalled
 from softcat_sym.solvers import settings
 from softcat_sym.solvers.outcome import Outcome
-from tests.common.in_process import Softcat
 from tests.common.runs import run, scene_of
 
 CONTRACT = {
@@ -94,27 +91,6 @@ def test_values_attributes_and_scene_survive_to_the_last_bit(saved: Path, tmp_pa
     xr.testing.assert_identical(again.data, run().data)
 
 
-@pytest.mark.parametrize(
-    ("name", "content", "says"),
-    [
-        ("summary.json", '{"outcome": "solved", "midp', "summary.json: it is damaged (Invalid JSON: EOF"),
-        ("summary.json", "[1]", "summary.json: it is damaged (Input should be an object"),
-        ("summary.json", '{"outcome": "solved"}', "midpoint_final_m: Field required"),
-        ("summary.json", '{"outcome": "solved", "midpoint_final_m": -1, "effects": 3}', "effects: Input should be"),
-        ("scene.toml", "[filament]\nspan = 3\n", "scene.toml: 5 faults"),
-        ("scene.toml", "[filament", "not TOML"),
-        ("trajectory.nc", "CDF", "trajectory.nc: cannot be read as netCDF4"),
-    ],
-)
-def test_a_folder_of_which_a_file_is_damaged_is_not_drawn(
-    softcat: Softcat, saved: Path, tmp_path: Path, name: str, content: str, says: str
-) -> None:
-    shutil.copytree(saved, tmp_path / "run")
-    (tmp_path / "run" / name).write_text(content)
-    done = softcat("draw", str(tmp_path / "run"), "-o", "out")
-    assert (done.status, done.out, Path("out").exists(), says in done.err) == (2, "", False, True), done.err
-
-
 def test_the_summary(saved: Path) -> None:
     summary = json.loads((saved / "summary.json").read_text(encoding="utf-8"))
     assert set(summary) >= SUMMARY
@@ -134,22 +110,6 @@ def test_the_summary(saved: Path) -> None:
     lopsided = run("bingham", "pinned")
     assert summary["cells"] == lopsided.summary["cells"] == 6
     assert dict(lopsided.data.sizes) == {"time": 13, "node": 13, "cell": 12}
-
-
-@pytest.mark.slow
-def test_what_a_list_leaves_out_and_what_was_converted_is_in_the_summary() -> None:
-    published = choose_effects(scene_of(run={"effects": "paper"}))
-    names = [name for name in published.names if name not in ("thinning", "large-rotation")]
-    summary = sc.simulate(scene_of(run={"effects": names})).summary
-    assert set(summary["effects"]) == set(names)
-    assert set(summary["left_out"]) == {"thinning", "large-rotation", *published.left_out}
-    assert all(value > 0 for value in summary["left_out"].values())
-    given = {"law": "herschel-bulkley", "youngs_modulus": "1 MPa", "shear_yield_stress": "200 Pa", "index": 0.5}
-    table = scene_of(run={"effects": "paper"}).given()
-    scene = Scene.model_validate({**table, "material": {**given, "shear_consistency": "100 Pa*s^0.5"}})
-    converted = " ".join(sc.simulate(scene).summary["converted"])
-    assert "sqrt(3)" in converted and f"{scene.material.viscosity:.6g}" in converted
-    assert scene.material.viscosity == pytest.approx(3**0.75 * 100)
 
 
 def test_saving_replaces_whole_files_that_others_can_read_or_leaves_the_old_ones(
@@ -280,31 +240,3 @@ def test_a_run_is_recalled_to_the_last_bit_under_any_title(monkeypatch: pytest.M
     assert run_form(scene).write(first) == run_form(scene).write(recalled(scene))
     with store.fresh(), pytest.raises(TypeError):
         recalled(scene)
-
-
-def test_what_decides_a_run_decides_its_key() -> None:
-    scene = sc.load_scene("cold-honey")
-    changes: tuple[dict[str, Any], ...] = ({}, {"run.frames": 7}, {"title": "x"})
-    assert len({store.key_of("run", identity_of(scene.replace(change))) for change in changes}) == 2
-    parts: tuple[object, ...] = (1, 1.5, "1", [1], b"1", np.ones(1), np.ones(1, int), np.ones((1, 1)), None)
-    assert len({store.key_of("run", part) for part in parts}) == len(parts)
-    assert store.key_of("run", 1) != store.key_of("sag", 1)
-    with pytest.raises(TypeError, match="no part of a key: object"):
-        store.key_of("run", object())
-    form = store.json_form(list, list)
-    assert re.findall("Infinity", json.dumps(form.read(form.write([float("inf"), 0.1, None])))) == ["Infinity"]
-
-
-def test_what_is_harmed_or_in_another_place_is_not_taken(results_of_studies: Path) -> None:
-    key, other = store.key_of("one"), store.key_of("other")
-    assert store.recall(key) is None
-    store.keep(key, b"content" * 100)
-    assert store.recall(key) == b"content" * 100
-    path = results_of_studies / key
-    path.rename(results_of_studies / other)
-    assert store.recall(other) is None
-    store.keep(key, b"content")
-    for content in (b"", path.read_bytes()[:-1], bytes(100)):
-        path.write_bytes(content)
-        assert store.recall(key) is None
-    assert len(cache.clear(cache.RESULTS)[cache.RESULTS]) == 2 and cache.entries(cache.RESULTS) == []

@@ -88,17 +88,6 @@ def test_orders_on_a_smooth_problem(method: int, smooth_solution: np.ndarray) ->
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_outputs_do_not_move_the_steps(method: int) -> None:
-    """Dense output: a hundred times more outputs, the same steps and end; the work is cut, not changed."""
-    few = integrate(problem("smooth"), [1.0, 1.0], [0.0, 2.0], Settings(method=method))
-    many = integrate(problem("smooth"), [1.0, 1.0], np.linspace(0.0, 2.0, 101), Settings(method=method))
-    assert many.status.steps == few.status.steps
-    np.testing.assert_array_equal(many.states[-1], few.states[-1])
-    np.testing.assert_array_equal(many.state, many.states[-1])
-    np.testing.assert_allclose(many.work[-1], few.work[-1], rtol=1e-6)
-
-
-@pytest.mark.parametrize("method", METHODS)
 def test_stability_of_one_step(method: int) -> None:
     """One step h = 1 of y' = lambda y: R(-1e8) vanishes, R is close to exp near 0, |R(iy)| <= 1."""
 
@@ -111,23 +100,6 @@ def test_stability_of_one_step(method: int) -> None:
     assert all(abs(step(0.0, y)) <= 1.0 + 1e-13 for y in (0.1, 1.0, 3.0, 10.0, 1e2, 1e4, 1e8))
     small = -0.01 + 0.02j
     assert abs(step(small.real, small.imag) - np.exp(small)) < 0.1 * abs(small) ** (ORDER[method] + 1)
-
-
-def test_how_far_stages_go_beyond_a_wave_that_no_step_resolves() -> None:
-    """Largest |y| at which f is asked, of y' = i z y, |y| = 1, for any z: those of Rodas4 never leave what y reaches.
-
-    Where a yield stress is just not reached, a stage that goes further makes flow what neither did nor will.
-    """
-    for method, limit in [(RODAS5P, 3.42), (RODAS4, 1.0), (RODAS3P, 1.23)]:
-        of = library().softcat_method_of(method).contents
-        a, c = np.array(of.a), np.array(of.c)
-        z = 1j * np.logspace(-2, 6, 401)
-        k, reached = np.zeros((of.stages, z.size), dtype=complex), []
-        for i in range(of.stages):
-            y = 1 + a[i, : of.stages] @ k
-            k[i] = (z * y + c[i, : of.stages] @ k) / (1 / of.gamma - z)
-            reached.append(np.abs(y).max())
-        assert max(reached) == pytest.approx(limit, abs=0.01)
 
 
 def test_orders_on_stiff_and_algebraic_problems() -> None:
@@ -243,24 +215,6 @@ def test_derivatives_of_a_linear_decay() -> None:
         assert run.derivatives is not None
         for found, exact in zip(run.derivatives, (times * solution, 1j * times * solution, growth), strict=True):
             np.testing.assert_allclose(found, np.stack([exact.real, exact.imag], axis=1), atol=accuracy)
-
-
-def test_derivatives_leave_the_run_alone_and_make_no_noise() -> None:
-    """At a loose tolerance the derivative has the error of the run, not of steps chosen anew divided by the size."""
-    what, times = problem("oscillator", 1e-3), [0.0, 0.5, 2.0]
-    alone = integrate(what, [2.0, -0.66], times, Settings())
-    accompanied = integrate(what, [2.0, -0.66], times, Settings(), Moved([1e-8], np.ones((1, 1))))
-    assert accompanied.status.steps == alone.status.steps
-    np.testing.assert_array_equal(accompanied.states, alone.states)
-    by_state, loose = np.array([[1.0, 0.0]]), Settings(relative=1e-4, absolute=1e-6)
-    found, exact = (
-        integrate(problem("smooth"), [1.0, 1.0], [0.0, 2.0], settings, Moved([size], None, None, by_state, two_sided))
-        for settings, size, two_sided in ((loose, 1e-7, False), (TIGHT, 1e-5, True))
-    )
-    assert found.derivatives is not None and exact.derivatives is not None and found.work_derivatives is not None
-    np.testing.assert_allclose(found.derivatives[0, 1], exact.derivatives[0, 1], rtol=2e-3)
-    # The work is 1 - u.
-    np.testing.assert_allclose(found.work_derivatives[0, 1, 0], -found.derivatives[0, 1, 1], rtol=1e-3)
 
 
 def test_derivatives_of_algebraic_unknowns() -> None:
@@ -379,15 +333,6 @@ def test_several_turning_points_in_one_step_and_at_a_kink() -> None:
     turns, rows = watched(8)
     integrate(problem("dahlquist", -1.0, 0.0), [1.0, 0.0], [0.0, 3.0], Settings(turns=turns))
     assert turns.count == 1 and rows[1, 2] == pytest.approx(-math.expm1(-3.0), rel=1e-5)
-
-
-def test_turning_points_of_no_unknown_are_refused() -> None:
-    for bad in ({"site": 1}, {"site": -1}, {"slot": 2}, {"capacity": 7}, {"rows": None}):
-        turns, _ = watched(8)
-        for name, value in bad.items():
-            setattr(turns, name, value)
-        run = integrate(problem("smooth"), [1.0, 1.0], [0.0, 1.0], Settings(turns=turns))
-        assert run.status.code == compiled.ARGUMENT, bad
 
 
 def test_consistent_start_is_found_from_afar() -> None:

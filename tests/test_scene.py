@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import math
-import os
 import pickle
 import subprocess
 import sys
@@ -21,15 +20,10 @@ from hypothesis import strategies as st
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.parts import Filament
-from softcat_sym.scene.reading import as_scene, load_scene
+from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import (
     Scene,
-    chord_angle,
-    distance,
-    is_slack,
     is_symmetric,
-    rest_length,
-    stress_free_length,
 )
 from softcat_sym.scene.tables import farthest, nearest
 from softcat_sym.scene.units import COMMON, _measured, _product, measured_by_pint
@@ -55,18 +49,6 @@ def test_a_bad_file_is_one_clear_error(tmp_path: Path) -> None:
         path.write_bytes(content)
         text = refused(path)
         assert says in text and str(path) in text, text
-
-
-def test_a_directory_and_other_unreadable_things(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "a directory, not a file" in refused(tmp_path)
-    assert "cannot be read" in refused("nul\0character")
-    assert "cannot be read" in refused("x" * 5000)
-
-    def forbidden(*_: object) -> None:
-        raise PermissionError(13, "Permission denied")
-
-    monkeypatch.setattr(os, "open", forbidden)
-    assert "cannot be read: Permission denied" in refused(tmp_path / "secret.toml")
 
 
 def test_a_bundled_scene_is_found_by_name_and_a_file_by_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -112,58 +94,6 @@ def test_python_values() -> None:
     assert pickle.loads(pickle.dumps(scene)) == scene
     with pytest.raises(ValueError, match="frozen"):
         scene.filament.span = 1.0  # type: ignore[misc]
-
-
-def in_three_forms(ureg: pint.UnitRegistry[float]) -> list[dict[str, Any]]:
-    """A scene with numbers in SI, text with units, and pint quantities: a consistency, modes and a path among them."""
-    values: dict[str, Any] = {
-        "filament.span": (0.2, "m"),
-        "filament.thickness": (0.006, "m"),
-        "filament.density": (1900, "kg/m^3"),
-        "material.youngs_modulus": (4e6, "Pa"),
-        "material.yield_stress": (9320.0, "Pa"),
-        "material.shear_consistency": (120.0, "Pa*s^0.5"),
-        "run.duration": (2, "s"),
-    }
-    forms = []
-    for write in (lambda n, _: n, lambda n, unit: f"{n!r} {unit}", lambda n, unit: ureg.Quantity(n, unit)):
-        table = spoiled({key: write(*value) for key, value in values.items()}, {})
-        table["material"] |= {"law": "herschel-bulkley", "index": 0.5}
-        table["ends"] = {"motion": [[write(t, "s"), write(dx, "m"), write(0, "m")] for t, dx in ((0, 0), (1.0, 0.01))]}
-        forms.append(table)
-    return forms
-
-
-def test_numbers_in_si_text_and_pint_quantities_give_the_same_scene() -> None:
-    number, text, quantity = in_three_forms(pint.UnitRegistry())
-    scene = Scene.model_validate(text)
-    assert scene.to_toml() == Scene(**number).to_toml() == Scene(**text).to_toml() == Scene(**quantity).to_toml()
-    assert scene == Scene.from_dict(number) == Scene.from_dict(text) == Scene.from_dict(quantity) == as_scene(number)
-    modes = {"law": "multimode-maxwell", "modes": [{"youngs_modulus": 1e6, "viscosity": 2000}]}
-    units = {"law": "multimode-maxwell", "modes": [{"youngs_modulus": "1 MPa", "viscosity": "2 kPa*s"}]}
-    assert Scene(**number | {"material": modes}) == Scene.model_validate(text | {"material": units})
-    grouped = {"groups": {"delta": 0.03, "law": "elastic", "E_star": 1000.0}, "filament": {"span": 0.3}}
-    assert Scene(**grouped, run={"duration": 2}).filament.thickness == pytest.approx(0.009)
-
-
-def test_bad_numbers_of_python_are_refused_and_a_file_still_needs_units() -> None:
-    number, text, _ = in_three_forms(pint.UnitRegistry())
-    number["filament"] |= {"span": -1, "thickness": math.nan, "density": True, "spam": 1.0}
-    number["material"]["shear_consistency"] = 10**400
-    with pytest.raises(SceneError) as caught:
-        Scene(**number)
-    found = {fault.path: fault.found for fault in caught.value.faults}
-    assert found == {
-        "filament.span": "-1.0 is negative",
-        "filament.thickness": "nan is not finite",
-        "filament.density": "true is not a quantity",
-        "filament.spam": "unknown key (did you mean 'span'?)",
-        "material.shear_consistency": "inf is not finite",
-    }
-    text["filament"]["span"] = 0.2
-    assert [fault.found for fault in faults_of(text)] == ["0.2 has no unit"]
-    with pytest.raises(SceneError, match="is not a table"):
-        Scene.from_dict([1])  # type: ignore[arg-type]
 
 
 positive = st.floats(1e-12, 1e12)
@@ -247,30 +177,6 @@ def test_overrides_are_toml_or_text() -> None:
     assert listed.run.effects == ("inertia", "bending")
 
 
-def test_an_override_wins_over_groups() -> None:
-    for override, path, si in [
-        ("material.yield_stress=5 kPa", "material.yield_stress", 5e3),
-        ("material.shear_yield_stress=5 kPa", "material.yield_stress", math.sqrt(3) * 5e3),
-        ("material.viscosity=5 kPa*s", "material.viscosity", 5e3),
-        ("material.youngs_modulus=5 MPa", "material.youngs_modulus", 5e6),
-        ("filament.thickness=2 mm", "filament.thickness", 2e-3),
-        ("filament.thickness=2 mm", "filament.width", 2e-3),
-        ("filament.span=0.1 m", "filament.thickness", 3e-3),
-        ("material.poisson=0.3", "material.poisson", 0.3),
-        ("run.duration=3 s", "run.duration", 3.0),
-        ("load.ramp=3 s", "load.ramp", 3.0),
-    ]:
-        part, _, name = path.partition(".")
-        assert getattr(getattr(load_scene("arrested-overdamped", [override]), part), name) == pytest.approx(si)
-
-
-def test_an_override_of_the_law_must_fit() -> None:
-    with pytest.raises(SceneError) as caught:
-        load_scene("arrested-overdamped", ["material.law=maxwell"])
-    assert [fault.path for fault in caught.value.faults] == ["material.yield_stress"]
-    assert load_scene("ink-bridge", ["material.viscosity=1 Pa*s"]).material.viscosity == 1.0
-
-
 def test_a_bad_override_is_one_clear_error() -> None:
     for override, says in [
         ("numerics.cells", "--set: 'numerics.cells' sets nothing"),
@@ -285,12 +191,6 @@ def test_a_bad_override_is_one_clear_error() -> None:
         ("nosuch.table=1", "nosuch: unknown key"),
     ]:
         assert says in refused("arrested-overdamped", [override])
-
-
-def test_faults_of_overrides_and_file_come_together() -> None:
-    with pytest.raises(SceneError) as caught:
-        load_scene("no-yield", ["nonsense", "run.frames=1", "groups.B=3"])
-    assert [fault.path for fault in caught.value.faults] == ["--set", "groups.B", "run.frames"]
 
 
 def test_replace() -> None:
@@ -440,21 +340,6 @@ def test_the_path_of_a_support() -> None:
     # From (0.1, 0.1) to (-0.1, -0.2): the foot of the perpendicular lies on the path.
     assert nearest(scene) == pytest.approx(abs(0.1 * -0.3 - 0.1 * -0.2) / math.hypot(0.2, 0.3))
     assert (nearest(scene_of()), farthest(scene_of())) == (0.2, 0.2)
-
-
-def test_lengths() -> None:
-    scene = scene_of(filament__span="3 m", ends__drop="4 m", initial__stretch=1.25)
-    assert (distance(scene), rest_length(scene), stress_free_length(scene)) == (5.0, 4.0, 5.0)
-    assert not is_slack(scene)
-    elastic = scene.replace({"initial.relaxed": False})
-    assert (rest_length(elastic), stress_free_length(elastic)) == (4.0, 4.0)
-    given = scene.replace({"filament.rest_length": "4.5 m"})
-    assert (rest_length(given), stress_free_length(given), is_slack(given)) == (4.5, 5.625, True)
-    assert not is_slack(given.replace({"ends.right": "free", "ends.drop": None}))
-    assert not is_slack(scene_of(filament__rest_length="200 mm"))
-    assert is_slack(scene_of(filament__rest_length="200.1 mm"))
-    assert chord_angle(scene) == pytest.approx(-math.atan2(4, 3))
-    assert chord_angle(scene.replace({"ends.drop": "-4 m"})) == pytest.approx(math.atan2(4, 3))
 
 
 def test_symmetry() -> None:

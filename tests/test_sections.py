@@ -13,15 +13,11 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from scipy.integrate import quad, solve_ivp
+from scipy.integrate import quad
 from scipy.optimize import linprog
 
-from softcat_sym.discretization.casadi_printer import CellFunction, printed
+from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.effects.selection import choose_effects
-from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.constitutive_laws import (
     K,
     bingham_means,
@@ -32,7 +28,6 @@ from softcat_sym.physics.constitutive_laws import (
     n,
     power_law_rate,
 )
-from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import (
     CIRCLE,
     RECTANGLE,
@@ -40,10 +35,9 @@ from softcat_sym.physics.sections import (
     Section,
     SectionMeans,
     quadrature_means,
-    scaled,
 )
 from softcat_sym.physics.symbols import E, c, eta, sigma_0, sigma_1, sigma_Y, zeta
-from tests.common.filaments import Array, scene
+from tests.common.filaments import Array
 from tests.common.one_cell import bend_slowly, one_cell
 
 # Means of the Bingham rule over a section: the package's closed forms, and a reference that knows none of them.
@@ -165,8 +159,6 @@ MEAN_SHAPES = {shape.name: shape for shape in (RECTANGLE, CIRCLE)}
 INDICES = (0.25, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0)
 NAMES = ("rate", "bending_rate", "yielded_fraction", "largest_rate")
 each_shape = pytest.mark.parametrize("shape", MEAN_SHAPES.values(), ids=MEAN_SHAPES)
-few = settings(max_examples=40, deadline=None)
-stresses = st.floats(-6, 6)
 
 RULES: dict[str, tuple[sp.Expr, sp.Expr]] = {
     "power": (power_law_rate(), sp.S.Zero),
@@ -273,52 +265,9 @@ def test_a_uniform_section_that_flows_resists_bending(shape: Section, index: flo
         assert np.array(jacobian((3.0, 0.0))) == pytest.approx(slope * np.eye(2), rel=2e-6, abs=2e-6 * slope)
 
 
-@EACH_MEAN
-@few
-@given(mean=stresses, slope=stresses, step=st.floats(0, 1), index=st.sampled_from(INDICES))
-def test_odd_monotone_and_never_giving_work_back(
-    name: str, shape: str, mean: float, slope: float, step: float, index: float
-) -> None:
-    means = by_quadrature(name, shape)
-    found, opposite = at(means, values(mean, slope, index)), at(means, values(-mean, -slope, index))
-    largest = at(means, values(abs(mean) + step, abs(slope) + step, index))["largest_rate"]
-    # Which side is in tension is not known where the stress varies by less than 1e-30 E.
-    noise = 1e-12 * largest + 1e-25
-    for key in ("rate", "bending_rate"):
-        assert found[key] == pytest.approx(-opposite[key], abs=noise)
-    assert mean * found["rate"] + slope * found["bending_rate"] * float(MEAN_SHAPES[shape].zeta_squared) >= -noise * 12
-    error = 1e-5 * largest
-    assert at(means, values(mean + step, slope, index))["rate"] >= found["rate"] - error
-    assert at(means, values(mean, slope + step, index))["bending_rate"] >= found["bending_rate"] - 4 * error
-
-
-@few
-@given(share=st.floats(-1, 1), size=st.floats(0, 0.999), index=st.sampled_from(INDICES))
-def test_below_yield_nothing_flows_at_all(share: float, size: float, index: float) -> None:
-    for shape in MEAN_SHAPES:
-        point = values(size * share, size * (1 - abs(share)), index)
-        assert set(at(by_quadrature("herschel-bulkley", shape), point).values()) == {0.0}
-
-
-def test_a_wide_sheet_flows_by_the_rule_of_its_equivalent_stress() -> None:
-    """r phi(r sigma), r = sqrt(3)/2: 4/3 of the viscosity, 2/sqrt(3) of the yield stress, (2/sqrt(3))^(n+1) of K."""
-    r = math.sqrt(3) / 2
-    base = {sigma_0: 1.7, sigma_1: -0.9, E: 400.0}
-    fluids = {"maxwell": maxwell_means(RECTANGLE), "bingham": CLOSED["rectangle"]}
-    fluids |= {name: by_quadrature(name, "rectangle") for name in RULES}
-    for means in fluids.values():
-        sheet = scaled(means, sp.sqrt(3) / 2)
-        for index in INDICES:
-            material = {eta: 2.0, sigma_Y: 1.0, K: 2.0, n: index}
-            wide = {eta: 2.0 * 4 / 3, sigma_Y: 1 / r, K: 2.0 * r ** -(index + 1), n: index}
-            assert at(sheet, {**base, **material}) == pytest.approx(at(means, {**base, **wide}), rel=1e-11)
-
-
 # The closed-form means of the Bingham rule, (2.26) and (2.27), against quadrature and the paper's own letters.
 CASES = sign_cases()
 BINGHAM_SHAPES = sorted(SECTIONS)
-few_bingham_means = settings(max_examples=40, deadline=None)
-stresses_bingham_means = st.floats(-6 * YIELD, 6 * YIELD)
 
 
 def agree(one: Means, two: Means, mean: float, slope: float, rel: float = 2e-14) -> None:
@@ -335,63 +284,6 @@ def test_every_sign_case_against_quadrature() -> None:
             found, wanted = closed_form(section, mean, slope), quadrature(section, mean, slope)
             agree(found, wanted, mean, slope)
             assert found.largest == pytest.approx(wanted.largest, rel=1e-12, abs=1e-12 * YIELD / VISCOSITY)
-
-
-@pytest.mark.parametrize("section", BINGHAM_SHAPES)
-@few_bingham_means
-@given(mean=stresses_bingham_means, slope=stresses_bingham_means, ahead=st.floats(-1, 1), aside=st.floats(-1, 1))
-def test_continuous_with_the_slope_of_the_flow_rule(
-    section: str, mean: float, slope: float, ahead: float, aside: float
-) -> None:
-    """Neither mean can change faster than the stress over eta, also across the yield point and through zero moment."""
-    step = 1e-6 * YIELD
-    one, two = closed_form(section, mean, slope), closed_form(section, mean + ahead * step, slope + aside * step)
-    bound = (abs(ahead) + abs(aside)) * step / VISCOSITY + 1e-14 * (abs(mean) + abs(slope)) / VISCOSITY
-    assert abs(one.rate - two.rate) <= bound
-    assert abs(one.moment - two.moment) <= bound
-
-
-# One section of the printed graph pulled at a constant rate: Trouton's tension, and what the closures make of it.
-MODULUS_PULLED, ETA, RATE = 1e7, 1e4, 1.0
-"""Relaxation time 1 ms, strained by 1 per second: Newtonian to 0.1 %."""
-
-
-def pulled(closure: str, strains: np.ndarray) -> np.ndarray:
-    """Tension per undeformed area at the given true strains, pulled at a constant true strain rate."""
-    asked = scene(thickness=0.01, E=MODULUS_PULLED, eta=ETA, closure=closure)
-    equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], closure)
-    known = {sy.E: MODULUS_PULLED, sy.eta: ETA, sy.h0: 0.01, sy.A0: 1.0}
-    response, (s, a_0, mean) = equations.response, (ca.SX.sym(name) for name in ("s", "a_0", "mean"))
-    of_strain, of_stress = {**known, sy.s: s, sy.a_0: a_0}, {**known, sy.s: s, sy.sigma_0: mean, sy.sigma_1: 0.0}
-    stress = ca.Function("stress", [s, a_0], [printed(response.branch.stress_mean, of_strain)])
-    tension = ca.Function("tension", [s, mean], [printed(response.tension, of_stress)])
-    flow = ca.Function("flow", [s, mean], [printed(response.branch.rate_mean, of_stress)])
-
-    def rate(time: float, plastic: np.ndarray) -> np.ndarray:
-        stretch = np.exp(RATE * time)
-        return np.array([float(flow(stretch, stress(stretch, plastic[0])))])
-
-    times = strains / RATE
-    history = solve_ivp(rate, (0, times[-1]), [0.0], "Radau", times, rtol=1e-9, atol=1e-12)
-    stretches = np.exp(strains)
-    return np.array([float(tension(x, stress(x, a))) for x, a in zip(stretches, history.y[0], strict=True)])
-
-
-def test_material_closure_gives_trouton_tension() -> None:
-    """T = eta A s_t/s at any stretch, less what has not built up yet: 1 - exp(-t/tau)."""
-    strains = np.array([0.001, 0.005, 0.2, 0.5, 1.0, 1.5])
-    expected = ETA * RATE / np.exp(strains) * (1 - np.exp(-strains / RATE * MODULUS_PULLED / ETA))
-    found = pulled("material", strains)
-    np.testing.assert_allclose(found, expected, rtol=1e-6)
-
-
-def test_printed_closure_loses_its_tension_at_a_stretch_of_e() -> None:
-    """T = eta A s_t/s (1 - log s): 20 % too small at 20 % strain, nothing at s = e, negative beyond."""
-    strains = np.array([0.2, 0.5, 1.0, 1.5])
-    found = pulled("printed", strains)
-    np.testing.assert_allclose(found / (ETA * RATE / np.exp(strains)), 1 - strains, atol=5e-3)
-    assert found[0] == pytest.approx(0.8 * ETA * RATE / np.exp(0.2), rel=5e-3)
-    assert found[3] < 0
 
 
 # Slow bending of an elastoplastic section, against the exact curves and ultimate moments of textbooks.
@@ -489,12 +381,3 @@ def test_fibres_yield_one_by_one(section: str) -> None:
         stress = np.clip(CURVATURE[:, None] * rule.zeta, -1.0, 1.0)
         wanted = stress @ (rule.weight * rule.zeta) / SECOND[section]
         np.testing.assert_allclose(found(section, rule)[1], wanted, atol=1e-7)
-
-
-@pytest.mark.parametrize("section", ["rectangle", "circle"])
-def test_a_linear_profile_stops_at_first_yield(section: str) -> None:
-    """A linear stress that exceeds yield nowhere has at most the moment of first yield: M_p is out of reach."""
-    rule = order_rule(section, 1, 64)
-    _, moment = found(section, rule)
-    assert moment[-1] == pytest.approx(1 / rule.zeta[-1], abs=OVERSTRESS)
-    assert moment[-1] == pytest.approx(1.0, abs=2e-3)

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.plotting import sliders as sliders_data
 from softcat_sym.plotting.sliders import sliders_page
 from tests.common.browser import CHROMIUM, browser
 
@@ -101,29 +100,6 @@ def test_no_word_leaves_its_place_and_nothing_is_asked_of_the_net():
     assert title is not None
     assert unescape(title[1]) == f"@DATA@ @SCRIPT@ {WORD}"
     assert not re.search(r"https?://|src=|@import|url\(", page)
-
-
-def test_a_page_of_400_members_is_below_4_megabytes_and_larger_ones_drop_frames_first(monkeypatch):
-    big = sweep((20, 20), frames=21, nodes=41)
-    assert len(sliders_page(big, "big")) < 4_000_000
-    small = sweep()
-    monkeypatch.setattr(sliders_data, "LARGEST", 2 * 3 * 20 * 11 * 5)
-    kept = held(sliders_page(small, "thinned"))["shapes"]
-    assert kept["at"] == [0.0, 0.25, 0.5, 0.75, 1.0]
-    np.testing.assert_allclose(unpacked(kept["y"], (20, 5, 11))[7], small["y"].values[7, ::2], atol=1e-5)
-    monkeypatch.setattr(sliders_data, "LARGEST", 100)
-    assert held(sliders_page(small, "none"))["shapes"] is None
-
-
-def test_words_stand_at_equal_distances():
-    data = sweep()
-    laws = np.array(["bingham", "maxwell"] * 10, dtype=object)
-    data["material.law"] = ("member", laws, {"varied": 1, "scale": "lin"})
-    page = held(sliders_page(data, ""))
-    law = next(axis for axis in page["axes"] if axis["key"] == "material.law")
-    assert [law["words"][k] for k in law["values"]] == laws.tolist()
-    with pytest.raises(ValueError, match="at least one member"):
-        sliders_page(sweep().isel(member=slice(0, 0)), "none")
 
 
 @pytest.mark.slow

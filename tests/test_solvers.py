@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import copy
 import os
 import signal
 import threading
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import casadi as ca
@@ -19,7 +16,6 @@ import pytest
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym import cache as kept
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.parameters import energy_scale
@@ -29,16 +25,15 @@ from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
 from softcat_sym.solvers import compiled, settings, settling
-from softcat_sym.solvers.compiled import CModel, CompiledIntegration
+from softcat_sym.solvers.compiled import CompiledIntegration
 from softcat_sym.solvers.equilibrium import Equilibrium
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import choose_backend, choose_settings
 from softcat_sym.solvers.settling import settled
 from softcat_sym.solvers.solution import Silence, Solution
-from softcat_sym.solvers.solve import Prepared, prepare
+from softcat_sym.solvers.solve import Prepared
 from tests.common.assembled import (
     Listener,
-    graph_of,
     largest_difference,
     midpoint,
     prepared,
@@ -118,20 +113,6 @@ def test_the_integrator_follows_from_what_rings_and_what_is_algebraic() -> None:
         sc.simulate(sc.load_scene("arrested-overdamped", refused))
 
 
-def test_tolerances_follow_the_accuracy_and_the_strain_expected() -> None:
-    for solver in ("cvodes", "idas", "rosenbrock"):
-        overruled = settings_of(asking(short_scene(), solver=solver, rtol=3e-7))
-        assert (overruled.solver, overruled.rtol) == (solver, 3e-7) and "numerics.solver" in overruled.reason
-        asked = asking(short_scene(), solver=solver)
-        coarse, fine = (settings_of(asked.replace({"run.accuracy": accuracy})) for accuracy in (1e-2, 1e-4))
-        assert fine.rtol == pytest.approx(coarse.rtol / 100) and fine.atol == pytest.approx(coarse.atol / 100)
-        assert coarse.rtol < 1e-2
-        # BDF stays at the order that is stable on the imaginary axis.
-        assert coarse.options().get("max_order") == (None if solver == "rosenbrock" else 2)
-    soft, stiff = short_scene("elastic"), short_scene("elastic").replace({"material.youngs_modulus": "40 GPa"})
-    assert 0 < settings_of(stiff).atol < settings_of(soft).atol <= 0.01 * settings_of(soft).rtol
-
-
 def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks() -> None:
     """Also where the last chunk goes beyond the end, as nine intervals in eight chunks do."""
     moving = [
@@ -159,45 +140,6 @@ def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks(
             lengths = np.diff([0.0, *listener.times])
             counted = sum(length / step for length, step in zip(lengths, listener.steps, strict=True) if step)
             assert solution.steps == pytest.approx(counted, abs=0.01)
-
-
-def with_ode(graph: Graph, ode: ca.SX) -> Graph:
-    other, symbolic = copy.copy(graph), copy.copy(graph.symbolic)
-    symbolic.__dict__.pop("rates", None)
-    symbolic.__dict__["balances"] = (ode, graph.alg)
-    other.__dict__["symbolic"] = symbolic
-    return other
-
-
-def test_a_run_that_breaks_keeps_its_sound_part(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture) -> None:
-    """Also one cut into chunks; CasADi says nothing of its own on the terminal."""
-    scene = short_scene(frames=11)
-    graph = graph_of(scene)
-    chosen = 7
-    for solver in ("cvodes", "rosenbrock"):
-        monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2000)
-        end = float(prepared(scene).times[-1])
-        spoiled = graph.ode + 1e-3 * ca.log(0.55 * end - graph.t) * ca.SX.ones(graph.ode.numel())
-        run = prepare(scene, with_ode(graph, spoiled), settings_of(scene, solver=solver))
-        solution = run.solve(Silence())
-        assert solution.outcome in (Outcome.non_finite, Outcome.no_convergence, Outcome.step_limit)
-        np.testing.assert_allclose(solution.time, run.times[:6], rtol=1e-12)  # frames 0 to 5 lie before the break
-        for states in (solution.x, solution.quad):
-            assert states.shape[1] == 6 and np.all(np.isfinite(states))
-        stated = float(solution.message.removeprefix("stopped after t = ").partition(" s; fastest: ")[0]) / run.scale
-        assert solution.time[-1] * (1 - 1e-5) <= stated <= 0.55 * end
-        # An undefined component is worse than any.
-        nowhere = ca.SX.ones(graph.ode.numel())
-        nowhere[chosen] = ca.log(-1 - graph.t)
-        broken = prepare(scene, with_ode(graph, nowhere), settings_of(scene, solver=solver)).solve(Silence())
-        assert broken.outcome is Outcome.non_finite
-        assert len(broken.time) == 1 and np.all(np.isfinite(broken.x))
-        assert f"fastest: {graph.state_names[chosen]};" in broken.message
-        monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2)
-        cut = prepared(scene, solver=solver).solve(Silence())
-        assert cut.outcome is Outcome.step_limit and len(cut.time) == 1
-        assert "stopped after t = 0 s" in cut.message and "] at X/L = " in cut.message
-    assert "".join(capfd.readouterr()) == ""
 
 
 @cache
@@ -310,27 +252,6 @@ def test_ctrl_c_stops_a_long_run() -> None:
         assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
-def test_what_is_raised_meanwhile_reaches_the_caller(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Enough(Exception):  # noqa: N818
-        pass
-
-    class Fed(Silence):
-        def update(self, simulated_time: float, step_size: float | None) -> None:
-            raise Enough
-
-    run, began = twin(LONG), time.process_time()
-    with pytest.raises(Enough):
-        run.solve(Fed())
-    assert time.process_time() - began < 20, "the whole run would take minutes"
-
-    def no_memory(*_: object) -> None:
-        raise MemoryError("frames")
-
-    monkeypatch.setattr(CModel, "integrate", no_memory)
-    with pytest.raises(MemoryError, match="frames"):
-        twin(short_scene()).solve(Silence())
-
-
 def chosen(scene: Scene) -> settings.Backend:
     return choose_backend(scene, choose_effects(scene))
 
@@ -357,46 +278,6 @@ def test_the_backend_is_compiled_where_that_can_be_and_the_summary_says_why() ->
     for scene, why in [(small, "one number for all cells"), (equilibria, "nothing to integrate, only a sequence of")]:
         assert not chosen(scene).compiled and why in chosen(scene).reason
         refused(scene, why)
-
-
-@pytest.mark.slow
-def test_an_integrator_of_casadi_is_interpreted_unless_requested_otherwise() -> None:
-    assert "cvodes is named in numerics.solver" in chosen(asking(short_scene(), solver="cvodes")).reason
-    for solver, base in (("cvodes", short_scene()), ("idas", without(short_scene(), "inertia"))):
-        # So tight that other roundings, and with them other steps, do not show.
-        tight = asking(base, solver=solver, rtol=1e-7)
-        runs = [sc.simulate(asking(tight, backend=name)) for name in ("compiled", "interpreted")]
-        assert [run.summary["backend"] for run in runs] == ["compiled", "interpreted"]
-        assert [run.summary["solver"] for run in runs] == [solver, solver]
-        midpoints = [run.data.midpoint.values for run in runs]
-        np.testing.assert_allclose(*midpoints, rtol=0, atol=1e-4 * np.max(np.abs(midpoints[1])))
-
-
-@pytest.fixture
-def nothing_compiled_yet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """An empty cache, and a process that has loaded nothing."""
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
-    for loaded in (compiled.compiled_model, compiled._runtime):
-        loaded.cache_clear()
-    yield tmp_path / "cache"
-    for loaded in (compiled.compiled_model, compiled._runtime):
-        loaded.cache_clear()
-
-
-def test_a_failed_compilation_is_an_error_with_the_compilers_words(
-    nothing_compiled_yet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Never a silent fall back on the interpreted one."""
-    fault = "filament.c:7:1: error: stray wrench in program"
-    script = tmp_path / "broken-cc"
-    compiles = f'*-nostdlib*) ;; *-shared*) echo "{fault}" >&2; exit 1;;'  # The first is whether it links at all
-    script.write_text(f'#!/bin/sh\ncase "$*" in {compiles} esac\necho "broken cc 1.0"\n')
-    script.chmod(0o755)
-    monkeypatch.setenv("CC", str(script))
-    with pytest.raises(SoftcatError, match=fault):
-        sc.simulate(short_scene())
-    assert kept.entries(kept.LIBRARIES) == []
-    assert not list(nothing_compiled_yet.rglob("*.c"))
 
 
 # Where a run begins: equilibria that Newton's method finds, and that are stable.

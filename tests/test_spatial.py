@@ -22,11 +22,8 @@ from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.symbolic import gathered
 from softcat_sym.discretization.unknowns import Floats
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.fitting.forward_model import ForwardModel
-from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.section_equations import derive
 from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.results.out_of_plane_stability import PlanarCells, banded, is_positive, out_of_plane_instability
 from softcat_sym.results.run import run_form
 from softcat_sym.scene.ends import CLAMPED, SUPPORTS
@@ -171,30 +168,6 @@ OUT = {"load.direction": [0.1, -1.0, 0.4]}
 def test_c_is_the_interpreter(scene: sc.Scene) -> None:
     both = pair_of(scene.replace({"numerics.cells": 4}))
     assert max(differences(both, range(2)).values()) < 1e-9
-
-
-@pytest.mark.slow
-def test_turned_as_a_whole_it_moves_alike() -> None:
-    """A strand whose weight points aside swings as one whose weight points down, in a plane that is turned."""
-    down = strand("elastic", **{"run.dimensions": 3, "run.effects": [*EFFECTS[:-1]]})
-    aside = down.replace({"load.direction": [0.0, -0.6, 0.8]})
-    runs = [sc.simulate(scene).data for scene in (down, aside)]
-    depth = runs[0].y.values
-    assert np.allclose(runs[1].y.values, 0.6 * depth, atol=1e-6 * np.abs(depth).max())
-    assert np.allclose(runs[1].z.values, -0.8 * depth, atol=1e-6 * np.abs(depth).max())
-    assert np.allclose(runs[1].x.values, runs[0].x.values, atol=1e-6 * np.abs(depth).max())
-    assert np.allclose(np.linalg.norm(runs[1].quaternion.values, axis=-1), 1, atol=1e-8)
-
-
-@pytest.mark.slow
-def test_planar_and_spatial_runs_agree_and_keep_their_energy() -> None:
-    for law in ("elastic", "kelvin-voigt"):
-        flat = sc.simulate(strand(law))
-        deep = sc.simulate(strand(law, **{"run.dimensions": 3}))
-        size = np.abs(flat.data.y.values).max()
-        assert np.allclose(deep.data.y.values, flat.data.y.values, atol=1e-5 * size), law
-        assert deep.summary["energy_residual"] < 1e-5
-        assert (flat.summary["dimensions"], deep.summary["dimensions"]) == (2, 3)
 
 
 @pytest.mark.slow
@@ -397,37 +370,8 @@ def test_a_torque_at_the_end_bends_it_to_an_arc_and_twists_it() -> None:
     assert np.allclose(data.twist * span, 2, rtol=1e-3) and np.abs(data.y).max() < 1e-12
 
 
-@pytest.mark.slow
-def test_the_work_of_a_torque_is_counted() -> None:
-    """A rod that a torque sets swinging out of its plane has the energy of its work, less what its loss takes."""
-    bending = 4e6 * np.pi * 1e-12 / 64 / 0.2
-    swinging = {"run.duration": "3 s", "run.frames": 101, "numerics.rtol": 1e-6}
-    run = sc.simulate(strand("kelvin-voigt", **torque(1.4 * bending, 0.2 * bending, 1.2 * bending), **swinging))
-    assert run.outcome.is_success and run.summary["energy_residual"] < 1e-6
-    assert min(np.ptp(run.data[name].values[:, -1]) for name in "yz") > 0.02
-    assert run.data.work_external.values[-1] > 0
-
-
-SLIDES = {"load.gravity": "0 m/s^2", "ends.right_slides": True, "material.poisson": 0.5 - 1e-12}
 AT_REST = {"run": {"duration": "1 s", "frames": 2, "effects": EFFECTS[1:-1]}, "numerics.cells": 4}
 INTERPRETED = {"numerics.backend": "interpreted"}
-
-
-def test_a_clamp_slides_by_what_pulls() -> None:
-    """F = E A0 log(s)/s."""
-    stiffness = 4e6 * np.pi * 0.003**2
-    pulled = sc.simulate(strand("elastic", **SLIDES, **AT_REST, **{"load.tip_force": ["5 N", "0 N", "0 N"]})).data
-    stretch = (pulled.x.values[-1, -1] - pulled.x.values[-1, 0]) / 0.2
-    assert stiffness * np.log(stretch) / stretch == pytest.approx(5, rel=1e-9)
-
-
-def test_a_clamp_slides_by_what_twists() -> None:
-    """A twist k lengthens a round bar of Hencky's energy by (k R)^2/8 (Poynting's effect)."""
-    turns = {"ends.right_twist": [["0 s", "0 rad"], ["1 s", "1 rad"]]}
-    run = sc.simulate(strand("elastic", **SLIDES, **AT_REST, **turns))
-    length = run.data.x.values[-1, -1] - run.data.x.values[-1, 0]
-    assert length / 0.2 - 1 == pytest.approx((0.003 / 0.2) ** 2 / 8, rel=1e-3)
-    assert run.summary["energy_residual"] < 1e-8
 
 
 def test_it_begins_on_a_given_curve_with_what_that_strains() -> None:
@@ -459,49 +403,3 @@ def test_it_begins_on_a_given_curve_with_what_that_strains() -> None:
     }
     first = sc.simulate(strand("elastic", **aside, **INTERPRETED)).data.isel(time=0)
     assert np.allclose(first.z, 0.8 * arc[:, 1], atol=1e-15) and np.allclose(first.twist, 0, atol=1e-12)
-
-
-def test_what_is_planar_only_refuses_it() -> None:
-    with pytest.raises(sc.SceneError, match=r"run\.dimensions|load\.direction"):
-        problem_of(strand("bingham", "rectangle", **OUT))
-
-
-def test_a_run_in_space_is_read_again(tmp_path: Any) -> None:
-    run = sc.simulate(strand("elastic", **OUT))
-    run.save(tmp_path)
-    again = sc.open_run(tmp_path)
-    for name in ("z", "quaternion", "twist", "torque", "curvature_2", "moment_2"):
-        assert np.array_equal(again.fields[name], run.fields[name]), name
-    assert again.data.quaternion.dims == ("time", "node", "component")
-
-
-@pytest.mark.slow
-def test_what_is_free_is_found_in_space() -> None:
-    """Midpoints of runs are those of the model that is fitted; its slopes are their differences; a fit finds them."""
-    cases = {
-        "hanging-curl": ({"run.duration": "1 s"}, ["youngs_modulus", "viscosity", "curvature", "thickness"]),
-        "coil-spring": ({"run.duration": "1 s", "numerics.cells": 20}, ["youngs_modulus", "viscosity", "density"]),
-        "windy-ink": ({"run.duration": "0.05 s", "run.accuracy": 1e-3}, ["shear_yield_stress", "surface_tension"]),
-        "overtwisted-rod": ({"run.duration": "3 s"}, ["youngs_modulus", "gravity"]),
-    }
-    short = {"numerics.cells": 10, "numerics.rtol": 1e-7, "run.frames": 9, "numerics.estimate": False}
-    for name, (changes, free) in cases.items():
-        scene = load_scene(name, {**short, **changes})
-        model = ForwardModel(scene, free_parameters(scene, free), np.linspace(0, scene.run.duration, 9), rtol=1e-7)
-        q = np.array([one.scaled(one.typical) for one in model.free])
-        found, slopes = model.with_derivatives(q)
-        same = scene.replace({"run.effects": list(model.effects)})
-        moved = np.ptp(found)
-        assert np.abs(sc.simulate(same).data.midpoint.values - found).max() < 1e-5 * moved, name
-        # Either difference averages over the points that begin to yield in it.
-        bound = 5e-3 if scene.material.law == "bingham" else 1e-3
-        for k, e in enumerate(1e-3 * np.eye(len(q))):
-            differences = (model.midpoints(q + e) - model.midpoints(q - e)) / 2e-3
-            assert np.abs(differences - slopes[:, k]).max() < bound * np.abs(differences).max(), (name, free[k])
-    scene = load_scene("hanging-curl", {**short, "run.duration": "1 s", "run.frames": 41})
-    data = sc.simulate(scene).data
-    film = sc.Measurements.of(data.time.values, data.midpoint.values, std=1e-5)
-    guess = scene.replace({"material.youngs_modulus": "1.1 MPa", "material.viscosity": "50 kPa*s"})
-    fit = sc.fit(film, guess, ["youngs_modulus", "viscosity"], starts=0, profiles=False)
-    assert fit.parameters["youngs_modulus"].value == pytest.approx(1.3e6, rel=1e-4)
-    assert fit.parameters["viscosity"].value == pytest.approx(6e4, rel=1e-3)

@@ -3,32 +3,19 @@
 from __future__ import annotations
 
 import copy
-import io
 import json
 import math
 import tomllib
 from typing import Any
 
-import numpy as np
 import pytest
-from rich.console import Console
 
-import softcat_sym as sc
-from softcat_sym.cli.explain import print_explanation
-from softcat_sym.effects.inertia import outrunning_faults
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
-from softcat_sym.estimates.expected_regime import expected_regime
-from softcat_sym.estimates.forecast import forecast
 from softcat_sym.estimates.quasi_static_sag import load_factor
-from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.dimensions import is_spatial, out_of_plane, reason_for_dimensions
-from softcat_sym.scene.parts import DOWN
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, is_symmetric
-from softcat_sym.scene.tables import farthest, nearest
-from softcat_sym.studies.explanation import explain
 from tests.common.scenes import BINGHAM, LAWS, faults_of, scene_of, spoiled
 
 IN_SPACE = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres")
@@ -97,63 +84,6 @@ def test_what_stays_in_the_plane_is_planar(changes: dict[str, Any]) -> None:
     assert not is_spatial(found)
     assert out_of_plane(found) == ""
     assert reason_for_dimensions(found) == "everything lies in one plane"
-
-
-def test_a_planar_scene_writes_none_of_the_keys() -> None:
-    text = scene({}).to_toml()
-    assert not any(key in text for key in ("twist", "direction", "tip_", "dimensions", "slides", "centre"))
-    assert is_symmetric(scene({}))
-    assert scene({"load.direction": [0, -2, 0]}) == scene({})
-    assert scene({"ends.motion": [["0 s", "0 m", "0 m", "0 m"]]}).ends.motion == ((0.0, 0.0, 0.0),)
-
-
-# The keys.
-def test_values_are_stored_in_si() -> None:
-    found = scene({**FREE, "load.direction": [3, 0, -4], "load.tip_force": ["1 kN", "-2 mN", "3 N"]})
-    assert found.load.direction == pytest.approx((0.6, 0, -0.8), rel=1e-15)
-    assert found.load.tip_force == (1000.0, -0.002, 3.0)
-    path = scene({"ends.motion": OUT, "ends.right_twist": TURNS}).ends
-    assert path.motion == ((0.0, 0.0, 0.0, 0.0), (1.0, 0.001, 0.002, 0.003))
-    assert path.right_twist[1] == pytest.approx((1.0, 4 * math.pi))
-
-
-def test_python_gives_numbers_in_si() -> None:
-    table = {name: dict(part) for name, part in BINGHAM.items()}
-    table |= {"ends": {"right": "free"}, "load": {"tip_force": (0, 1, 2.5), "tip_mass": 0.001}}
-    assert sc.Scene(**table).load.tip_force == (0.0, 1.0, 2.5)
-    table["ends"] = {"motion": [(0, 0, 0), (1, 0, 0, 0.003)], "right_twist": [(0, 0), (1, 6.5)]}
-    table["load"] = {}
-    ends = sc.Scene(**table).ends
-    assert ends.motion[1] == (1.0, 0.0, 0.0, 0.003)
-    assert ends.right_twist[1] == (1.0, 6.5)
-    table["initial"] = {"centreline": np.array([[0, 0, 0], [0.1, 0.01, 0.002], [0.2, 0, 0]]).tolist()}
-    assert sc.Scene(**table).initial.centreline[1] == (0.1, 0.01, 0.002)
-
-
-def test_the_command_line_sets_them() -> None:
-    changes = ["load.direction=[0, 0, -5]", "run.dimensions=3", "filament.twist=-2 1/m"]
-    found = load_scene("arrested-overdamped", changes)
-    assert found.load.direction == (0.0, 0.0, -1.0)
-    assert found.run.dimensions == 3
-    assert found.filament.twist == -2.0
-    assert load_scene("arrested-overdamped", ["load.direction=[0, -1, 0]"]).load.direction == DOWN
-
-
-@pytest.mark.parametrize("vector", [[1e-200, 1e-200, 0], [1e300, -1e300, 1e300], [-1, -6, 6], [-7, 11, 13]])
-def test_a_direction_has_length_one_and_stays(vector: list[float]) -> None:
-    found = scene({"load.direction": vector}).load.direction
-    assert math.hypot(*found) == pytest.approx(1, rel=1e-15)
-    assert scene({"load.direction": list(found)}).load.direction == found
-
-
-def test_distances_count_the_way_across_the_plane() -> None:
-    rows = [["0 s", "0 m", "0 m"], ["1 s", "0 m", "0 m", "0.15 m"], ["2 s", "-0.4 m", "0 m", "0.15 m"]]
-    found = scene({"ends.motion": rows})
-    assert farthest(found) == pytest.approx(0.25)
-    # From (0.2, 0, 0.15) to (-0.2, 0, 0.15) past the left support.
-    assert nearest(found) == pytest.approx(0.15)
-    fast = scene({"ends.motion": [["0 s", "0 m", "0 m"], ["1 ms", "0 m", "0 m", "10 m"]]})
-    assert [fault.path for fault in outrunning_faults(fast)] == ["ends.motion"]
 
 
 # What is refused.
@@ -263,64 +193,6 @@ def test_every_law_has_what_space_asks_for(law: str, changes: dict[str, Any], wh
     assert "in three dimensions" in decision.reason and decision.estimate is None
 
 
-@pytest.mark.parametrize("asked", ["paper", ["inertia", "viscous-flow", "yielding"], ["extensibility"]])
-def test_lists_without_them_are_one_error(asked: Any) -> None:
-    with pytest.raises(SceneError) as caught:
-        choose_effects(scene({**ASIDE, "run.effects": asked}))
-    (fault,) = caught.value.faults
-    assert fault.path == "run.effects"
-    assert "'shear'" in fault.found and "three dimensions: load.direction" in fault.found
-    assert "'fibres'" in fault.accepted
-
-
-def test_a_filament_let_go_from_a_curve_has_inertia() -> None:
-    curve = {"initial.centreline": BENT, "load.gravity": "0 m/s^2"}
-    assert "inertia" in choose_effects(scene(curve)).names
-    with pytest.raises(SceneError, match=r"without 'inertia', but initial\.centreline need not"):
-        choose_effects(scene({**curve, "run.effects": [*IN_SPACE, "viscous-flow", "yielding"]}))
-
-
-def test_a_filament_that_begins_on_a_curve_need_not_hang() -> None:
-    """What is longer than its supports are apart needs a weight to hang in, unless it is said where it begins."""
-    weightless = {"filament.rest_length": "0.21 m", "load.gravity": "0 m/s^2"}
-    assert [fault.path for fault in faults_of(spoiled(weightless))] == ["load.gravity"]
-    assert not faults_of(spoiled({**weightless, "initial.centreline": BENT}))
-
-
-def test_rotary_inertia_cannot_be_named() -> None:
-    with pytest.raises(SceneError, match="'rotary-inertia' cannot be had: in three dimensions"):
-        names = [*IN_SPACE, "inertia", "viscous-flow", "yielding", "rotary-inertia"]
-        choose_effects(scene({**ASIDE, "run.effects": names}))
-
-
-def test_a_stretch_at_which_sections_turn_by_themselves_is_refused() -> None:
-    rubber = {**BINGHAM, "material": {"law": "elastic", **LAWS["elastic"]}}
-    stretched = {"initial.stretch": 2.0, "initial.relaxed": False}
-    assert "shear" not in choose_effects(scene(stretched, rubber)).names
-    with pytest.raises(SceneError, match=r"initial.stretch: stretched elastically 2 times"):
-        choose_effects(scene({**stretched, **ASIDE}, rubber))
-    drawn = {"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0.2 m", "0 m", "1 mm"]]}
-    with pytest.raises(SceneError, match=r"ends.motion: stretched elastically 2 times"):
-        choose_effects(scene(drawn, rubber))
-
-
-@pytest.mark.parametrize("gravity", ["9.81 m/s^2", "0 m/s^2"])
-@pytest.mark.parametrize("changes", [changes for changes, _ in CASES])
-def test_forecasts_of_every_scene_are_numbers(changes: dict[str, Any], gravity: str) -> None:
-    found = scene({**changes, "load.gravity": gravity})
-    motion = forecast(found)
-    assert math.isfinite(motion.sag) and math.isfinite(motion.missed)
-    effects = choose_effects(found)
-    assert expected_regime(found, effects.names).name
-    assert isinstance(theory_limits(found, effects.names, effects.terms()), tuple)
-
-
-def test_inertia_is_taken_in_where_an_end_is_pulled_or_turned() -> None:
-    still = {"load.gravity": "0 m/s^2"}
-    for changes in ({"ends.right_twist": TURNS}, {**FREE, "load.tip_force": ["0 N", "0 N", "1 mN"]}):
-        assert "inertia" in choose_effects(scene({**still, **changes})).names
-
-
 def test_a_mass_at_the_tip_bends_a_cantilever_as_theory_says() -> None:
     # Of E I w'' = M: q L^4/(8 E I) under its weight, and P L^3/(3 E I) under a force at its end.
     light = scene(
@@ -330,19 +202,3 @@ def test_a_mass_at_the_tip_bends_a_cantilever_as_theory_says() -> None:
     heavy = light.replace({"load.tip_mass": f"{mass!r} kg"})
     assert load_factor(heavy) == pytest.approx(1 + (1 / 3) / (1 / 8))
     assert load_factor(light) == 1
-
-
-# What is explained.
-def test_explain_says_the_dimensions() -> None:
-    planar = explain(scene({}))
-    assert (planar.dimensions, planar.dimensions_reason) == (2, "everything lies in one plane")
-    assert planar.to_dict()["dimensions"] == 2
-    for verbose in (False, True):
-        out = Console(file=io.StringIO(), width=120)
-        print_explanation(planar, out, verbose=verbose)
-        assert "2, everything lies in one plane" in out.file.getvalue()  # type: ignore[attr-defined]
-
-
-def test_bundled_scenes_are_spatial_only_where_something_leaves_the_plane() -> None:
-    spatial = {"coil-spring", "hanging-curl", "overtwisted-rod", "windy-ink", "wrung-thread"}
-    assert {name for name in bundled_names() if is_spatial(load_scene(name))} == spatial

@@ -5,9 +5,6 @@ from __future__ import annotations
 import csv
 import json
 import math
-import signal
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -18,10 +15,9 @@ import xarray as xr
 import softcat_sym as sc
 from softcat_sym import cache
 from softcat_sym.batch import worker
-from softcat_sym.batch.executor import RunPool
 from softcat_sym.batch.members import Member
 from softcat_sym.batch.plan import SweepPlan, plan_sweep
-from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.errors import SoftcatError
 from softcat_sym.results.motion import time_to_share
 from softcat_sym.solvers.compiled import CModel
 from tests.common.in_process import Softcat, sets
@@ -80,13 +76,6 @@ def test_values_of_an_axis() -> None:
         (axis,) = plan(text).axes
         assert axis.values == values, text
         assert axis.scale == ("log" if text.endswith("log") else "lin")
-
-
-def test_modes_order_their_members() -> None:
-    assert [plan("groups.G=1,2", "groups.V=4,5").row(k) for k in range(4)] == [
-        {"groups.G": G, "groups.V": V} for G in (1, 2) for V in (4, 5)
-    ]
-    assert plan("groups.G=1,2", "groups.V=4,5", mode="zip").row(1) == {"groups.G": 2, "groups.V": 5}
 
 
 def test_a_latin_hypercube_has_one_sample_in_each_part_of_each_axis() -> None:
@@ -243,23 +232,6 @@ def test_time_to_a_share_of_an_exponential() -> None:
     assert math.isnan(time_to_share(time, np.zeros_like(time)))
 
 
-@pytest.mark.slow
-def test_members_of_which_a_single_run_does_more(tmp_path: Path) -> None:
-    """One whose error is estimated, one that is repeated with more effects."""
-    honey = sc.load_scene("cold-honey", {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.1 s"})
-    honey = honey.replace({"run.accuracy": 0.1})
-    done = sc.sweep(honey, {"filament.density": [1400.0, -1.0]}, tmp_path, estimate=True)
-    single = sc.simulate(honey.replace({"filament.density": "1400 kg/m^3"}))
-    assert single.summary["error_estimate"] is not None
-    np.testing.assert_array_equal(done.data.midpoint.values[0], single.data.midpoint.values)
-    assert done.data.outcome.values.tolist() == [single.outcome.name, "refused"]
-    band = sc.load_scene("stretched-rubber-band", {"run.accuracy": 0.1, "run.frames": 21, "numerics.estimate": False})
-    found = sc.sweep(band, {"load.gravity": [5.0]}).data
-    single = sc.simulate(band.replace({"load.gravity": "5 m/s^2"}))
-    assert "shear" in single.summary["repeats"][0]
-    assert float(found["midpoint_final"][0]) == pytest.approx(single.summary["midpoint_final_m"], rel=1e-9)
-
-
 def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     descent = sc.load_scene("continual-descent", QUICK)
     vary = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
@@ -316,15 +288,6 @@ def test_an_interrupted_sweep_resumes_where_it_was(
     assert (len(ran), again.resumed, again.counts) == (0, 35, done.counts)
 
 
-def test_without_a_directory_the_data_stay_in_memory() -> None:
-    done = sc.sweep(SCENE, ["material.law=bingham,maxwell"])
-    assert not done.path.exists()
-    assert done.data["material.law"].values.tolist() == ["bingham", "maxwell"]
-    assert done.data.outcome.values.tolist() == ["solved", "refused"]
-    with pytest.raises(SceneError, match="unknown key"):
-        sc.sweep(SCENE, {"material.yeild_stress": ["1 kPa", "2 kPa"]})
-
-
 def test_any_executor_runs_the_members() -> None:
     vary = {"groups.G": [0.3, 0.35, 0.4]}
     with ThreadPoolExecutor(2) as executor:
@@ -361,82 +324,3 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     assert float(rows[2]["sag_largest [m]"]) == float(data.sag_largest[2])
     assert rows[1]["sag_largest [m]"] == "" and "no positive number" in rows[1]["message"]
     assert "<script" in (output / "sliders.html").read_text()
-
-
-@pytest.mark.slow
-def test_a_picture_of_each_sort(softcat: Softcat, tmp_path: Path) -> None:
-    cube = varied("groups.G=0.3:0.5", "groups.V=10:30", "filament.density=1000:2000 kg/m^3")
-    for k, arguments in enumerate(
-        (
-            varied("groups.G=0.02:2:4:log"),
-            [*cube, "--mode=lhs", "--samples=4"],
-            varied("material.law=bingham,maxwell"),
-            [*varied("groups.G=0.3,0.4", "groups.V=20,30"), "--mode=zip"],
-            varied("groups.G=0.4,0.400001"),
-        )
-    ):
-        output = tmp_path / str(k)
-        done = softcat("sweep", "arrested-overdamped", "-q", "-o", str(output), *arguments, *OPTIONS)
-        assert (done.status, done.out, done.err) == (0, "", ""), arguments
-        assert {path.name for path in output.iterdir()} == FILES
-
-
-@pytest.mark.slow
-def test_how_a_sweep_without_answers_or_interrupted_ends(
-    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked = ("sweep", "arrested-overdamped", "-q", "-o", str(tmp_path / "out"), *OPTIONS, "--workers", "1")
-    many = [*varied("groups.G=0.1:0.5:25"), "--set", "run.duration=0.2 s"]
-    judged, ran = worker.judged, list[object]()
-
-    def stopping(*given: object) -> object:
-        ran.append(1)
-        if len(ran) == 15:
-            raise KeyboardInterrupt
-        return judged(*given)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(worker, "judged", stopping)
-    done = softcat(*asked, *many)
-    assert (done.status, done.out) == (130, "")
-    assert "the same command resumes from what was finished" in done.err
-    assert not (tmp_path / "out").exists()
-    ran.extend([1] * 100)
-    for options, runs in (((), 15), ((), 0), (("--fresh",), 25)):
-        before = len(ran)
-        assert softcat(*asked, *many, *options).status == 0
-        assert len(ran) == before + runs
-        assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
-
-    def failing(*_: object) -> None:
-        raise RuntimeError("burst")
-
-    monkeypatch.setattr(worker, "judged", failing)
-    done = softcat(*asked, *varied("groups.G=0.3,0.4"))
-    assert (done.status, done.out) == (1, "") and "no member is an answer" in done.err
-    assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
-    monkeypatch.setattr(RunPool, "map_members", lambda *_: signal.raise_signal(signal.SIGINT))
-    done = softcat("sweep", "arrested-overdamped", "-o", str(tmp_path / "none"), *varied("groups.G=0.3,0.41"), *OPTIONS)
-    assert (done.status, done.out) == (130, "")
-    assert not (tmp_path / "none").exists()
-
-
-PEAKS = """
-import subprocess, sys
-if len(sys.argv) == 1:
-    large = b"x" * 800_000_000
-    del large
-    sys.exit(subprocess.run([sys.executable, "-c", sys.orig_argv[2], "child"]).returncode)
-from softcat_sym.batch.sweep import peak_memory
-before = peak_memory()
-large = b"x" * 200_000_000
-del large
-print(before, peak_memory())
-"""
-
-
-@pytest.mark.slow
-def test_peak_memory_is_that_of_the_process_not_of_the_one_that_started_it() -> None:
-    done = subprocess.run([sys.executable, "-c", PEAKS], capture_output=True, text=True, check=True)
-    before, after = map(float, done.stdout.split())
-    assert 1 < before < 700
-    assert after > before + 100

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from typing import Any
 
 import numpy as np
@@ -13,15 +12,10 @@ from scipy.integrate import quad
 
 import softcat_sym as sc
 from softcat_sym.effects.selection import choose_effects
-from softcat_sym.effects.temperature import biot_number, cooling_time, transfer_coefficient
+from softcat_sym.effects.temperature import cooling_time, transfer_coefficient
 from softcat_sym.errors import SceneError
-from softcat_sym.fitting.forward_model import ForwardModel
-from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics import heat as sy
 from softcat_sym.results.fields import heat_residual
-from softcat_sym.results.run import open_run
-from softcat_sym.scene.parts import Part
-from softcat_sym.scene.temperature_table import Temperature
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.start import Start
@@ -94,12 +88,6 @@ def test_laws_of_the_viscosity_are_those_of_the_equations(stated: dict[str, Any]
     }  # fmt: skip
     given = {symbol: value for symbol, value in values.items() if value is not None}
     assert heat.viscosity_factor(hot) == pytest.approx(float(sp.sympify(expression).subs(given)), rel=1e-12)
-
-
-def test_published_constants_of_glass_710() -> None:
-    """log10 of its viscosity in dPa s is 7.613 at its softening point, 724 C."""
-    heat = bar({"initial": 997.15, **VFT, "A": -1.626}, *FLOWING).temperature
-    assert math.log10(heat.viscosity_factor(724 + 273.15)) == pytest.approx(-1.626 + 4236.1 / (724 - 265.5), rel=1e-12)
 
 
 @pytest.mark.parametrize("law", [SOFTER, {"law": "wlf", "C1": 3.0, "C2": 60.0, "reference": 350.0}])
@@ -226,32 +214,6 @@ def test_c_computes_what_the_interpreter_does(effects: tuple[str, ...]) -> None:
     assert np.ptp(ours.fields["temperature"][-1]) > 0.5
 
 
-@pytest.mark.slow
-def test_sections_that_shear_little_are_as_warm_as_those_that_do_not() -> None:
-    """Kirchhoff against Reissner, whose cells and joints take the temperature elsewhere: alike on fine grids."""
-    slender = {"filament__thickness": "0.5 mm", "numerics__backend": "compiled", "numerics__rtol": 1e-5}
-    apart = []
-    for cells in (24, 48):
-        plain, shearing = (
-            run(_hanging(*effects), numerics__cells=cells, **slender).fields
-            for effects in (FLOWING, (*FLOWING, "shear"))
-        )
-        apart.append(abs(plain["midpoint"][-1] / shearing["midpoint"][-1] - 1))
-        np.testing.assert_allclose(plain["temperature"], shearing["temperature"], rtol=0, atol=0.02)
-    # The second order of the plain filament's clamps.
-    assert apart[1] < 0.025
-    assert apart[0] / apart[1] > 3
-
-
-def test_the_furnace_heats_its_part_wherever_nodes_are() -> None:
-    """Heat that passes the surface at once: h pi d (length in the furnace) (T_a - T_i), to rounding."""
-    for low, high in ((0.010, 0.030), (0.0113, 0.0291), (0.0, 0.0377)):
-        heat = {"heated": [low, high], "ambient": 400.0, "outside": 350.0, "heat_transfer": 80.0}
-        found = run(bar(heat, duration=1e-4)).fields
-        power = 80 * math.pi * DIAMETER * (high - low) * 50
-        assert found["heat_stored"][-1] / 1e-4 == pytest.approx(power, rel=1e-4)
-
-
 def test_a_pipe_in_air() -> None:
     """Incropera's example 9.4: 0.1 m, 165 C in air of 23 C; Ra = 5.073e6, Nu = 23.3, h = 7.29 W/(m^2 K)."""
     scene = bar(
@@ -268,18 +230,6 @@ def test_air_is_that_of_tables() -> None:
         assert found == pytest.approx([conductivity, viscosity], rel=0.04)
 
 
-def test_without_a_temperature_nothing_is_left_of_it() -> None:
-    """No state, parameter or stored field; a temperature that changes nothing is left out by itself."""
-    scene = bar({"ambient": 300.0, "heat_transfer": 80.0}, run={"effects": "auto"}, load={"gravity": 9.81})
-    effects = choose_effects(scene)
-    assert effects.left_out["temperature"] == 0
-    graph = build(scene, effects).graph
-    assert "warming" not in graph.x_kinds
-    assert not [name for name in graph.parameters if name.startswith("temperature")]
-    bare = scene.model_copy(update={"temperature": Temperature()})
-    assert build(bare, choose_effects(bare)).graph.symbolic.instructions == graph.symbolic.instructions
-
-
 def test_it_is_taken_in_where_it_matters() -> None:
     """By the change of the viscosity at the temperatures that the run reaches."""
     warm = bar({**SOFTER, **AIR}, run={"effects": "auto"}, load={"gravity": 9.81}, material={
@@ -288,63 +238,6 @@ def test_it_is_taken_in_where_it_matters() -> None:
     # A thousandth of the heat transfer: nothing cools within the run.
     slow = warm.replace({"temperature.heat_transfer": "0.001 W/(m^2*K)"})
     assert choose_effects(slow).left_out["temperature"] < 1e-3
-
-
-def test_a_thick_section_is_warned_of() -> None:
-    """Bi = h (d/4)/k."""
-    scene = bar({**AIR, "conductivity": 0.1})
-    assert biot_number(scene) == pytest.approx(80 * DIAMETER / 4 / 0.1)
-    assert any("Biot number" in words for words in run(scene).summary["warnings"])
-    conducting = run(scene, temperature__conductivity="1 W/(m*K)").summary["warnings"]
-    assert not any("temperature" in words for words in conducting)
-
-
-def test_a_run_is_read_again_with_its_temperatures(tmp_path: Any) -> None:
-    """Stored in kelvin, at nodes."""
-    found = run(bar(AIR))
-    found.save(tmp_path)
-    again = open_run(tmp_path)
-    assert again.data.temperature.attrs["units"] == "K"
-    assert again.data.temperature.dims == ("time", "node")
-    np.testing.assert_array_equal(again.fields["temperature"], found.fields["temperature"])
-    assert again.scene == found.scene
-
-
-def test_a_scene_is_written_and_read_again() -> None:
-    """Tables of times and of temperatures too; degrees become kelvin."""
-    scene = _hanging()
-    again: Part = sc.Scene.model_validate(tomllib.loads(scene.to_toml()))
-    assert again == scene
-    assert bar({"initial": "76.85 degC"}).temperature.initial == 350.0
-    assert bar({"initial": "170.33 degF"}).temperature.initial == pytest.approx(350.0, abs=1e-9)
-
-
-def test_the_equations_are_written() -> None:
-    """Balance of heat, law of the viscosity, the furnace, the correlation."""
-    text = {one.name: one.text for one in sc.explain(_hanging(*FLOWING)).equations}
-    assert "k_T*dtheta_K/dX/s^2" in text["balance of heat"]
-    assert "m_T" in text["Young's modulus, at its temperature"]
-    assert text["viscosity over the stated one"] == "a_T = exp(-B_A/theta_r + B_A/theta_K)"
-    assert "theta_o otherwise" in text["temperature around a place"]
-    assert "coefficient of a cylinder in air" in text
-
-
-@pytest.mark.parametrize("backend", ["compiled", pytest.param("interpreted", marks=pytest.mark.slow)])
-def test_its_constants_may_be_free(backend: str) -> None:
-    """Derivatives of the midpoint against differences."""
-    heat = {**SOFTER, **AIR, "conductivity": 0.2, "heat_capacity": 20.0}
-    scene = bar(
-        heat, *FLOWING, duration=0.2, load={"gravity": 9.81}, material={"youngs_modulus": 3e5, "viscosity": 1e4}
-    )
-    names = ("heat_transfer", "activation_energy", "ambient", "heat_capacity")
-    model = ForwardModel(scene, free_parameters(scene, names), np.array([0.1, 0.2]), backend, 1e-8)
-    q = np.array([one.scaled(one.typical) for one in model.free])
-    _, slopes = model.with_derivatives(q)
-    shifts = 1e-3 * np.eye(4)
-    pairs = [(model.midpoints(q + one) - model.midpoints(q - one)) / (2 * one.max()) for one in shifts]
-    differences = np.stack(pairs, axis=1)
-    assert np.all(np.abs(differences[-1]) > 0)
-    np.testing.assert_allclose(slopes, differences, rtol=2e-4, atol=1e-4 * np.abs(differences).max())
 
 
 REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
@@ -401,11 +294,3 @@ def test_what_it_does_not_go_with_is_refused(tables: dict[str, Any], path: str) 
     with pytest.raises(SceneError) as refused:
         sc.Scene.model_validate(without_gaps(table))
     assert path in {fault.path for fault in refused.value.faults}
-
-
-def test_a_viscosity_by_its_constants_cannot_be_left_out() -> None:
-    """With A the viscosity of [material] is but a unit."""
-    glass = bar({**VFT, "A": -1.626, "initial": 997.15}, *FLOWING)
-    with pytest.raises(SceneError, match="without 'temperature'"):
-        choose_effects(glass.replace({"run.effects": [one for one in FLOWING if one != "temperature"]}))
-    assert BAR[-1] == "temperature"

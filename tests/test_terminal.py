@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import io
-import itertools
 import re
 import time
-from pathlib import Path
 
 import pytest
 from rich.console import Console
 
-import softcat_sym as sc
 from softcat_sym import progress
 from softcat_sym.plotting.terminal import (
-    REFUSED,
     IntegrationProgress,
     StepProgress,
     answer_rows,
     detail_rows,
-    print_summary,
 )
 from softcat_sym.progress import MembersBar
 from softcat_sym.solvers.solution import counting
@@ -49,25 +44,6 @@ def until_shown(screen: Console, pattern: str) -> None:
     while not re.search(pattern, written(screen)):
         assert time.monotonic() < limit, written(screen)
         time.sleep(0.005)
-
-
-def test_on_a_terminal_there_is_a_line_for_each_stage_and_none_is_left(quickly, monkeypatch):
-    monkeypatch.setattr(progress, "_WORTH", 0.0)
-    screen = console(terminal=True)
-    with IntegrationProgress(2.0, "[red]run[/]", console=screen) as bar:
-        bar.doing("compiling")
-        until_shown(screen, "compiling")
-        bar.doing("solving")
-        bar.update(0.5, 1e-3)
-        until_shown(screen, r"0\.500 of 2\.00 s")
-        bar.stage("refining to 80 cells")
-        until_shown(screen, "done")
-    assert "[red]run[/]" in written(screen), "names are no markup"
-    assert "\x1b[1A\x1b[2K" in written(screen), "its lines are taken away"
-    assert not bar._thread.is_alive()
-    with pytest.raises(ZeroDivisionError), IntegrationProgress(2.0, console=screen) as bar:
-        _ = 1 / 0
-    assert not bar._thread.is_alive()
 
 
 def test_without_a_terminal_plain_lines_come_now_and_then(quickly):
@@ -99,34 +75,6 @@ def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
             time.sleep(0.05)
         assert written(screen) == ""
         monkeypatch.undo()
-
-
-class Timed(io.StringIO):
-    """Remembers when it was written to."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.times: list[float] = []
-
-    def write(self, text: str) -> int:
-        self.times.append(time.monotonic())
-        return super().write(text)
-
-
-@pytest.mark.slow
-def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
-    """Every stage is told by whoever does it, and the screen is renewed all the while, whatever holds the thread."""
-    monkeypatch.setattr(progress, "_DELAY", 0.0)
-    scene, screen = sc.load_scene("glass-rod", {"run.accuracy": 1e-5}), Timed()
-    terminal = Console(file=screen, force_terminal=True, width=80, color_system=None)
-    with IntegrationProgress(scene.run.duration, console=terminal) as bar:
-        run = sc.simulate(scene, progress=bar)
-    assert len(run.summary["refinements"]) == 1
-    names = [stage.name for stage in bar.stages]
-    assert {"building", "solving", "estimating 1 of 2", f"refining to {run.summary['cells']} cells"} <= set(names)
-    ends = (bar.stages[0].began, *screen.times, time.monotonic())
-    assert max(later - sooner for sooner, later in itertools.pairwise(ends)) < 3.0
-    assert f"refining to {run.summary['cells']} cells" in screen.getvalue()
 
 
 def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scene):
@@ -173,18 +121,3 @@ def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scen
     assert details["error"] == words
     details = dict(detail_rows(summary | {"error_estimate": estimate | {"turn": 0.01, "torque": 0.2}}))
     assert details["error"] == f"{words}; 1 % of the largest turn; 20 % of the largest torque"
-
-
-def test_a_refused_summary_is_stamped_and_no_line_longer_than_the_screen(summary, scene):
-    bad = summary | {"outcome": "localised", "regime": None, "message": "a neck " * 20, "advice": "do not trust it"}
-    screen = console(60)
-    print_summary(bad, scene, [Path("a") / "b"], verbose=True, console=screen)
-    lines = written(screen).splitlines()
-    assert lines[0] == f"{REFUSED} (localised): Growing catenary"
-    assert any(line.startswith("reached    midpoint 50.0 mm when the run ended: no") for line in lines)
-    assert not any(line.startswith(("sag", "outcome")) for line in lines)
-    assert all(len(line) <= 60 and line == line.rstrip() for line in lines)
-
-    screen = console()
-    print_summary({"outcome": "localised"}, scene, console=screen)
-    assert "localised" in written(screen), "of a failed run that holds no more"

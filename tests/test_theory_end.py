@@ -8,55 +8,16 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.reference.element_loop import Clamp, Mesh
-from softcat_sym.reference.elements import ElementRun, March
+from softcat_sym.errors import SceneError
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.solution import Progress
-from softcat_sym.studies import compare as comparing
 from softcat_sym.studies.theory_end import (
-    ASPECT,
     TheoryEnd,
     Variation,
-    coarser,
-    mesh_following,
-    number_at,
-    read_variation,
     relative_error,
     slender_limit,
     where_theory_ends,
 )
 from tests.common.strips import timoshenko_sag
-
-
-def test_values_as_a_list_and_as_a_range() -> None:
-    scene = sc.load_scene("continual-descent")
-    assert read_variation(scene, "groups.delta = 0.01, 0.02,0.01") == Variation("groups.delta", ("0.01", "0.02"))
-    assert read_variation(scene, "groups.V=2.6:260:3:log").texts == ("2.6", "26", "260")
-    assert read_variation(scene, "groups.G=1:2:5").texts == ("1", "1.25", "1.5", "1.75", "2")
-    nothing = ("", "groups.G", "groups.G=", "=1,2", "groups.G=1", "groups.G=1,1", "groups.G=1,,2", "groups.G=1:2")
-    for text in (*nothing, "groups.G=1:2:1", "groups.G=0:2:4:log", "groups.G=a:2:4", "groups.G=1:2:4:lin"):
-        with pytest.raises(SceneError, match="accepted: "):
-            read_variation(scene, text)
-
-
-def test_numbers_are_groups_or_si() -> None:
-    scene = sc.load_scene("continual-descent", {"material.viscosity": "7 kPa*s"})
-    assert number_at(scene, "material.viscosity", "7 kPa*s") == pytest.approx(7000)
-    assert number_at(scene, "groups.G", "1.9") == 1.9
-    with pytest.raises(SceneError, match="is no number"):
-        number_at(scene, "material.law", "bingham")
-
-
-def test_elements_at_the_clamp_follow_the_thickness() -> None:
-    for thickness in (0.06, 0.03, 0.01, 0.0075):
-        mesh = mesh_following(thickness)
-        last, half = float(np.diff(mesh.edges())[-1]), coarser(mesh)
-        assert last == pytest.approx(min(0.5 / 32, ASPECT * thickness / 4), rel=0.03)  # the grading has two digits
-        assert (half.along, half.through, half.grading) == (16, 2, mesh.grading)
-    for size in ((32, 2), (31, 4), (32, 6), (0, 4)):
-        with pytest.raises(SoftcatError, match="half as many must be a mesh too"):
-            mesh_following(0.03, *size)
 
 
 def test_relative_error_of_known_curves() -> None:
@@ -97,15 +58,6 @@ def test_the_order_of_an_error_is_found() -> None:
     found = slender_limit(DELTA, 100 * DELTA**3, np.zeros(6))
     assert found is not None and abs(found["intercept"]) > 1e-5
     assert found["leaving_out"] > abs(found["intercept"]) / 3
-
-
-def test_values_without_an_error_are_left_out_and_two_give_no_limit() -> None:
-    error = np.array([-0.002, np.nan, -0.007, -0.012, np.nan, np.nan])
-    found = slender_limit(DELTA, error, np.zeros(6))
-    assert found is not None and len(found["coefficients"]) == 2  # a line through three
-    np.testing.assert_allclose(found["coefficients"], np.polyfit(DELTA[[0, 2, 3]], error[[0, 2, 3]], 1)[::-1])
-    error[0] = np.nan
-    assert slender_limit(DELTA, error, np.zeros(6)) is None
 
 
 THICK = Variation("groups.delta", ("0.12", "0.08", "0.1"))
@@ -160,33 +112,6 @@ def test_a_beam_theory_misses_what_shear_adds(thick: TheoryEnd) -> None:
     assert limit is not None
     # The square of the thickness, but for the denominator in 1/(1 + 13.92 delta^2).
     assert 1.6 < limit["order"] < 2.3
-
-
-@pytest.mark.slow
-def test_what_is_finished_is_not_run_again(thick: TheoryEnd, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def never(self: March) -> None:
-        raise AssertionError("a finished run of the elements was run again")
-
-    monkeypatch.setattr(March, "advance", never)
-    again = study(folder)
-    for each, other in zip(thick.measured, again.measured, strict=True):
-        np.testing.assert_array_equal(each.theories["filament"].error, other.theories["filament"].error)
-
-
-@pytest.mark.slow
-def test_elements_that_fail_at_one_value_are_a_line(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = comparing.run_elements
-
-    def failing(scene: Scene, mesh: Mesh, *, clamp: Clamp, checkpoint: Path, progress: Progress) -> ElementRun:
-        if scene.filament.thickness > 0.11 * scene.filament.span:
-            raise SoftcatError("an element is inside out")
-        return sound(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=progress)
-
-    monkeypatch.setattr(comparing, "run_elements", failing)
-    found = study(folder)
-    assert [each.text for each in found.measured] == ["0.08", "0.1"]
-    assert [(lost.text, lost.reason) for lost in found.unmeasured] == [("0.12", "an element is inside out")]
-    assert all(limit is None for limit in found.limits["filament"])
 
 
 def test_a_value_that_makes_no_scene_is_refused_before_anything_is_run(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ import pytest
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.studies import validate as study
-from softcat_sym.studies.published.case import Case, DataKind, Finding, PublishedValue, published_scene
+from softcat_sym.studies.published.case import Case, Finding, PublishedValue, published_scene
 from tests.common.in_process import Softcat
 
 FAST = ("smay", "martinie", "u-shape")
@@ -65,12 +65,6 @@ def test_the_command_holds_the_cases_that_are_named(softcat: Softcat) -> None:
     assert (done.status, done.err) == (0, "")
 
 
-def test_a_case_that_does_not_exist_is_refused_with_those_that_do(softcat: Softcat) -> None:
-    done = softcat("validate", "smay", "morra", "-o", "out")
-    assert (done.status, Path("out").exists()) == (2, False)
-    assert "no case 'morra' (did you mean 'mora'?)" in done.err and "u-shape" in done.err
-
-
 def test_without_its_extra_a_case_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "rheodata", None)
     (result,) = study.validate(["rheodata"]).results
@@ -92,19 +86,3 @@ def test_a_run_that_is_no_answer_stands_in_the_table_and_fails_the_command(
     assert (done.status, done.err) == (1, "softcat: own: it runs away\n")
     assert json.loads(Path("out/validation.json").read_text())["cases"][0]["failure"] == "it runs away"
     assert "no answer: it runs away" in softcat("validate", "-o", "out").out
-
-
-def test_finished_cases_come_from_the_store_unless_fresh_ones_are_asked_for(
-    monkeypatch: pytest.MonkeyPatch, softcat: Softcat
-) -> None:
-    calls = []
-
-    def counted() -> Finding:
-        calls.append(1)
-        return Finding((PublishedValue("ratio", "", 3.0, 3.1, band=(2.9, 3.2)),))
-
-    monkeypatch.setattr(study, "CASES", made(counted))
-    first = softcat("validate", "-o", "out")
-    assert softcat("validate", "-o", "out").out == first.out and len(calls) == 1
-    assert softcat("validate", "-o", "out", "--fresh").out == first.out and len(calls) == 2
-    assert f"({DataKind.ASSUMED.value})" in first.out and first.out.count("assumed") >= 2 and "within" not in first.out

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
 
-from softcat_sym import load_scene, progress, simulate
+from softcat_sym import load_scene, simulate
 from softcat_sym.effects import selection
-from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.estimates.expected_regime import TURNS_BACK
 from softcat_sym.estimates.forecast import forecast
@@ -25,21 +23,18 @@ from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, is_arrested, re
 from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import (
     SHARE_OF_ONE_CELL,
-    SHORTEST_CELL,
     gained_energy,
     largest_share_of_one_cell,
     largest_stretch,
-    missing_effect,
     neck_strain,
     neck_that_the_grid_decides,
     rupture,
     rupture_frame,
-    warnings_of,
 )
-from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.outcome import Outcome
-from tests.common.runs import run, scene_of
+from tests.common.runs import scene_of
 
 Array = np.ndarray[Any, Any]
 
@@ -90,21 +85,6 @@ def test_arrest_is_slow_everywhere_for_the_stated_time() -> None:
         assert is_arrested(scene, rate) is arrested
     assert is_arrested(scene, np.zeros((1, CELLS)))
     assert not is_arrested(scene, np.full((1, CELLS), RATE))
-
-
-def test_what_is_shaken_must_rest_for_a_whole_period_and_is_never_called_arrested() -> None:
-    """One that flowed at 0.85 of the run: within the last of three periods, and before the last of eight."""
-
-    def shaken(cycles: int) -> Scene:
-        scene = scene_of()
-        return scene.replace({"load.shake": 0.5, "load.shake_frequency": f"{cycles / scene.run.duration!r} Hz"})
-
-    rate = np.zeros((FRAMES, CELLS))
-    rate[-7] = RATE
-    assert [is_arrested(scene, rate) for scene in (shaken(3), shaken(8), scene_of())] == [False, True, True]
-    assert label(fields(np.zeros(FRAMES)), shaken(20)) == "shaken"
-    assert label(fields(np.full(FRAMES, 2 * RATE)), shaken(20)) == "descending"
-    assert label(fields(np.zeros(FRAMES)), shaken(20), yielded=False) == "no-yield"
 
 
 def test_how_far_the_midpoint_turned_back() -> None:
@@ -265,37 +245,6 @@ def test_a_balance_that_does_not_close_is_a_failure_unless_the_closure_has_none(
         assert simulate(soft.replace({"run.effects": names})).outcome is Outcome.solved
 
 
-def test_surface_tension_left_out_by_name_is_told_and_else_not_a_word() -> None:
-    thin: dict[str, dict[str, Any]] = {
-        "filament": {"span": "5 mm", "thickness": "0.2 mm"},
-        "run": {"duration": "5 ms", "effects": "paper"},
-        "load": {"ramp": "2 ms"},
-        "surroundings": {"surface_tension": "0.5 N/m"},
-    }
-    (text,) = simulate(scene_of("elastic", **thin)).summary["warnings"]
-    assert "surface tension is left out by run.effects, but would take about" in text
-    taken = simulate(scene_of("elastic", **thin | {"run": {"duration": "5 ms"}}))
-    assert "surface-tension" in taken.summary["effects"]
-    small = simulate(scene_of(surroundings={"surface_tension": "0.2 mN/m"}))
-    assert "surface-tension" in small.summary["left_out"]
-    assert taken.summary["warnings"] == small.summary["warnings"] == run().summary["warnings"] == []
-
-
-def test_cells_of_a_hinge_graded_too_short_by_hand_are_warned_of() -> None:
-    for by_hand in (True, False):
-        scene = load_scene("arrested-underdamped", {"numerics.grading": 100} if by_hand else {})
-        half = rest_length(scene) / 2
-        for of_the_limit in (0.8, 1.3):
-            shortest = of_the_limit * SHORTEST_CELL * scene.filament.thickness
-            nodes = np.array([-half, -half + shortest, 0.0, half - shortest, half])
-            for yielded in (1.0, 0.2):
-                given = {"yielded_fraction": np.full((2, 4), yielded)}
-                warnings = warnings_of(scene, choose_effects(scene), forecast(scene), nodes, given, 0.0)
-                expected = by_hand and of_the_limit < 1 and yielded > 0.5
-                assert ["numerics.grading" in text for text in warnings] == [True] * expected
-
-
-CABLE = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation")
 WEIGHT = 1e4
 """rho g L [Pa], L = 1 m."""
 GUIDED = {"clamped": 32.0, "pinned": 6.4, "free": 32 * 12 / 204}
@@ -358,28 +307,6 @@ def test_inertia_left_out_of_a_beam_that_is_loaded_slowly_or_rings() -> None:
     assert min(measured_and_true(beam((), thickness, E, run=ringing), "inertia")) > 0.4
 
 
-@pytest.mark.slow
-def test_geometry_left_out_is_measured() -> None:
-    for effect in ("finite-stretch", "thinning", "large-rotation"):
-        for E in (100 * WEIGHT, 1000 * WEIGHT):
-            assert_tells(beam(CABLE, 1e-3, E), effect)
-    assert_tells(beam(CABLE, 0.05, modulus(0.05, 0.1, "free"), "free"), "large-rotation")
-    for thickness in (0.003, 0.01):
-        assert_tells(beam(CABLE, thickness, 100 * WEIGHT), "bending")
-    for right in GUIDED:
-        assert_tells(beam((*CABLE, "shear"), 0.1, modulus(0.1, 0.005, right), right), "shear")
-    # It is 14 % between clamps and more than a third between pins; nothing of a cantilever.
-    stretching = ("bending", "extensibility")
-    for right in ("clamped", "pinned"):
-        assert_tells(beam(stretching, 0.05, modulus(0.05, 0.025, right), right), "extensibility", least=0.8, most=1.5)
-    measure, change = measured_and_true(beam(stretching, 0.05, modulus(0.05, 0.025, "free"), "free"), "extensibility")
-    assert change < 1e-9 and measure < 1e-3
-    checked = finished(beam(stretching, 0.05, modulus(0.05, 0.025))).summary["checked"]
-    assert {"inertia", "shear", "thinning", "finite-stretch", "large-rotation", "rotary-inertia"} <= set(checked)
-    assert not {"bending", "extensibility", "viscous-flow", "yielding", "gravity-ramp"} & set(checked)
-    assert all(np.isfinite(value) and value >= 0 for value in checked.values())
-
-
 def test_flow_left_out_is_measured() -> None:
     """Of a beam whose law gives way within a second, or of a solid that comes to rest late."""
     E = modulus(0.05, 0.005)
@@ -402,34 +329,7 @@ def test_flow_left_out_is_measured() -> None:
     assert change == pytest.approx(1, rel=1e-3) and measure > 0.5
 
 
-def test_what_the_program_left_out_and_matters_is_missing_and_what_the_user_left_out_is_not() -> None:
-    E = modulus(0.01, 1e-5)
-    during = {"effects": "auto", "accuracy": 0.01}
-    scene = beam((), 0.01, E, load={"ramp": "0.5 s"}, run=during)
-    effects = choose_effects(scene)
-    assert "thinning" not in effects.names
-    for value, missing in ((0.0101, {"thinning"}), (0.0099, set())):
-        found = missing_effect(scene, effects, {"thinning": Estimate(value, "half the strain")}, Outcome.solved)
-        assert set(found) == missing
-        assert all("moves the midpoint by about 1 % of the sag" in text for text in found.values())
-    for named in ({"run.effects": "paper"}, {"run.effects": ["bending"]}, {"run.closure": "printed"}):
-        by_user = scene.replace(named)
-        for outcome in (Outcome.solved, Outcome.no_convergence):
-            assert missing_effect(by_user, choose_effects(by_user), {"shear": Estimate(1.0, "much")}, outcome) == {}
-    # A run that fails wants the published theory, a neck its gradient and nothing else.
-    measured = {name: Estimate(1e-9, "nothing") for name in ("thinning", "large-rotation", "shear", "rotary-inertia")}
-    for outcome in (Outcome.no_convergence, Outcome.no_equilibrium, Outcome.step_limit, Outcome.non_finite):
-        assert set(missing_effect(scene, effects, measured, outcome)) == {"thinning", "large-rotation"}
-    assert missing_effect(scene, effects, measured, Outcome.energy_drift) == {}
-    maxwell = {"law": "maxwell", "viscosity": f"{1e6 * E!r} Pa*s"}
-    fluid = beam((), 0.01, E, load={"ramp": "0.5 s"}, run=during, material=maxwell)
-    assert not {"necking-gradient", "thinning"} & set(choose_effects(fluid).names)
-    measured = {name: Estimate(0.0, "") for name in ("necking-gradient", "thinning")}
-    assert set(missing_effect(fluid, choose_effects(fluid), measured, Outcome.localised)) == {"necking-gradient"}
-
-
 ACCURACY = 0.01
-UNFORESEEN = ("tension_share", "sheared", "relaxed", "strain", "slope", "missed", "swings", "risen", "folds")
 
 
 def slow_beam(thickness: float, sag: float, law: str = "elastic", effects: Any = "auto") -> Scene:
@@ -476,91 +376,3 @@ def test_what_a_run_shows_to_matter_is_taken_in(effect: str, monkeypatch: pytest
     assert names == list(foresighted.summary["effects"])
     assert_same(done, foresighted)
     assert_same(done, simulate(scene.replace({"run.effects": names})))
-
-
-def test_named_effects_are_never_repeated() -> None:
-    named = (["bending", "gravity-ramp"], ["inertia", "bending", "gravity-ramp"])
-    for scene, absent in (
-        *((slow_beam(0.01, 0.005, effects=names), "extensibility") for names in named),
-        (slow_beam(0.1, 0.001, effects="paper"), "shear"),
-    ):
-        done = simulate(scene)
-        assert done.summary["checked"][absent] > 10 * ACCURACY
-        assert (done.outcome, done.summary["repeats"]) == (Outcome.solved, [])
-        assert scene.run.effects in ("paper", tuple(done.summary["effects"]))
-
-
-def test_the_trial_is_no_part_of_the_accepted_run_s_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A clock that strikes once whenever it is read: one each for building and solving, two for the trial."""
-    ticks: Iterator[float] = iter(map(float, range(100)))
-    monkeypatch.setattr(progress.time, "perf_counter", lambda: next(ticks))
-    scene, numbers = CASES["extensibility"]
-    scene = scene.replace({"numerics.backend": "interpreted"})
-    stages = ("build", "solve", "estimate", "total")
-    without = simulate(scene).summary["wall_s"]
-    blind(monkeypatch, *numbers)
-    wall = simulate(scene).summary["wall_s"]
-    assert [[wall[stage] for stage in stages] for wall in (without, wall)] == [[1, 1, 0, 2], [1, 1, 2, 4]]
-
-
-def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What flows only shows how late its load comes once it flows."""
-    blind(monkeypatch, *UNFORESEEN)
-    scene = slow_beam(0.01, 1e-4, "maxwell")
-    found = iter([{"viscous-flow": "seen first"}, {"gravity-ramp": "seen then"}, {}])
-    monkeypatch.setattr(run_module, "missing_effect", lambda *_: next(found))
-    done = simulate(scene)
-    assert done.outcome is Outcome.solved
-    assert done.summary["repeats"] == ["viscous-flow: seen first", "gravity-ramp: seen then"]
-    assert {"viscous-flow", "gravity-ramp"} < set(done.summary["effects"])
-    (warning,) = done.summary["warnings"]
-    assert "repeated 2 times" in warning
-    order, runs = ("viscous-flow", "gravity-ramp", "extensibility", "shear"), list[tuple[str, ...]]()
-
-    def always_one_more(scene: Scene, effects: Any, *_: Any) -> dict[str, str]:
-        runs.append(effects.names)
-        return {order[len(runs) - 1]: "there something = 0.3"}
-
-    monkeypatch.setattr(run_module, "missing_effect", always_one_more)
-    done = simulate(scene)
-    added = [set(later) - set(earlier) for earlier, later in pairwise(runs)]
-    assert added == [{"viscous-flow"}, {"gravity-ramp"}]
-    assert done.outcome is Outcome.missing_effect and not done.outcome.is_success
-    assert done.summary["outcome"] == done.data.attrs["outcome"] == "missing_effect"
-    assert (done.summary["regime"], done.summary["message"]) == (None, "extensibility: there something = 0.3")
-    assert "run.effects" in done.summary["advice"]
-    assert (len(done.summary["repeats"]), len(done.summary["warnings"])) == (2, 1)
-
-
-@pytest.mark.slow
-def test_a_run_that_fails_is_repeated_with_what_it_lacks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without rotary inertia the angles of sheared sections are algebraic: a soft thread drawn down by a mass."""
-    thread = Scene.model_validate(
-        {
-            "filament": {"span": "3.73 m", "thickness": "91 mm", "width": "66 mm", "density": "3772 kg/m^3"},
-            "material": {
-                "law": "power-law",
-                "youngs_modulus": "793.5 kPa",
-                "viscosity": "107.2 MPa*s**0.862",
-                "index": 0.862,
-                "poisson": 0.397,
-            },
-            "ends": {"left_angle": "-9.5 deg", "right_angle": "7.6 deg"},
-            "load": {"gravity": "4.546 m/s^2", "point_mass": "220 kg"},
-            "run": {"duration": "6.6 s", "frames": 7, "accuracy": 0.1},
-            "numerics": {"cells": 11, "estimate": False},
-        }
-    )
-    found, finer = simulate(thread), simulate(thread.replace({"run.accuracy": 0.01}))
-    assert found.outcome is finer.outcome is Outcome.solved
-    assert found.summary["repeats"] == ["rotary-inertia: the run without it failed"]
-    assert found.summary["midpoint_final_m"] == pytest.approx(finer.summary["midpoint_final_m"], rel=0.05)
-    # A straight string without inertia has nothing to begin with; an accuracy of 20 % does not ask for bending.
-    honey = load_scene("cold-honey", {"run.accuracy": 0.2, "filament.thickness": "0.2 mm"})
-    blind(monkeypatch, "missed", "swings")
-    assert not {"inertia", "bending"} & set(choose_effects(honey).names)
-    done = simulate(honey)
-    (text,) = done.summary["repeats"]
-    assert done.outcome is Outcome.solved
-    assert "bending: the run without it failed" in text and "bending" in done.summary["effects"]
-    assert_same(done, simulate(honey.replace({"run.effects": list(done.summary["effects"])})))

@@ -12,7 +12,6 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting import vtk
 from softcat_sym.plotting.vtk import write_vtk
 from softcat_sym.reference.element_loop import Mesh
@@ -102,12 +101,3 @@ def test_a_run_is_a_row_of_lines(changes: dict[str, object], tmp_path: Path) -> 
         along, width = mesh.point_data["d1"][6], mesh.point_data["d3"][6]
         assert along == pytest.approx([1, 0, 0], abs=1e-6)
         assert width == pytest.approx([0, 0, 1], abs=1e-6)
-
-
-def test_without_meshio_it_says_how_to_install_it(
-    run: ElementRun, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(vtk, "find_spec", lambda name: None)
-    with pytest.raises(SoftcatError, match=r"pip install 'softcat_sym\[fem\]'"):
-        write_vtk(SCENE, run, tmp_path / "vtk")
-    assert not (tmp_path / "vtk").exists()

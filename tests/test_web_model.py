@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +25,6 @@ from softcat_sym.solvers import compiled
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.web import sliders
-from softcat_sym.web.fixed import Fixed
-from softcat_sym.web.sliders import choose_sliders
 from tests.common.javascript import evaluated
 from tests.common.pages import quick_page, random_states
 from tests.common.runs import scene_of
@@ -74,57 +71,8 @@ def test_parameters_toml_and_links_of_a_state_are_those_of_its_scene(monkeypatch
         assert "scene=" in link and "<" not in link
 
 
-@pytest.mark.slow
-def test_a_loss_that_is_stated_keeps_no_slider_away(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its viscosity goes as E/omega_1: what the page interpolates in groups is what first_vibration finds anew."""
-    keys = ("filament.span", "filament.density", "material.youngs_modulus")
-    monkeypatch.setattr(sliders, "_DEFAULT", keys)
-    scene = ink().replace({"material.loss_tangent": 0.1, "load.ramp": "0 s", "surroundings.surface_tension": "0 N/m"})
-    base = Fixed(scene.replace({"run.effects": list(choose_effects(scene).names)}))
-    chosen = choose_sliders(base)
-    assert [one.key for one in chosen.each] == list(keys) and [*chosen.interpolations] == ["solid_viscosity"]
-    # Two groups of three keys: where density and modulus grow alike, so does the viscosity.
-    assert len(chosen.interpolations["solid_viscosity"].groups) == 2
-    known = chosen.coefficients(base)
-    page = {"keys": chosen.values(scene), "coefficients": [known[name] for name in base.parameters]}
-    data = {"scenes": [page], "sliders": [one.to_dict() for one in chosen.each], "parameters": list(base.parameters)}
-    data |= {"interpolations": {name: asdict(one) for name, one in chosen.interpolations.items()}}
-    states = random_states(data, 20)
-    asked = "given.states.map(state => parametersOf(given.data, state))"
-    for state, parameters in zip(states, evaluated(asked, data=data, states=states), strict=True):
-        values = parameter_values(scene.replace(written(scene, state["values"])))
-        for name, found in zip(base.parameters, parameters, strict=True):
-            assert found == pytest.approx(values[name], rel=0.02 if name == "solid_viscosity" else 1e-12), name
-
-
 def load_scene_text(text: str) -> Scene:
     return Scene.model_validate(tomllib.loads(text))
-
-
-def test_a_broken_link_gives_the_scene_as_it_stands() -> None:
-    data = quick_page(ink(), only_numbers=True)
-    slider = {"key": "filament.span", "si": 1e-3, "low": 2, "high": 9, "exponents": {}, "written": "m"}
-    data = {**data, "sliders": [slider], "scenes": [{**data["scenes"][0], "keys": {"filament.span": 0.005}}]}
-    own = {"scene": 0, "values": {"filament.span": 0.005}}
-    for hash_text, span in {
-        "": 0.005,
-        "#%E0%A4%A": 0.005,
-        "#scene=other&filament.span=0.004": 0.005,
-        "#scene=scene&filament.span=0.004": 0.004,
-        "#scene=scene&filament.span=": 0.005,
-        "#scene=scene&filament.span=1e9": 0.005,
-        "#scene=scene&filament.span=NaN&__proto__=1&x": 0.005,
-        "#<script>": 0.005,
-    }.items():
-        state = evaluated("stateOf(given.data, given.hash)", data=data, hash=hash_text)
-        assert state == own | {"values": {"filament.span": span}}, hash_text
-
-
-def test_numbers_are_written_as_python_writes_them() -> None:
-    values = [0.0, -0.0, 1.0, 100000.0, 123456.7, 1e-5, 0.0001, 2.5e10, -3.26, 999999.5, 1e21, 1e-300]
-    for digits in (2, 3, 6):
-        found = evaluated(f"given.values.map(value => general(value, {digits}))", values=values)
-        assert found == [f"{value:.{digits}g}" for value in values]
 
 
 LONG = {"run": {"duration": "2 s", "frames": 41, "accuracy": 0.01}, "numerics": {"cells": 8}}

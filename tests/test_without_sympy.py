@@ -5,26 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 
-import numpy as np
-import pytest
 import sympy as sp
-from sympy import chebyshevu, legendre
 
-from softcat_sym.discretization.point_rule import POINT_TABLES
-from softcat_sym.discretization.section_rule import polynomials
-from softcat_sym.effects.temperature import cylinder_in_air
-from softcat_sym.physics import heat
-from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.cross_sections import CROSS_SECTIONS
 from softcat_sym.physics.densities import Densities
-from softcat_sym.physics.loads import SURFACES, surface_tension
-from softcat_sym.physics.necking import aspect
-from softcat_sym.physics.section_equations import clocks_of, derive, law_named
-from softcat_sym.physics.section_response import stiffness
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.physics.spatial import POINT
+from softcat_sym.physics.section_equations import clocks_of, law_named
 from softcat_sym.physics.surroundings import densities_of
-from softcat_sym.physics.symbols import c, g, h0, s
+from softcat_sym.physics.symbols import g, h0
 from softcat_sym.physics.terms import Course, Rheology, Terms
 from softcat_sym.scene.laws import LAWS
 from softcat_sym.scene.reading import load_scene
@@ -104,14 +90,6 @@ def test_a_law_is_what_its_equations_are() -> None:
                 assert terms.grows is bool(clock.grows), (name, constant)
 
 
-def test_the_tension_has_a_potential_where_the_volume_does_not_depend_on_the_stretch() -> None:
-    for finite in (True, False):
-        for thins in (True, False):
-            terms = Terms(bending=True, stretches=True, finite=finite, thins=thins)
-            found = derive(terms, SECTIONS["circle"], "material")
-            assert found.conserves_energy is (s not in found.response.volume.free_symbols)
-
-
 def test_what_surrounds_a_filament_leaves_it_symmetric() -> None:
     """And belongs to a cell if it depends on the tangent."""
     for terms in (Terms(buoyant=True), Terms(drag="slender"), Terms(drag="cross-flow"), Terms(added_mass=True)):
@@ -121,24 +99,3 @@ def test_what_surrounds_a_filament_leaves_it_symmetric() -> None:
         assert terms.adds_mass is (found.kinetic != 0)
     keys = {Densities("one", stored=one).signature for one in (g, g * h0, g * sp.Float(2), g * 2)}
     assert len(keys) == 4
-
-
-def test_numbers_of_sections_are_those_of_their_expressions() -> None:
-    wide = 3.0
-    assert (*(symbol.name for symbol in POINT), "weight") == POINT_TABLES
-    for name, section in SECTIONS.items():
-        plain = CROSS_SECTIONS[name]
-        assert plain.mean_lever == float(2 * section.overstress_mean.subs(c, 0))
-        assert plain.plane_strain is not SURFACES[name].shrinks
-        assert plain.stiffness(7.0, 0.4) == pytest.approx(float(stiffness(section, sp.Float(7)).subs(nu, 0.4)))
-        pull = SURFACES[name].pressure.subs({surface_tension: 1, h0: 0.2, aspect: wide})
-        assert plain.pull(0.2, 0.6) == pytest.approx(float(pull))
-        at = (-0.3, 0.8)
-        family = chebyshevu if name == "circle" else legendre
-        wanted = [[float(family(n, place) / family(n, 1)) for n in range(4)] for place in at]
-        np.testing.assert_allclose(polynomials(name, np.array(at), 3), wanted, rtol=1e-13)
-
-
-def test_the_correlation_of_a_cylinder_in_air_is_that_of_its_expression() -> None:
-    given = {heat.temperature: 900.0, heat.around: 300.0, s: 1, h0: 1e-3, g: 9.81}
-    assert cylinder_in_air(900.0, 300.0, 1e-3, 9.81) == pytest.approx(float(heat.cylinder_in_air().subs(given)))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,6 @@ from softcat_sym.codegen.c_model import model_for
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.effects.selection import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting.accuracy import front
 from softcat_sym.single_run import build
 from softcat_sym.solvers.interpreted import compiled_rhs
 from softcat_sym.solvers.rates import Rates
@@ -24,14 +22,10 @@ from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.solve import assembled
 from softcat_sym.studies.integrators import METHODS, THIS_PROGRAM, Measurement, Method, Task, ready, scene_of
 from softcat_sym.studies.work_precision import (
-    TOLERANCES,
     Answers,
-    Budget,
     Reference,
-    Worker,
     WorkPrecision,
     extrapolated,
-    measured,
     record,
 )
 from tests.common.in_process import Softcat
@@ -108,47 +102,6 @@ def test_reference_of_a_known_order_is_extrapolated_to_the_limit_and_confirmed_b
         extrapolated(still)
 
 
-class Known(Worker):
-    """Measures nothing: errors by tolerance, and what has none takes too long."""
-
-    def __init__(self, errors: dict[float, float]) -> None:
-        self.errors = errors
-
-    def measure(self, task: Task, seconds: float) -> Measurement:
-        if task.rtol not in self.errors:
-            return Measurement(10.0, message="stopped", stopped=True)
-        return Measurement(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + self.errors[task.rtol])))
-
-
-def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
-    """Stopped at a loose tolerance it is tried at the next; stopped there too it gets no finer grid."""
-    budget = Budget(1e9, lambda what, share: None)
-
-    def rows(errors: dict[float, float]) -> list[tuple[int, float]]:
-        program = next(program for program in METHODS if program.key == "cvodes")
-        found = measured(program, [(10, 1.0, 0), (20, 1.0, 0)], REFERENCE, Known(errors), budget, budget.end)
-        return [(task.cells, task.rtol) for _, task, _ in found]
-
-    assert rows({}) == [(10, 1e-2), (10, 1e-3)]
-    # The finer grid begins at what was good enough on the coarser.
-    every = {1e-3: 1e-3, 1e-4: 1e-5, 1e-5: 1e-7, 1e-6: 1e-9}
-    assert rows(every) == [*((10, rtol) for rtol in TOLERANCES), (20, 1e-6)]
-    # 3e-4 cannot get better on this grid: one tolerance more shows it, and is the last.
-    assert rows(dict.fromkeys(TOLERANCES, 3e-4)) == [(n, rtol) for n in (10, 20) for rtol in (1e-2, 1e-3, 1e-4)]
-
-
-def test_time_left_never_jumps_up_and_what_has_none_is_not_begun() -> None:
-    told: list[float] = []
-    budget = Budget(0.2, lambda what, share: told.append(share))
-    for what in ("one", "two", "three"):
-        budget.doing(what)
-        time.sleep(0.05)
-        budget.tick()
-    assert told == sorted(told) and 0 <= told[0] < told[-1] <= 1
-    found = Worker(sc.load_scene("cold-honey"), budget).measure(Task("cvodes", 10, 1.0), budget.left - 1.0)
-    assert found.stopped and not found.midpoint
-
-
 def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
     own, rival = (next(program for program in METHODS if program.kind == kind) for kind in ("own", "rival"))
     task, pairs = Task("cvodes", 40, 1.0), ((1.0, 1e-2), (2.0, 1e-4), (0.1, math.inf), (3.0, 1e-4))
@@ -168,14 +121,6 @@ def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> No
     np.testing.assert_array_equal(best_line.get_ydata(), [1e-2, 1e-4])
     with pytest.raises(ValueError, match="no run with an error to draw"):
         replace(found, runs=runs.assign(error=math.nan)).plot()
-
-
-def test_front_is_every_run_that_no_other_beats() -> None:
-    values = 10 ** np.random.default_rng(5).uniform([-3, -6], [1, -1], (60, 2))
-    runs = pd.DataFrame([*values.tolist(), [0.1, math.nan], values[0].tolist()], columns=["seconds", "error"])
-    kept = front(runs)
-    pairs = {tuple(pair) for pair in values if not any((other < pair).all() for other in values)}
-    assert set(map(tuple, kept.to_numpy())) == pairs and len(kept) == len(pairs)
 
 
 def test_faults_are_said_and_nothing_is_written(

@@ -111,11 +111,6 @@ def random_state(graph: Graph, seed: int, size: float = 0.02) -> tuple[Floats, F
     return x, z
 
 
-def rhs(graph: Graph) -> ca.Function:
-    """(t, x, z, p) to (ode, alg, quad)."""
-    return ca.Function("rhs", [graph.t, graph.x, graph.z, graph.p], [graph.ode, graph.alg, graph.quad])
-
-
 def value(function: ca.Function, *inputs: Any) -> tuple[Floats, ...]:
     """Outputs as flat arrays."""
     outputs = function.call([ca.DM(i) for i in inputs])

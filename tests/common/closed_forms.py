@@ -42,20 +42,6 @@ def von_karman_sag(E: float, I_over_A: float, weight: float, L: float = 1.0) -> 
     return float(curve(root)[1])
 
 
-def elastic_catenary(E_star: float, X: Array) -> tuple[Array, Array]:
-    """Shape (x, y)/L of the classical elastic catenary, T = E A0 (s - 1), of unstretched length L."""
-
-    def across(H: float, at: Array | float) -> Array:
-        return H * (np.asarray(at) / E_star + np.arcsinh(np.asarray(at) / H))
-
-    H = float(brentq(lambda H: float(across(H, 0.5)) - 0.5, 1e-6, 100 * (1 + E_star), xtol=1e-15, rtol=1e-15))
-
-    def height(at: Array | float) -> Array:
-        return np.asarray(at) ** 2 / (2 * E_star) + np.hypot(H, np.asarray(at))
-
-    return across(H, X), height(X) - height(0.5)
-
-
 def soft_catenary_sag(E_star: float) -> float:
     """Sag/L of a string without bending that thins and is measured in true strain: T = E A0 log(s)/s."""
 

@@ -32,11 +32,6 @@ class Bar:
     viscosity: float = 0.0
 
 
-def elastic(E: float) -> Bar:
-    """sigma = E eps."""
-    return Bar(((E, rigid),))
-
-
 def maxwell(E: float, eta: float) -> Bar:
     """(2.7)."""
     return multimode([(E, eta)])
