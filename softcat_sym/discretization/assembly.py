@@ -20,7 +20,14 @@ from softcat_sym.discretization.grid import (
 )
 from softcat_sym.discretization.point_rule import ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.supports import EXIT_PLACES, NATURAL_PLACES, FilamentBody, Supports, ThicknessProfile, node_mass
+from softcat_sym.discretization.supports import (
+    EXIT_PLACES,
+    NATURAL_PLACES,
+    FilamentBody,
+    Supports,
+    ThicknessProfile,
+    node_mass,
+)
 from softcat_sym.discretization.unknowns import INVERTED, PER, Block, Floats, Layout, Signature, Slot
 from softcat_sym.effects.selection import Effects, choose_effects
 from softcat_sym.estimates.scaling import first_yield_gravity_number, gravity_number_of

@@ -119,7 +119,10 @@ class _Balance:
         if slot.name in of.plastic:
             rate = of.plastic[slot.name]
             if b.exit is not None:
-                rate = b.exit.out * rate - b.exit.diluted[0] * Neighbours(b.leaves, UNKNOWN, slot.name)[0]
+                # What follows the time, and not a strain, waits until it is out.
+                waits = any(slot.name.startswith(f"{clock.name}_") for clock in b.equations.clocks)
+                state = Neighbours(b.leaves, UNKNOWN, slot.name)[0]
+                rate = (b.exit.out if waits else 1) * rate - b.exit.diluted[0] * state
             return Field(name, slot.where, rate * b.scale)
         if slot.name in self.guided:
             return Field(name, slot.where, self.guided[slot.name].rate)
@@ -272,7 +275,7 @@ class _Balance:
             groups[WORK_OF_AGEING] = [one.times(scale, f"power_ageing_{k}") for k, one in enumerate(of.ageing)]
         if b.exit is not None:
             work = [Field("power_support", _AT_RIGHT, moved)]
-            work += [Field(f"power_nozzle_{name}", NODES, one.power) for name, one in self.guided.items()]
+            work += [Field(f"power_nozzle_{name}", b.slots[name].where, one.power) for name, one in self.guided.items()]
             groups[WORK_OF_NOZZLE] = [one.times(scale) for one in work]
             groups[LOST_AT_EXIT] = [one.times(scale) for one in self._lost_at_exit()]
         return groups
@@ -285,7 +288,7 @@ class _Balance:
         # Energy that a material which changes in time gains is counted by itself.
         aged = [one.times(ca.SX(1), f"exit_{one.name}") for one in of.ageing]
         carried = b.explicit_rate(self.mass) * b.span * b.density * self.gravity * self.down
-        losses = [Field(f"exit_{name}", NODES, one.loss) for name, one in self.guided.items()]
+        losses = [Field(f"exit_{name}", b.slots[name].where, one.loss) for name, one in self.guided.items()]
         return [*passing, *aged, Field("exit_weight", NODES, carried), *losses]
 
     def _observables(self) -> dict[str, Field | tuple[Field, ...]]:
@@ -300,11 +303,11 @@ class _Balance:
         if terms.rotary_inertia and of.turning is not None:
             turning = b.node[0] * of.turning.spin[0][0] ** 2 * self.rotary / (2 * b.scale**2)
             kinetic.append(Field("turning", NODES, turning * span))
-        if self.guided:
-            of.energies["guide"] = [Field(f"guide_{name}", NODES, one.energy) for name, one in self.guided.items()]
         stored = {
             f"energy_{name}": tuple(one.times(span, name) for one in fields) for name, fields in of.energies.items()
         }
+        guiding = (Field(f"guide_{name}", b.slots[name].where, one.energy * span) for name, one in self.guided.items())
+        stored |= {"energy_guide": tuple(guiding)} if self.guided else {}
         weight = [self._of_masses("weight", -self.down * span * b.density * self.gravity * span)]
         if b.body.tip_force:
             pulled = sum((b.named[n] * r[0] for n, r in zip(TIP_FORCE, of.places, strict=True)), ca.SX(0))
@@ -324,8 +327,13 @@ class _Balance:
 
     def _of_nozzle(self, exit_: Exit) -> dict[str, Field | tuple[Field, ...]]:
         """What is out, and the force of the nozzle on the strand."""
-        forces = [(way, self.support[k], one.reaction) for k, (way, one) in enumerate(zip("xy", self.guided.values()))]
+        forces = [
+            (way, self.support[k], *one) for k, (way, one) in enumerate(zip("xy", self.guided.items(), strict=False))
+        ]
         return {"exposed": Field("exposed_share", CELLS, exit_.exposed[0])} | {
-            f"nozzle_force_{way}": (Field(f"held_{way}", _AT_RIGHT, held), Field(f"guiding_{way}", NODES, guiding))
-            for way, held, guiding in forces
+            f"nozzle_force_{way}": (
+                Field(f"held_{way}", _AT_RIGHT, held),
+                Field(f"guiding_{way}", self.b.slots[name].where, one.reaction),
+            )
+            for way, held, name, one in forces
         }

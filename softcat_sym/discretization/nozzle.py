@@ -79,7 +79,6 @@ class Exit:
         return ca.SX(self.b.place("node")[0])
 
 
-
 class Guided:
     """A coordinate of the nodes: in balance where they are out, where the nozzle has it before, and between the two.
 

@@ -39,7 +39,9 @@ def _observe(scene: Scene, fields: Fields) -> Observed:
         "laid_at_s": laid_at(scene),
         "extruded_length_m": float(found["extruded_length"][-1]),
         "emplaced_length_m": float(found["emplaced_length"][-1]),
-        "draw_ratio": float((found["emplaced_length"][-1] - stub_length(scene)) / (found["extruded_length"][-1] - stub_length(scene))),
+        "draw_ratio": float(
+            (found["emplaced_length"][-1] - stub_length(scene)) / (found["extruded_length"][-1] - stub_length(scene))
+        ),
         "nozzle_force_x_N": float(fields["nozzle_force_x"][min(laid, len(time) - 1)]),
         "nozzle_force_y_N": float(fields["nozzle_force_y"][min(laid, len(time) - 1)]),
     }

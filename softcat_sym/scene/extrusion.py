@@ -136,7 +136,9 @@ def _feed_rows(scene: Any) -> tuple[tuple[float, float], ...]:
     factor = 1.0 if nozzle.flow_rate is None else 1 / area
     table = given.table if isinstance(given, History) else ((0.0, given),)
     inner = [(time, value) for time, value in table if 0 < time < end]
-    return tuple((time, value * factor) for time, value in ((0.0, _linear(table, 0.0)), *inner, (end, _linear(table, end))))
+    return tuple(
+        (time, value * factor) for time, value in ((0.0, _linear(table, 0.0)), *inner, (end, _linear(table, end)))
+    )
 
 
 def _linear(table: tuple[tuple[float, float], ...], time: float) -> float:
@@ -177,7 +179,7 @@ def exit_time(scene: Tables, place: float) -> float:
 
 
 def releases(scene: Tables, nodes: Sequence[float]) -> tuple[float, ...]:
-    """Times at which the nozzle changes, and begins or ends to hand over one of the nodes, at X over rest length [s]."""
+    """Times at which the nozzle changes, or begins or ends to hand over a node, at X over the rest length [s]."""
     if not scene.extrusion.present:
         return ()
     length, cell = laid_length(scene), nodes[1] - nodes[0]
@@ -217,8 +219,13 @@ def extrusion_rules(scene: Tables) -> Iterator[Rule]:
     fresh = "given, but what comes out of a nozzle is relaxed"
     yield from if_given(scene, fresh, out, "initial.stretch", "initial.P", "initial.C", "initial.centreline")
     only = f"given with {table}, which has not this so far"
-    keys = ("load.point_mass", "filament.profile", "filament.curvature", "filament.twist", "numerics.grading")
+    keys = ("load.point_mass", "filament.profile", "filament.curvature", "filament.twist")
     yield from if_given(scene, only, out, *keys, "temperature.conductivity", "temperature.heated")
+    uneven, found = (
+        scene.numerics.grading not in (None, 1.0),
+        f"{scene.numerics.grading}, but a laid strand has equal cells",
+    )
+    yield uneven, "numerics.grading", found, "1, or leaving it out"
     yield scene.initial.surface != "fresh", "initial.surface", "'relaxed', but what comes out has a fresh one", "fresh"
     yield scene.model == "small-deflection", "model", f"'small-deflection', given with {table}", "filament"
     yield scene.run.closure == "printed", "run.closure", f"'printed', given with {table}", "material"
@@ -244,7 +251,12 @@ def _of_path(scene: Tables) -> Iterator[Rule]:
         yield still and not given, "extrusion.speed", found, 'a speed, such as "5 mm/s", or extrusion.flow_rate'
         needed = "'along', but the nozzle stands still"
         yield still and nozzle.direction == ALONG, "extrusion.direction", needed, "down, or an angle"
-    yield nozzle.path == () and stub >= span, "extrusion.start", f"{stub:.4g} m, not shorter than the span", "a shorter stub"
+    yield (
+        nozzle.path == () and stub >= span,
+        "extrusion.start",
+        f"{stub:.4g} m, not shorter than the span",
+        "a shorter stub",
+    )
     left = scene.ends.supports[0]
     if left.is_free or any(times[:1]):
         return
@@ -254,5 +266,6 @@ def _of_path(scene: Tables) -> Iterator[Rule]:
     accepted = f"a first row at ({stub * math.cos(angle):.6g}, {stub * math.sin(angle):.6g}) m, or another start"
     yield bool(nozzle.path) and off, path, found, accepted
     turned = left.carries_moment and abs(scene.ends.left_angle - angle) > 1e-9
-    found = f"{math.degrees(scene.ends.left_angle):.4g} deg, but the strand leaves the nozzle at {math.degrees(angle):.4g} deg"
+    given, exits = (math.degrees(one) for one in (scene.ends.left_angle, angle))
+    found = f"{given:.4g} deg, but the strand leaves the nozzle at {exits:.4g} deg"
     yield turned, "ends.left_angle", found, f'"{angle!r} rad", a pinned or a free end'

@@ -145,7 +145,9 @@ def straight_angle(scene: Scene) -> float:
 def is_turned(scene: Scene) -> bool:
     """Tell whether an end that resists a turn is turned against the line between the supports."""
     along = chord_angle(scene)
-    return any(one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for _, one, angle in _clampable(scene))
+    return any(
+        one.carries_moment and not math.isclose(angle, along, abs_tol=1e-12) for _, one, angle in _clampable(scene)
+    )
 
 
 def _clampable(scene: Scene) -> tuple[tuple[str, Support, float], ...]:
